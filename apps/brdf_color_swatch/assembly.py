@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFormat
-from brdf_qt.documents.recovery_offer import RecoveryOffer
+from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
 from brdf_qt.program.translation import mark, tr
@@ -155,9 +155,9 @@ class ColorSwatch(Program):
 
     def offer_recovery(self) -> None:
         """Show a message with the unsaved work of earlier runs; nothing where there is none."""
-        RecoveryOffer(
+        offer_recovery(
             self.window.show_message,
-            self.unsaved.find,
+            self.unsaved.find(),
             lambda found: self.session.show_scope(Scope(self.unsaved.recover(found))),
             self.unsaved.discard,
             tr("Color Swatch closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
@@ -165,4 +165,4 @@ class ColorSwatch(Program):
                 "Color Swatch closed unexpectedly. Recover unsaved work on {count} palettes (newest: {when}): "
                 "{names}?"
             ),
-        ).show()
+        )

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery_offer import RecoveryOffer
+from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.dialogs import Dialogs, QtDialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
@@ -64,7 +64,7 @@ class Designer(Program):
 
     window: DesignerWindow
 
-    def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
+    def __init__(self, dialogs: Callable[[DesignerWindow], QtDialogs] = QtDialogs) -> None:
         names = paint_names()
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
         super().__init__(DesignerWindow())
@@ -80,16 +80,6 @@ class Designer(Program):
         self.session = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.window.build(self.session, names)
         self.controller = Controller(self.window, self.session, self.window)
-        self.recovery_offer = RecoveryOffer(
-            self.window.show_message,
-            lambda: self.documents.front.recovery.found(),
-            self.documents.recover,
-            lambda item: self.documents.front.recovery.drop(item),
-            tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
-            tr(
-                "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
-            ),
-        )
         self._has_closed_documents = False
         self._join()
         self.features += (*build_sections(self.session, self.window), self.link)
@@ -120,7 +110,20 @@ class Designer(Program):
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
         self.session.refresh()
         super().start()
-        self.recovery_offer.show()
+        self.offer_recovery()
+
+    def offer_recovery(self) -> None:
+        """Show a message with the unsaved work of earlier runs; nothing where there is none."""
+        offer_recovery(
+            self.window.show_message,
+            self.documents.front.recovery.found(),
+            self.documents.recover,
+            lambda item: self.documents.front.recovery.drop(item),
+            tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
+            tr(
+                "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
+            ),
+        )
 
     def open(self, name_or_path: str) -> None:
         """Open a paint by name or file; from any other material, named or in a file, a design is started."""

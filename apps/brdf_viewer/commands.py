@@ -28,6 +28,16 @@ _OPENED = (
     ("palette", mark("Open Pa&lette…"), "Ctrl+Shift+L"),
     ("view", mark("Open &View…"), "Ctrl+Shift+O"),
 )
+_TURN = mark("One turn of the object, as a video or a folder of pictures")
+_EXPORTS = {
+    "picture": (mark("E&xport Picture…"), "Ctrl+Shift+X", mark("A picture of any size, as PNG or EXR")),
+    "turntable": (mark("Export &Turntable…"), None, _TURN),
+    "sheet": (
+        mark("Export &Contact Sheet…"),
+        None,
+        mark("All paints of a palette or a folder in this light"),
+    ),
+}
 _RECENT = {
     "paint": mark("Recent &Paints"),
     "palette": mark("Recent Pale&ttes"),
@@ -140,26 +150,7 @@ class ViewerCommands(QObject):
         self.save_picture = add(menu, mark("Save &Picture…"), None, "Ctrl+E", "floppy-disk", tip)
         tip = mark("Save the traced picture as EXR with the variance of each pixel")
         self.save_traced = add(menu, mark("Save T&raced Picture…"), None, "Ctrl+Shift+R", "floppy-disk", tip)
-        for text, kind, keys, tip in (
-            (
-                mark("E&xport Picture…"),
-                "picture",
-                "Ctrl+Shift+X",
-                mark("A picture of any size, as PNG or EXR"),
-            ),
-            (
-                mark("Export &Turntable…"),
-                "turntable",
-                None,
-                mark("One turn of the object, as a video or a folder of pictures"),
-            ),
-            (
-                mark("Export &Contact Sheet…"),
-                "sheet",
-                None,
-                mark("All paints of a palette or a folder in this light"),
-            ),
-        ):
+        for kind, (text, keys, tip) in _EXPORTS.items():
             add(menu, text, partial(self.export_requested.emit, kind), keys, "export", tip)
         menu.addSeparator()
         self.studio = menu.addMenu(tr("S&tudio"))

@@ -10,7 +10,7 @@ from brdf_qt.link.link import LiveLink
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs, QtDialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -25,9 +25,9 @@ from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
 from brdf_viewer.documents.file_kinds import (
+    ENDINGS,
     AskFile,
     AskPicture,
-    all_endings,
     ask_file,
     ask_picture,
     ask_target,
@@ -92,7 +92,7 @@ class ViewerController(Program):
         follow: bool = True,
         ask: AskFile = ask_file,
         ask_picture: AskPicture = ask_picture,
-        dialogs: Dialogs | None = None,
+        dialogs: QtDialogs | None = None,
     ) -> None:
         super().__init__(ViewerWindow(self._make_drawer))
         self.state = ViewerState(view, self)
@@ -152,7 +152,11 @@ class ViewerController(Program):
         """Open a file of any kind that the Viewer knows."""
         kind = kind_of(path)
         if kind is None:
-            self.scene.report_unknown(path, all_endings())
+            known = ", ".join(ending for endings in ENDINGS.values() for ending in endings)
+            what = tr("Viewer opens files that end in {endings}.").format(endings=known)
+            todo = tr("Drop one of these.")
+            message = Message("dropped", what, where=path, todo=todo, severity="error")
+            self.window.messages.show_message(message)
         else:
             self._open(kind, path)
 
@@ -205,7 +209,7 @@ class ViewerController(Program):
         commands.designer.triggered.connect(self._open_designer)
         commands.undo.triggered.connect(self.undo)
         commands.redo.triggered.connect(self._redo)
-        state.history.steps_changed.connect(self._show_history)
+        state.history.history_changed.connect(self._show_history)
 
     def _make_drawer(self, context: Context) -> SceneDrawer:
         drawer = SceneDrawer(context, self.state, self.window.surround, self._refused)

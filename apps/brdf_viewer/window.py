@@ -53,31 +53,18 @@ class ViewerWindow(SuiteWindow):
         self.picture.setAccessibleName(tr("Picture"))
         self.overlay = PictureOverlay(self.picture)
         self.set_centre(self.picture, tab_hides_panels=True)
-        self.environment = EnvironmentSection()
-        self.lighting = LightingSection()
-        self.surface = SurfaceSection()
-        self.relief = ReliefSection()
-        self.paint = PaintSection()
-        self.camera = CameraSection()
-        self.fresnel = FresnelSection()
-        self.sparkle = SparkleSection()
-        self.tone = ToneSection()
-        self.renderer = RendererSection()
-        self.compare = CompareSection()
-        for section in (
-            self.environment,
-            self.lighting,
-            self.surface,
-            self.relief,
-            self.paint,
-            self.fresnel,
-            self.sparkle,
-            self.tone,
-            self.renderer,
-            self.compare,
-            self.camera,
-        ):
-            self.inspector.add_section(section)
+        add = self.inspector.add_section
+        self.environment = add(EnvironmentSection())
+        self.lighting = add(LightingSection())
+        self.surface = add(SurfaceSection())
+        self.relief = add(ReliefSection())
+        self.paint = add(PaintSection())
+        self.fresnel = add(FresnelSection())
+        self.sparkle = add(SparkleSection())
+        self.tone = add(ToneSection())
+        self.renderer = add(RendererSection())
+        self.compare = add(CompareSection())
+        self.camera = add(CameraSection())
         self.commands = ViewerCommands(self)
         self.studio = StudioPanel()
         self.studio_dock = self.add_panel(mark("Studio"), self.studio, Qt.DockWidgetArea.LeftDockWidgetArea)

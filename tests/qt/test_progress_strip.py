@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QProgressBar, QPushButton
 def test_the_bar_is_grey_in_every_theme(qtbot):
     strip = ProgressStrip()
     qtbot.addWidget(strip)
-    strip.begin("filtering")
+    strip.set_job("light", 0.0, "filtering")
     bar = strip.findChild(QProgressBar)
     for name in ("dark", "booth", "light"):
         strip.setPalette(palette(name))
@@ -25,7 +25,7 @@ def test_cancel_calls_once_and_hides(qtbot):
     strip = ProgressStrip()
     qtbot.addWidget(strip)
     calls = []
-    strip.begin("filtering", lambda: calls.append(1))
+    strip.set_job("light", 0.0, "filtering", lambda: calls.append(1))
     assert strip.isVisible()
     with qtbot.waitSignal(strip.cancelled):
         strip.findChild(QPushButton).click()

@@ -86,7 +86,7 @@ def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     blue = colour(viewer)
     assert blue[2] > blue[0] + 30
     assert viewer.window.paint.chooser.list.currentData() == DESIGNER
-    assert next(p.asked for p in viewer.window.paint.patches.patches) == (45.0, -40.0, -30.0)
+    assert next(p.lab for p in viewer.window.paint.patches.patches) == (45.0, -40.0, -30.0)
 
 
 def test_a_viewer_that_comes_later_shows_the_present_paint(start, designer, qtbot) -> None:
@@ -209,11 +209,11 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
         viewer.controller.paint.open("copper")
         for tip in (cell.toolTip(), section.fit.toolTip()):
             assert "follows automatically" in tip
-        assert all(patch.exact_follows for patch in section.patches.patches)
+        assert section.patches.exact_follows
     qtbot.waitUntil(lambda: "no exact" in cell.toolTip())
     assert "no exact" in section.fit.toolTip()
     assert "time-limited" in cell.text()
-    assert not any(patch.exact_follows for patch in section.patches.patches)
+    assert not section.patches.exact_follows
     hurried.close()
 
 
@@ -301,7 +301,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
             pass
 
     fitter = viewer.controller.paint.fitter.lobe_fitter
-    counters = viewer.controller.drawer.counters
+    counters = viewer.controller.drawer.scene_renderer.counters
     programs = [id(program) for program in fitter.programs]
     for step in range(20):
         change(step)

@@ -14,7 +14,7 @@ from brdf_viewer.compare import frozen_paints
 from brdf_viewer.compare.frozen_paints import freeze, touch
 from brdf_viewer.documents.file_kinds import kind_of
 from brdf_viewer.fields.inspector import SliderField, Source, SourceChooser, title_of
-from brdf_viewer.paint.patches import PaintPatches, Patch
+from brdf_viewer.paint.patches import PaintPatches
 from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -24,6 +24,7 @@ from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_any_paint
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.fitting.metrics import AngleError
 from brdf_suite.output.turning import turned
 
 RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
@@ -136,13 +137,15 @@ def test_patches_are_ordered_and_thinned_and_show_the_colours(qtbot) -> None:
     patches = PaintPatches()
     qtbot.addWidget(patches)
     patches.resize(300, 90)
-    row = [Patch(angle, (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for angle in (110.0, 15.0, 45.0)]
+    row = [AngleError(45.0, angle, (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for angle in (110.0, 15.0, 45.0)]
     patches.set_patches(row)
     assert [p.aspecular_deg for p in patches.patches] == [15.0, 45.0, 110.0]
     colour = patches.grab().toImage().pixelColor(10, 10)
     assert abs(colour.red() - 119) <= 1
     assert colour.red() == colour.green() == colour.blue()
-    patches.set_patches([Patch(float(a), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for a in range(30)])
+    patches.set_patches(
+        [AngleError(45.0, float(a), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0), 0.0) for a in range(30)]
+    )
     assert len(patches.patches) == 6
     assert (patches.patches[0].aspecular_deg, patches.patches[-1].aspecular_deg) == (0.0, 29.0)
 
@@ -151,11 +154,11 @@ def test_patches_name_the_light_where_there_are_two(qtbot) -> None:
     patches = PaintPatches()
     qtbot.addWidget(patches)
     grey = (50.0, 0.0, 0.0)
-    one = [Patch(angle, grey, grey, 0.0) for angle in (110.0, 15.0, 45.0)]
+    one = [AngleError(45.0, angle, grey, grey, 0.0) for angle in (110.0, 15.0, 45.0)]
     patches.set_patches(one)
     assert not patches.names_lights
     height = patches.minimumHeight()
-    second = [Patch(angle, grey, grey, 0.0, illumination_deg=15.0) for angle in (45.0, 15.0)]
+    second = [AngleError(15.0, angle, grey, grey, 0.0) for angle in (45.0, 15.0)]
     patches.set_patches([*one, *second])
     shown = [(patch.illumination_deg, patch.aspecular_deg) for patch in patches.patches]
     assert shown == [(15.0, 15.0), (15.0, 45.0), (45.0, 15.0), (45.0, 45.0), (45.0, 110.0)]

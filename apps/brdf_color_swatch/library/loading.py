@@ -178,7 +178,7 @@ class PaletteLoader:
         if value == read.palette:
             opened.store.mark_clean(read.path, read.stamp)
         else:
-            opened.store.note_stamp(read.stamp)
+            opened.store.stamp = read.stamp  # merged with it, and not saved yet
         opened.base = read.palette
         self._library.settled.emit(f"outside {key}")
         self._library.items_changed.emit()

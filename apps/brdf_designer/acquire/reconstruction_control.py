@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
@@ -31,7 +31,7 @@ class ReconstructionController(QObject):
 
     _partial = Signal(int, int, object)
 
-    def __init__(self, bench: ReconstructionSession, dialogs: Dialogs) -> None:
+    def __init__(self, bench: ReconstructionSession, dialogs: QtDialogs) -> None:
         super().__init__(bench)
         self._bench, self._dialogs = bench, dialogs
         self._done = self._total = 0

@@ -15,7 +15,7 @@ from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.stamp import FileStamp
-from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject, Signal
 
@@ -79,7 +79,7 @@ class Documents(QObject):
         self,
         first: Paint,
         form: DocumentFormat[Paint],
-        dialogs: Dialogs,
+        dialogs: QtDialogs,
         autosave_failed: Callable[[BaseException], None],
         parent: QObject | None = None,
     ) -> None:

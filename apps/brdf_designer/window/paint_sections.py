@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.parameters import FieldParameter, ParameterPanel
+from brdf_qt.fields.number import reach_of
+from brdf_qt.fields.parameters import ParameterPanel
 from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QLabel, QWidget
@@ -76,15 +77,6 @@ _RULES = {
 }
 
 
-def _parameter(key: str) -> FieldParameter:
-    known = PARAMETERS[key]
-    step, decimals = _STEPS[key]
-    unit = "×" if key == "near_specular" else known.unit
-    return FieldParameter(
-        key, tr(_LABELS[key]), unit, known.low, known.high, step, decimals, known.default, tr(_TIPS[key])
-    )
-
-
 def computed() -> QLabel:
     """Return a label for a computed value: italic, as everywhere."""
     label = PlainLabel("–")
@@ -102,7 +94,11 @@ class PaintSection(QWidget):
 
     def add_panel(self, *keys: str) -> ParameterPanel:
         """Add numbers of the document by their names in ``PARAMETERS``."""
-        panel = ParameterPanel([_parameter(key) for key in keys])
+        panel = ParameterPanel()
+        for key in keys:
+            unit, *reach = reach_of(PARAMETERS[key], *_STEPS[key])
+            unit = "×" if key == "near_specular" else unit
+            panel.add_parameter(key, tr(_LABELS[key]), unit, *reach, tip=tr(_TIPS[key]))
         panel.edited.connect(lambda key, value: self.session.edit(SetNumber(key, value)))
         panel.gesture_started.connect(self.session.begin_gesture)
         panel.gesture_finished.connect(self.session.end_gesture)

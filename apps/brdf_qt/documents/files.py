@@ -17,7 +17,7 @@ from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
+from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import SuiteError
 
@@ -57,7 +57,7 @@ class DocumentFiles(QObject, Generic[T]):
         self,
         store: DocumentStore[T],
         form: DocumentFormat[T],
-        dialogs: Dialogs,
+        dialogs: QtDialogs,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -65,7 +65,10 @@ class DocumentFiles(QObject, Generic[T]):
 
     def new(self) -> bool:
         """Start a new document, after asking about the old one; True where it was done."""
-        return self.open_value(self.format.new())
+        if not self.may_discard():
+            return False
+        self.store.replace(self.format.new(), None)
+        return True
 
     def open(self, path: Path | None = None) -> bool:
         """Open ``path``, or ask for one; True where a document was opened."""
@@ -99,13 +102,6 @@ class DocumentFiles(QObject, Generic[T]):
             return None
         return value, stamp
 
-    def open_value(self, value: T) -> bool:
-        """Open a document that comes from no file of the user's, such as a shipped one."""
-        if not self.may_discard():
-            return False
-        self.store.replace(value, None)
-        return True
-
     def save(self) -> bool:
         """Write the document to its file, asking for one where it has none; True where it was written.
 
@@ -114,7 +110,8 @@ class DocumentFiles(QObject, Generic[T]):
         path = self.store.path
         if path is None:
             return self.save_as()
-        if self._changed_elsewhere(path):
+        known, present = self.store.stamp, stamp_of(path)
+        if present is not None and (known is None or not known.same_content(present)):
             answer = self.dialogs.changed_file(path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()
@@ -122,7 +119,11 @@ class DocumentFiles(QObject, Generic[T]):
 
     def save_as(self) -> bool:
         """Ask for a file and write the document to it; True where it was written."""
-        path = self.dialogs.save_path(self._suggested(), self.format.filters)
+        suggested = self.store.path
+        if suggested is None:
+            name = re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .")
+            suggested = self._folder() / f"{name or self.format.kind}{self.format.ending}"
+        path = self.dialogs.save_path(suggested, self.format.filters)
         if path is None:
             return False
         if not path.suffix:
@@ -150,11 +151,6 @@ class DocumentFiles(QObject, Generic[T]):
         RecentFiles().clear()
         self.recent_changed.emit()
 
-    def _changed_elsewhere(self, path: Path) -> bool:
-        """Whether the file holds something that this program neither read nor wrote; False where it is gone."""
-        known, present = self.store.stamp, stamp_of(path)
-        return present is not None and (known is None or not known.same_content(present))
-
     def _write(self, path: Path) -> bool:
         try:
             self.format.save(self.store.value, path)
@@ -174,9 +170,3 @@ class DocumentFiles(QObject, Generic[T]):
 
     def _folder(self) -> Path:
         return folder_beside(self.store.path, [str(path) for path in self.recent()])
-
-    def _suggested(self) -> Path:
-        if self.store.path is not None:
-            return self.store.path
-        name = re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .")
-        return self._folder() / f"{name or self.format.kind}{self.format.ending}"

@@ -31,10 +31,10 @@ class _Edit(QUndoCommand, Generic[T]):
         return self._gesture
 
     def redo(self) -> None:
-        self._store._take(self.new)
+        self._store.amend(self.new)
 
     def undo(self) -> None:
-        self._store._take(self.old)
+        self._store.amend(self.old)
 
     def mergeWith(self, later: QUndoCommand) -> bool:
         assert isinstance(later, _Edit)
@@ -103,7 +103,9 @@ class DocumentStore(QObject, Generic[T]):
 
     def amend(self, value: T) -> None:
         """Make ``value`` the document without a step of its own; Undo goes to where the last step began."""
-        self._take(value)
+        old, self._value = self._value, value
+        if old != value and not self._travelling:
+            self.changed.emit(old, value)
 
     def begin_gesture(self, name: str) -> None:
         """Merge the edits that follow into one step called ``name``; a gesture that runs is ended first."""
@@ -162,7 +164,7 @@ class DocumentStore(QObject, Generic[T]):
             self.stack.setClean()
         else:
             self.stack.resetClean()
-        self._take(value)
+        self.amend(value)
         self.stamp = stamp
         self._set_path(path)
         self.replaced.emit()
@@ -175,10 +177,6 @@ class DocumentStore(QObject, Generic[T]):
         self.stamp = stamp
         self.stack.setClean()
         self._set_path(path)
-
-    def note_stamp(self, stamp: FileStamp | None) -> None:
-        """Note what the file holds now, where the value was merged with it and is not saved yet."""
-        self.stamp = stamp
 
     def _is_alive(self) -> bool:
         """Return false while Qt destroys the stack, which clears it with all its signals first."""
@@ -196,8 +194,3 @@ class DocumentStore(QObject, Generic[T]):
         if path != self.path:
             self.path = path
             self.path_changed.emit(path)
-
-    def _take(self, value: T) -> None:
-        old, self._value = self._value, value
-        if old != value and not self._travelling:
-            self.changed.emit(old, value)

@@ -8,7 +8,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLayout, QToolButton, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from brdf_suite.documents.parameter import Parameter
 
 LABEL_WIDTH = 96
 
@@ -72,7 +75,13 @@ class Form(QWidget):
         self._grid.addWidget(field, row, 1)
         return label
 
-    def add_wide(self, widget: QWidget) -> QWidget:
-        """Add a widget over both columns and return it."""
-        self._grid.addWidget(widget, self._grid.rowCount(), 0, 1, 2)
-        return widget
+    def add_number(self, text: str, parameter: Parameter, step: float, decimals: int) -> NumberField:
+        """Add the number of a document's ``parameter``, explained by its meaning, and return it."""
+        field = NumberField(text, *reach_of(parameter, step, decimals))
+        self.add_row(text, field, tr(parameter.meaning))
+        return field
+
+    def add_wide(self, *widgets: QWidget) -> None:
+        """Add widgets over both columns, one below the other."""
+        for widget in widgets:
+            self._grid.addWidget(widget, self._grid.rowCount(), 0, 1, 2)

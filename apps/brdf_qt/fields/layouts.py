@@ -7,8 +7,8 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QLayout, QToolButton, QVBoxLayout, QWidget
 
+from brdf_qt.fields import form
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.icons import icon
 
 Part = QWidget | QLayout | None
 """What stands in a row or a column; None is spare room."""
@@ -45,12 +45,10 @@ def described(widget: SomeWidget, *, name: str = "", spoken: str = "", tip: str 
     return widget
 
 
-def icon_button(name: str, text: str, act: Callable[[], object]) -> QToolButton:
+def icon_button(name: str, text: str, act: Callable[[], object] | None = None) -> QToolButton:
     """Return a flat button with the icon of a name; ``text``, translated, is its tip and is read aloud."""
-    button = described(QToolButton(), spoken=text, tip=text)
-    button.setIcon(icon(name))
+    button = form.icon_button(name, text, act)
     button.setAutoRaise(True)
-    button.clicked.connect(lambda _checked=False: act())
     return button
 
 

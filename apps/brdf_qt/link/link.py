@@ -97,7 +97,8 @@ class LiveLink(Feature, QObject):
         self._server: QLocalServer | None = None
         self._socket: QLocalSocket | None = None
         self._peers: list[_Peer] = []
-        self._roles: tuple[str, ...] = ()
+        self.peers: tuple[str, ...] = ()
+        """The roles of the other programs on the link, sorted."""
         self._latest: dict[str, Message] = {}
         self._inbox: dict[tuple[str, str], tuple[Message, _Peer]] = {}
         self._running = False
@@ -109,11 +110,6 @@ class LiveLink(Feature, QObject):
     def is_hub(self) -> bool:
         """Whether this program passes on what the others say."""
         return self._server is not None
-
-    @property
-    def peers(self) -> tuple[str, ...]:
-        """The roles of the other programs on the link, sorted."""
-        return self._roles
 
     def start(self) -> None:
         """Look for the others; returns at once. Where the link cannot be, a log line says why."""
@@ -138,7 +134,11 @@ class LiveLink(Feature, QObject):
             self._socket.abort()
         for peer in tuple(self._peers):
             self._end(peer)
-        self._stop_serving()
+        if self._server is not None and self._address is not None:
+            self._server.close()
+            self._server.deleteLater()
+            self._server = None
+            self._address.give_up()
 
     def publish(self, topic: str, value: dict[str, Any]) -> None:
         """Send the others the value of a topic now; programs that come later receive it as well.
@@ -184,13 +184,6 @@ class LiveLink(Feature, QObject):
         self._failures = 0
         self._announce_peers()
 
-    def _stop_serving(self) -> None:
-        if self._server is not None and self._address is not None:
-            self._server.close()
-            self._server.deleteLater()
-            self._server = None
-            self._address.give_up()
-
     def _connected(self) -> None:
         socket, self._socket = self._socket, None
         if socket is None or not self._running:
@@ -233,17 +226,17 @@ class LiveLink(Feature, QObject):
         socket.setParent(self)
         socket.setReadBufferSize(2 * MAX_BYTES)
         # Not by peer: a function that knew one would be called, too, when the link goes with its sockets.
-        socket.readyRead.connect(self._read_all)
-        socket.bytesWritten.connect(self._write_all)
+        socket.readyRead.connect(self._read)
+        socket.bytesWritten.connect(self._write_waiting)
         socket.disconnected.connect(self._end_disconnected)
         socket.errorOccurred.connect(self._end_disconnected)
         self._peers.append(peer)
         return peer
 
     def _end_disconnected(self, *_: object) -> None:
+        self._read()  # what the other side wrote before it ended
         for peer in tuple(self._peers):
             if peer.socket.state() != QLocalSocket.LocalSocketState.ConnectedState:
-                self._read(peer)  # what the other side wrote before it ended
                 self._end(peer)
 
     def _end(self, peer: _Peer) -> None:
@@ -267,30 +260,27 @@ class LiveLink(Feature, QObject):
         """Write now where the socket has nothing left to write, otherwise keep the newest of each topic."""
         if peer.open:
             peer.waiting[message.topic] = message.line
-            self._write_waiting(peer)
+            self._write_waiting()
 
-    def _write_all(self, *_: object) -> None:
+    def _write_waiting(self, *_: object) -> None:
         for peer in tuple(self._peers):
-            self._write_waiting(peer)
+            while peer.open and peer.waiting and peer.socket.bytesToWrite() == 0:
+                topic = next(iter(peer.waiting))
+                peer.socket.write(peer.waiting.pop(topic))
+                peer.socket.flush()
 
-    def _read_all(self) -> None:
+    def _read(self) -> None:
         for peer in tuple(self._peers):
-            self._read(peer)
-
-    def _write_waiting(self, peer: _Peer) -> None:
-        while peer.open and peer.waiting and peer.socket.bytesToWrite() == 0:
-            topic = next(iter(peer.waiting))
-            peer.socket.write(peer.waiting.pop(topic))
-            peer.socket.flush()
-
-    def _read(self, peer: _Peer) -> None:
-        while peer.open and peer.socket.bytesAvailable() > 0:
-            *lines, peer.incoming = (peer.incoming + bytes(peer.socket.read(_READ_BYTES).data())).split(b"\n")
-            for line in lines:
-                self._take_line(peer, line)
-            if len(peer.incoming) > MAX_BYTES:
-                log.warning("live link: a message is longer than %d bytes, closing its connection", MAX_BYTES)
-                self._end(peer)
+            while peer.open and peer.socket.bytesAvailable() > 0:
+                received = peer.incoming + bytes(peer.socket.read(_READ_BYTES).data())
+                *lines, peer.incoming = received.split(b"\n")
+                for line in lines:
+                    self._take_line(peer, line)
+                if len(peer.incoming) > MAX_BYTES:
+                    log.warning(
+                        "live link: a message is longer than %d bytes, closing its connection", MAX_BYTES
+                    )
+                    self._end(peer)
 
     def _take_line(self, peer: _Peer, line: bytes) -> None:
         if not peer.open or not line.strip():
@@ -337,21 +327,18 @@ class LiveLink(Feature, QObject):
         """Hand out, and as the hub pass on, the newest valid message of each topic that came in this turn."""
         inbox, self._inbox = self._inbox, {}
         for message, source in sorted(inbox.values(), key=lambda item: item[0].order, reverse=True):
-            if not self._is_news(message) or not self._is_valid(message):
+            if not self._is_news(message):
+                continue
+            try:
+                (self._checks or {})[message.topic](message.value)
+            except (SuiteError, ValueError, TypeError, KeyError, RecursionError) as error:
+                log.warning("live link: dropped a %s that is not valid: %s", message.topic, error)
                 continue
             self._latest[message.topic] = message
             for peer in self._peers:
                 if peer is not source:
                     self._send(peer, message)
             self.received.emit(message.topic, message.value)
-
-    def _is_valid(self, message: Message) -> bool:
-        try:
-            (self._checks or {})[message.topic](message.value)
-        except (SuiteError, ValueError, TypeError, KeyError, RecursionError) as error:
-            log.warning("live link: dropped a %s that is not valid: %s", message.topic, error)
-            return False
-        return True
 
     def _hello(self, peer: _Peer, value: dict[str, Any]) -> None:
         role = value.get("role")
@@ -376,6 +363,6 @@ class LiveLink(Feature, QObject):
         self._set_roles(tuple(sorted(p.role for p in self._peers if p.role)))
 
     def _set_roles(self, roles: tuple[str, ...]) -> None:
-        if roles != self._roles:
-            self._roles = roles
+        if roles != self.peers:
+            self.peers = roles
             self.peers_changed.emit(len(roles))

@@ -28,7 +28,7 @@ from PySide6.QtCore import (
     qInstallMessageHandler,
 )
 from PySide6.QtGui import QFont, QGuiApplication, QSurfaceFormat
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
 from brdf_qt.program.settings import ORGANISATION, state_folder
@@ -99,12 +99,6 @@ def create_application(
     qInstallMessageHandler(_qt_message)
     _quit_on_signals(app)
     return app
-
-
-def run(app: QApplication, window: QWidget) -> int:
-    """Show ``window`` and run until the program ends; return the exit status."""
-    window.show()
-    return app.exec()
 
 
 def process_age_s() -> float:

@@ -12,7 +12,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
-from brdf_qt.program.application import create_application, process_age_s, run
+from brdf_qt.program.application import create_application, process_age_s
 from brdf_qt.program.program import Program
 from brdf_qt.program.theme import THEMES
 from brdf_qt.program.translation import languages
@@ -86,7 +86,8 @@ def run_program(
         program.window.fit_inspector()
     program.start_when_painted()
     _Run(app, program, options, parser.prog, actions(options))
-    return run(app, program.window)
+    program.window.show()
+    return app.exec()
 
 
 class _Run(QObject):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from enum import Enum
 from pathlib import Path
-from typing import Protocol
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
@@ -33,36 +32,11 @@ class Overwrite(Enum):
     CANCEL = "cancel"
 
 
-class Dialogs(Protocol):
-    """What :class:`brdf_qt.documents.files.DocumentFiles` asks."""
-
-    def unsaved(self, name: str) -> Answer:
-        """Ask what to do with the unsaved changes of document ``name``."""
-
-    def changed_file(self, path: Path) -> Overwrite:
-        """Ask what to do, on saving, about a file that holds something else than this program knows of."""
-
-    def open_path(self, folder: Path, filters: str) -> Path | None:
-        """Ask for a file to open; ``None`` where the user gives up."""
-
-    def save_path(self, suggested: Path, filters: str) -> Path | None:
-        """Ask for a file to write; ``None`` where the user gives up."""
-
-
 def without_icons(dialog: QDialog) -> None:
     """Take the icons off a dialog's buttons: those of Qt are green and red, and the interface has no colour."""
     for row in dialog.findChildren(QDialogButtonBox):
         for button in row.buttons():
             button.setIcon(QIcon())
-
-
-def set_plain_text(box: QMessageBox, text: str, more: str) -> None:
-    """Give a question its text and what is said below it, both drawn as they are: they hold names of files."""
-    box.setText(text)
-    box.setInformativeText(more)
-    # The format that a box can be given is that of its first text alone.
-    for label in box.findChildren(QLabel):
-        label.setTextFormat(Qt.TextFormat.PlainText)
 
 
 class QtDialogs:
@@ -72,6 +46,7 @@ class QtDialogs:
         self._window = window
 
     def unsaved(self, name: str) -> Answer:
+        """Ask what to do with the unsaved changes of document ``name``."""
         question = tr("Save changes to “{name}”?").format(name=name)
         more = tr("Your changes will be lost if you don't save them.")
         box = self._box("floppy-disk", tr("Unsaved Changes"), question, more)
@@ -83,6 +58,7 @@ class QtDialogs:
         return answers.get(kinds(box.exec()), Answer.CANCEL)
 
     def changed_file(self, path: Path) -> Overwrite:
+        """Ask what to do, on saving, about a file that holds something else than this program knows of."""
         text = tr("“{name}” was changed by another program since it was opened or saved here.")
         more = tr("Overwriting discards the changes of the other program.") + f"\n{path}"
         box = self._box("warning", tr("File Changed"), text.format(name=path.name), more)
@@ -102,15 +78,21 @@ class QtDialogs:
         box = QMessageBox(self._window)
         box.setIconPixmap(icon(sign).pixmap(_ICON, _ICON))
         box.setWindowTitle(title)
-        set_plain_text(box, text, more)
+        box.setText(text)
+        box.setInformativeText(more)
+        # Both drawn as they are: they hold names of files. The box's own text format is that of its first text alone.
+        for label in box.findChildren(QLabel):
+            label.setTextFormat(Qt.TextFormat.PlainText)
         return box
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
+        """Ask for a file to open; ``None`` where the user gives up."""
         dialog = QFileDialog(self._window, tr("Open"), str(folder), filters)
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         return _chosen(dialog)
 
     def save_path(self, suggested: Path, filters: str) -> Path | None:
+        """Ask for a file to write; ``None`` where the user gives up."""
         dialog = QFileDialog(self._window, tr("Save As"), str(suggested.parent), filters)
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         # Added by the dialog and not afterwards, so that it asks about the file that is really written.

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QMimeData, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
     QCloseEvent,
@@ -19,7 +19,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QWidget
+from PySide6.QtWidgets import QAbstractButton, QDockWidget, QMainWindow, QMenu, QToolBar, QWidget
 
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
@@ -31,13 +31,35 @@ from brdf_qt.program.translation import language_menu, mark, tr
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
 from brdf_qt.window.message_bar import Message, MessageBar
-from brdf_qt.window.panel import Panel
 from brdf_qt.window.progress_strip import ProgressStrip
 from brdf_qt.window.section import Inspector, Section
 from brdf_qt.window.status_line import StatusLine
 
 LAYOUT_VERSION = 1
+_SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}
 Shortcut = str | QKeySequence | QKeySequence.StandardKey
+
+
+class Panel(QDockWidget):
+    """A dock with the icons of the suite: those of the style are one brownish grey in every theme."""
+
+    def __init__(self, title: str, parent: QWidget | None = None) -> None:
+        super().__init__(title, parent)
+        # The style's come back with every change of what may be done with the panel.
+        self.featuresChanged.connect(lambda _features: self._draw_signs())
+        self.topLevelChanged.connect(lambda _floats: self._draw_signs())
+        self._draw_signs()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.StyleChange, QEvent.Type.PaletteChange):
+            self._draw_signs()
+
+    def _draw_signs(self) -> None:
+        for button in self.findChildren(QAbstractButton):
+            name = _SIGNS.get(button.objectName())
+            if name is not None and button.parent() is self:
+                button.setIcon(icon_of(name))
 
 
 class SuiteWindow(QMainWindow):

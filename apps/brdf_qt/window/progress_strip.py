@@ -13,7 +13,6 @@ from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import ElidedLabel
 from brdf_qt.program.translation import tr
 
-_ONLY = ""
 _LEAST_BAR = 64
 
 
@@ -57,10 +56,7 @@ class _Line(QWidget):
 
 
 class ProgressStrip(QWidget):
-    """Hidden while there is no work; ``cancelled`` is emitted when the user asks to stop some.
-
-    Work has a key. A program that does one thing at a time calls :meth:`begin`, :meth:`set` and :meth:`finish`.
-    """
+    """Hidden while there is no work; ``cancelled`` is emitted when the user asks to stop some. Work has a key."""
 
     cancelled = Signal()
 
@@ -74,20 +70,6 @@ class ProgressStrip(QWidget):
     def jobs(self) -> tuple[str, ...]:
         """The keys of what is shown, from the top."""
         return tuple(self._lines)
-
-    def begin(self, text: str, cancel: Callable[[], None] | None = None) -> None:
-        """Show the only job, at zero; without ``cancel`` there is no button."""
-        self.end_job(_ONLY)
-        self.set_job(_ONLY, 0.0, text, cancel)
-
-    def set(self, fraction: float, text: str) -> None:
-        """Move the only job's bar to ``fraction`` (0…1) and say what is being done."""
-        if _ONLY in self._lines:
-            self._lines[_ONLY].set(fraction, text)
-
-    def finish(self) -> None:
-        """The only job has ended."""
-        self.end_job(_ONLY)
 
     def set_job(self, key: str, fraction: float, text: str, cancel: Callable[[], None] | None = None) -> None:
         """Show a job of this key at ``fraction`` (0…1), below those that are shown; ``cancel`` is of its first time."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
@@ -10,6 +12,8 @@ from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import set_bold
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
+
+SomeWidget = TypeVar("SomeWidget", bound=QWidget)
 
 
 class Section(QWidget):
@@ -48,7 +52,7 @@ class Section(QWidget):
         fill_column(self, self._header, self._body, line, spacing=0)
         self._show(bool(settings().value(self._key, is_open, type=bool)))
 
-    def add(self, widget: QWidget) -> QWidget:
+    def add(self, widget: SomeWidget) -> SomeWidget:
         """Put ``widget`` at the end of the body and return it."""
         self.body_layout.addWidget(widget)
         return widget
@@ -68,6 +72,9 @@ class Section(QWidget):
         self._header.setChecked(is_open)
         self._header.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
         self._body.setVisible(is_open)
+
+
+SomeSection = TypeVar("SomeSection", bound=Section)
 
 
 class Inspector(QScrollArea):
@@ -90,7 +97,7 @@ class Inspector(QScrollArea):
         bar.rangeChanged.connect(lambda _low, _high: self._follow())
         bar.actionTriggered.connect(lambda _action: self._leave())
 
-    def add_section(self, section: Section, after: Section | None = None) -> Section:
+    def add_section(self, section: SomeSection, after: Section | None = None) -> SomeSection:
         """Put ``section`` under the others, or right under ``after``, and return it."""
         place = len(self.sections) if after is None else self.sections.index(after) + 1
         self._box.insertWidget(place, section)

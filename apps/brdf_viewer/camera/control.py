@@ -63,7 +63,9 @@ class CameraControl(ViewerFeature):
         )
         gestures.panned.connect(self.pan)
         gestures.zoomed.connect(self._zoom)
-        gestures.light_turned.connect(self._turn_light)
+        gestures.light_turned.connect(
+            lambda by: self._state.change_view(rotation_deg=signed_deg(self._state.view.rotation_deg + by))
+        )
         gestures.framed.connect(self._frame)
         gestures.started.connect(self._state.history.begin)
         gestures.finished.connect(self._state.history.end)
@@ -83,9 +85,6 @@ class CameraControl(ViewerFeature):
         offset = (whole[0] - size[0]) / 2 / size[1]
         place = (right - offset if right >= 0.0 else right + offset, up)
         self._state.change_view(camera=dolly_to(self._camera, self._state.bounds, size, factor, place))
-
-    def _turn_light(self, degrees: float) -> None:
-        self._state.change_view(rotation_deg=signed_deg(self._state.view.rotation_deg + degrees))
 
     def _turn(self, degrees: float) -> None:
         settled = dataclasses.replace(self._state.view, camera=self._settled())

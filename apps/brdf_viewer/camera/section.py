@@ -54,14 +54,13 @@ class CameraSection(Section):
         self.elevation = NumberField(tr("Elevation"), "°", -89.0, 89.0, 1.0, 1, start.elevation_deg)
         self.focal_length = NumberField(tr("Focal length"), "mm", 12.0, 400.0, 1.0, 0, start.focal_length_mm)
         self.turntable = NumberField(tr("Turntable"), *reach_of(speed, 1.0, 1))
-        form = Form()
+        form = self.add(Form())
         form.add_wide(buttons)
         form.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["camera.azimuth_deg"].meaning))
         form.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["camera.elevation_deg"].meaning))
         form.add_row(tr("Focal length"), self.focal_length, tr(PARAMETERS["camera.focal_length_mm"].meaning))
         tip = tr("{meaning}; negative reverses. Space on the picture starts and stops it")
         form.add_row(tr("Turntable"), self.turntable, tip.format(meaning=tr(speed.meaning)))
-        self.add(form)
 
     def _preset_button(self, number: int, key: str) -> QToolButton:
         title = tr(PRESETS[key][0])

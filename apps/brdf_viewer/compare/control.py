@@ -64,12 +64,13 @@ class CompareControl(ViewerFeature):
         commands.blink.triggered.connect(self.toggle_blink)
         commands.flip.triggered.connect(self._flip_by_hand)
         window.busy_cancelled.connect(self._cancel)
-        window.picture.canvas_changed.connect(self._listen_again)
+        for slot in (self._listen, self._show):
+            window.picture.canvas_changed.connect(slot)
         state.view_changed.connect(self._view_changed)
         state.contents_changed.connect(self._show)
         state.traced_changed.connect(self._traced_changed)
         self._list()
-        self._gesture = self._listen(window.picture.canvas)
+        self._listen(window.picture.canvas)
         self._view_changed(None, state.view)
 
     def set_mode(self, mode: str) -> None:
@@ -102,11 +103,9 @@ class CompareControl(ViewerFeature):
     def toggle_blink(self) -> None:
         """Blink, or go back to what was shown before."""
         mode = self._state.view.compare.mode
-        if mode == "blink":
-            self.set_mode(self._before_blink)
-        else:
+        if mode != "blink":
             self._before_blink = mode
-            self.set_mode("blink")
+        self.set_mode("blink" if mode != "blink" else self._before_blink)
 
     def flip(self) -> None:
         """Show the other one of a blink."""
@@ -202,16 +201,11 @@ class CompareControl(ViewerFeature):
         if path:
             self.choose(path)
 
-    def _listen_again(self, canvas: QWidget) -> None:
-        self._gesture = self._listen(canvas)
-        self._show()
-
-    def _listen(self, canvas: QWidget) -> DividerGesture:
-        gesture = DividerGesture(canvas)
+    def _listen(self, canvas: QWidget) -> None:
+        self._gesture = gesture = DividerGesture(canvas)
         gesture.moved.connect(lambda share: self._change(divider=share))
         gesture.started.connect(self._state.history.begin)
         gesture.finished.connect(self._state.history.end)
-        return gesture
 
     def _traced_changed(self) -> None:
         if self._listed != (self._state.renderer != "realtime"):
@@ -273,15 +267,13 @@ def labels_of(
 ) -> tuple[OverlayLabel, ...]:
     """Return the captions of a comparison, each where its paint is."""
     first, second = names
-    if mode == "swipe":
-        return (OverlayLabel(first, 0.0, divider), OverlayLabel(second, divider, 1.0 - divider))
-    if mode == "side":
-        return (OverlayLabel(first, 0.0, 0.5), OverlayLabel(second, 0.5, 0.5))
-    if mode == "blink":
-        return (OverlayLabel(second if shows_second else first),)
-    if mode == "difference":
-        return (OverlayLabel(f"{first}  –  {second}"),)
-    return ()
+    labels: dict[str, tuple[OverlayLabel, ...]] = {
+        "swipe": (OverlayLabel(first, 0.0, divider), OverlayLabel(second, divider, 1.0 - divider)),
+        "side": (OverlayLabel(first, 0.0, 0.5), OverlayLabel(second, 0.5, 0.5)),
+        "blink": (OverlayLabel(second if shows_second else first),),
+        "difference": (OverlayLabel(f"{first}  –  {second}"),),
+    }
+    return labels.get(mode, ())
 
 
 def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first: str = "") -> str:

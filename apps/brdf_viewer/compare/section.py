@@ -47,7 +47,7 @@ class CompareSection(Section):
         self.scale = NumberField(tr("Maximum"), *reach_of(scale, 0.5, 1))
         self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
         self.facts = note()
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Show"), self.mode, tr("Comparison of A and B; press B to blink"))
         tip = tr("Paint or picture that the current paint is compared with")
         form.add_row(tr("Second (B)"), self.chooser, tip)
@@ -61,7 +61,6 @@ class CompareSection(Section):
         ):
             self._shown_in |= {form.add_row(label, field, tip): mode, field: mode}
         form.add_wide(self.facts)
-        self.add(form)
         self.show_compare(Compare())
 
     def show_compare(self, compare: Compare) -> None:

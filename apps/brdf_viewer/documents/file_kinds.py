@@ -58,11 +58,6 @@ def kind_of(path: str) -> str | None:
     return next((kind for kind, endings in ENDINGS.items() if ending in endings), None)
 
 
-def all_endings() -> str:
-    """Return the endings of all kinds, for a message."""
-    return ", ".join(ending for endings in ENDINGS.values() for ending in endings)
-
-
 def ask_file(parent: QWidget, kind: str) -> str:
     """Ask for a file of a kind, starting where the last one was; empty where the user gives none."""
     title = tr(TITLES[kind])

@@ -8,7 +8,7 @@ from pathlib import Path
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs, Overwrite
+from brdf_qt.window.dialogs import Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
@@ -27,7 +27,7 @@ _MESSAGE_MS = 6000
 class ViewFiles(ViewerFeature):
     """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back."""
 
-    def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: Dialogs) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: QtDialogs) -> None:
         super().__init__(state, window)
         self._dialogs = dialogs
         self._recent = RecentFiles(f"recent/{KIND}")
@@ -38,13 +38,8 @@ class ViewFiles(ViewerFeature):
         window.commands.save_view_as.triggered.connect(self.save_as)
         self._list()
 
-    def open(self, path: str | None = None) -> bool:
-        """Show the view in a file, asking for one where none is given; True where that was done."""
-        if path is None:
-            asked = self._dialogs.open_path(self._folder(), _filters())
-            if asked is None:
-                return False
-            path = str(asked)
+    def open(self, path: str) -> bool:
+        """Show the view in a file; True where that was done."""
         file = Path(path).absolute()
         stamp = stamp_of(file)
         try:
@@ -73,8 +68,9 @@ class ViewFiles(ViewerFeature):
 
     def save_as(self) -> bool:
         """Ask for a file and write the view to it; True where it was written."""
-        suggested = self.path or self._folder() / f"view{VIEW_ENDING}"
-        path = self._dialogs.save_path(suggested, _filters())
+        suggested = self.path or folder_beside(None, self._recent.paths()) / f"view{VIEW_ENDING}"
+        filters = tr("View") + f" (*{VIEW_ENDING});;" + tr("All files (*)")
+        path = self._dialogs.save_path(suggested, filters)
         return path is not None and self._write(with_ending(path, VIEW_ENDING).absolute())
 
     def _write(self, path: Path) -> bool:
@@ -106,10 +102,3 @@ class ViewFiles(ViewerFeature):
 
     def _list(self) -> None:
         self._window.commands.set_recent(KIND, self._recent.paths())
-
-    def _folder(self) -> Path:
-        return folder_beside(self.path, self._recent.paths())
-
-
-def _filters() -> str:
-    return tr("View") + f" (*{VIEW_ENDING});;" + tr("All files (*)")

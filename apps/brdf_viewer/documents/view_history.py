@@ -12,7 +12,7 @@ from typing import Any
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.view import PARTS, View
@@ -50,20 +50,11 @@ STEPS = (
 """What :func:`step_name` makes of the other fields."""
 
 
-class ViewHistory(QObject):
-    """Holds the view.
-
-    Signals: ``changed(old, new)``; ``steps_changed()`` where Undo or Redo would do something else than before.
-    """
-
-    changed = Signal(object, object)
-    steps_changed = Signal()
+class ViewHistory(DocumentStore[View]):
+    """Holds the view; a change names its step itself."""
 
     def __init__(self, view: View, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._store: DocumentStore[View] = DocumentStore(view, self)
-        self._store.changed.connect(self.changed)
-        self._store.history_changed.connect(self.steps_changed)
+        super().__init__(view, parent)
         self._pause = make_timer(self, self._paused, PAUSE_MS)
         self._merged: tuple[str, ...] = ()
         self._held = False
@@ -71,43 +62,35 @@ class ViewHistory(QObject):
         self._running_from: tuple[View, int] | None = None
 
     @property
-    def value(self) -> View:
-        return self._store.value
-
-    @property
     def undo_text(self) -> str:
         """What Undo would take back; empty where there is nothing."""
-        return self._running or self._store.stack.undoText()
+        return self._running or self.stack.undoText()
 
     @property
     def redo_text(self) -> str:
         """What Redo would do again; empty where there is nothing."""
-        return self._store.stack.redoText()
+        return self.stack.redoText()
 
     @property
     def steps(self) -> int:
         """How many steps can be taken back."""
-        return self._store.stack.index()
+        return self.stack.index()
 
-    def set(self, view: View) -> None:
-        """Make this the view; nothing is emitted where it is equal."""
-        names = changed_fields(self.value, view)
+    def set(self, value: View, name: str = "") -> bool:
+        """Make this the view, undone as ``name``, by default what was changed; False where it is the same already."""
+        names = changed_fields(self.value, value)
         if not names:
-            return
-        step = step_name(names)
+            return False
+        step = name or step_name(names)
         if self._held:
-            if not self._store.in_gesture:
-                self._store.begin_gesture(step)
+            if not self.in_gesture:
+                self.begin_gesture(step)
         else:
             if names != self._merged or not self._pause.isActive():
-                self._store.begin_gesture(step)
+                self.begin_gesture(step)
                 self._merged = names
             self._pause.start()
-        self._store.set(view, step)
-
-    def amend(self, view: View) -> None:
-        """Make this the view without a step: what follows from the last one, or goes on by itself."""
-        self._store.amend(view)
+        return super().set(value, step)
 
     def begin(self) -> None:
         """All changes until :meth:`end` are one step, called after the first."""
@@ -118,38 +101,38 @@ class ViewHistory(QObject):
         """End the step that was begun, or that the last changes made; the next change begins another."""
         self._pause.stop()
         self._held = False
-        self._store.end_gesture()
+        self.end_gesture()
 
     def begin_running(self, name: str) -> None:
         """Something called ``name`` begins to change the view by itself, by :meth:`amend`."""
         self.end()
         self._running_from, self._running = (self.value, self.steps), name
-        self.steps_changed.emit()
+        self.history_changed.emit()
 
     def end_running(self) -> None:
         """It has stopped: all that it did is one step, unless there were others in between."""
         name, self._running = self._running, ""
         before, self._running_from = self._running_from, None
-        self.steps_changed.emit()
+        self.history_changed.emit()
         if before is None or before[1] != self.steps or before[0] == self.value:
             return
         after = self.value
-        self._store.amend(before[0])
-        self._store.set(after, name)
+        self.amend(before[0])
+        super().set(after, name)
 
     def undo(self) -> None:
         self.end()
-        self._store.undo()
+        super().undo()
 
     def redo(self) -> None:
         self.end()
-        self._store.redo()
+        super().redo()
 
     def _paused(self) -> None:
         if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._pause.start()
         elif not self._held:
-            self._store.end_gesture()
+            self.end_gesture()
 
 
 def changed_fields(old: View, new: View) -> tuple[str, ...]:

@@ -200,12 +200,11 @@ class ColourButton(QPushButton):
         options = QColorDialog.ColorDialogOption
         dialog.setOptions(options.NoButtons | options.DontUseNativeDialog)
         self.picker = dialog
-        dialog.currentColorChanged.connect(self._picked)
+        dialog.currentColorChanged.connect(
+            lambda code: self.edited.emit((code.redF(), code.greenF(), code.blueF()))
+        )
         dialog.finished.connect(self._ended)
         dialog.show()
-
-    def _picked(self, code: QColor) -> None:
-        self.edited.emit((code.redF(), code.greenF(), code.blueF()))
 
     def _ended(self) -> None:
         self.picker = None

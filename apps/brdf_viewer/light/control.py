@@ -92,8 +92,9 @@ class LightingControl(ViewerFeature):
     def _show_preset(self) -> None:
         """A light that is edited is none of the presets, whatever the view goes on to name."""
         view, present = self._state.view, self._state.environment
-        edited = present is not None and not names_a_light(present.key)
-        self._window.lighting.show_preset("" if edited else preset_of(view))
+        # A view can name a shipped light or a file, not one that is edited and in no file yet.
+        named = present is None or present.key in environment_names() or Path(present.key).is_absolute()
+        self._window.lighting.show_preset(preset_of(view) if named else "")
 
     def _contents_changed(self) -> None:
         self._show_preset()
@@ -124,11 +125,6 @@ class LightingControl(ViewerFeature):
             text = tr("{total:+.1f} EV automatic").format(total=total)
             tip = tr("Exposure: automatic value plus {value:+.1f} EV").format(value=view.exposure_ev)
         self._window.status.cell("exposure").set(text, tip)
-
-
-def names_a_light(key: str) -> bool:
-    """Whether a view can name the light: a shipped one or a file, not one that is edited and in no file yet."""
-    return key in environment_names() or Path(key).is_absolute()
 
 
 def metered_part(view: View) -> View:

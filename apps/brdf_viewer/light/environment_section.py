@@ -173,19 +173,17 @@ class EnvironmentSection(Section):
         self.facts = note()
         self.figures = EnvironmentFigures()
         turned = tr("{meaning} (Alt + drag)").format(meaning=tr(PARAMETERS["rotation_deg"].meaning))
-        form = Form()
+        form = self.add(Form())
         tip = tr("High-dynamic-range panorama or studio that lights the surface")
         form.add_row(tr("Light"), self.chooser, tip)
         tip = tr("Projection of the image; choose it where detection fails")
         form.add_row(tr("Projection"), self.layout_list, tip)
         self._edit_label = form.add_row("", self.edit)
-        form.add_wide(self.facts)
-        form.add_wide(self.figures)
+        form.add_wide(self.facts, self.figures)
         form.add_row(tr("Rotation"), self.rotation, turned)
         form.add_row(tr("Exposure"), self.exposure, tr(PARAMETERS["exposure_ev"].meaning))
         form.add_row(tr("Background"), self.background, tr("Visible background; the light does not change"))
         self._colour_label = form.add_row("", self.background_colour)
-        self.add(form)
 
     def set_background(self, key: str, colour: tuple[float, float, float]) -> None:
         """Show the present background, and its ``colour`` (encoded sRGB, 0 to 1) where it has one."""

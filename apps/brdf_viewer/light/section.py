@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from brdf_qt.fields.form import Form, fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import plain_tip, set_bold
-from brdf_qt.fields.number import NumberField, reach_of
+from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
@@ -139,11 +139,6 @@ class LampFields(QWidget):
         self.distance = NumberField(tr("Distance"), "m", 0.05, 1000.0, 0.05, 2, 2.0)
         for field in (self.azimuth, self.elevation, self.distance):
             field.edited.connect(self._placed)
-        strength, kelvin = PARAMETERS["lamp.strength"], PARAMETERS["lamp.temperature_k"]
-        self.strength = NumberField(tr("Strength"), *reach_of(strength, 0.1, 2))
-        self.strength.edited.connect(lambda value: self._change(strength=value))
-        self.temperature = NumberField(tr("Colour"), *reach_of(kelvin, 50.0, 0))
-        self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self.moving = QCheckBox(tr("Moves round"))
         self.moving.setToolTip(tr("Rotate the lamps around the surface to see flakes and highlights move"))
         self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
@@ -155,8 +150,10 @@ class LampFields(QWidget):
         self._fields.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["lamp.elevation_deg"].meaning))
         tip = tr("From the centre of the scene")
         self._distance_label = self._fields.add_row(tr("Distance"), self.distance, tip)
-        self._fields.add_row(tr("Strength"), self.strength, tr(strength.meaning))
-        self._fields.add_row(tr("Colour"), self.temperature, tr(kelvin.meaning))
+        self.strength = self._fields.add_number(tr("Strength"), PARAMETERS["lamp.strength"], 0.1, 2)
+        self.strength.edited.connect(lambda value: self._change(strength=value))
+        self.temperature = self._fields.add_number(tr("Colour"), PARAMETERS["lamp.temperature_k"], 50.0, 0)
+        self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self._fields.add_row("", self.moving)
         self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))
         fill_column(self, form, self._fields)
@@ -182,10 +179,8 @@ class LampFields(QWidget):
         if lamp is None:
             return
         self.kind.show_choice(lamp.kind)
-        azimuth, elevation, distance = polar(lamp)
-        self.azimuth.set_value(azimuth)
-        self.elevation.set_value(elevation)
-        self.distance.set_value(distance)
+        for field, value in zip((self.azimuth, self.elevation, self.distance), polar(lamp), strict=True):
+            field.set_value(value)
         for widget in (self.distance, self._distance_label):
             widget.setVisible(lamp.kind == "point")
         self.strength.set_value(lamp.strength)
@@ -276,15 +271,14 @@ class LightingSection(Section):
         )
         self.metamerism = note()
         self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
-        light = PARAMETERS["light_colour.brightness"]
-        self.brightness = NumberField(tr("Environment"), *reach_of(light, 0.05, 2))
         self.lamps = LampFields()
-        form = Form()
+        form = self.add(Form())
         form.add_wide(self._preset_buttons())
         form.add_row(tr("Illuminant"), self.illuminant, tr("Illuminant assumed for the environment's white"))
         form.add_row("", self.adapted)
         form.add_wide(self.metamerism)
-        form.add_row(tr("Environment"), self.brightness, tr(light.meaning))
+        light = PARAMETERS["light_colour.brightness"]
+        self.brightness = form.add_number(tr("Environment"), light, 0.05, 2)
         form.add_row(
             tr("Exposure mode"),
             self.exposure_mode,
@@ -293,7 +287,6 @@ class LightingSection(Section):
                 "18 %, and the exposure value is added"
             ),
         )
-        self.add(form)
         self.add(self.lamps)
 
     def _preset_buttons(self) -> QWidget:

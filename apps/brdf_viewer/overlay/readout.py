@@ -140,11 +140,6 @@ class FrameMeter(QObject):
         self._timer.stop()
         self._cell.set("")
 
-    @property
-    def words(self) -> str:
-        """The frame time as it is shown; empty while there is none."""
-        return self._cell.text()
-
     def _show(self) -> None:
         tip = tr("Frame time: median of the last {count}; slowest {slowest:.1f} ms")
         tip = tip.format(count=len(self._frames), slowest=max(self._frames))
@@ -157,7 +152,7 @@ class FiguresOverlay(ViewerFeature):
 
     def __init__(self, state: ViewerState, window: ViewerWindow, meter: FrameMeter, readout: Readout) -> None:
         super().__init__(state, window)
-        self._meter, self._readout = meter, readout
+        self._readout = readout
         self._action = window.commands.figures
         self._action.setChecked(bool(settings().value(_KEY, False, type=bool)))
         self._action.toggled.connect(self._toggle)
@@ -176,7 +171,7 @@ class FiguresOverlay(ViewerFeature):
 
     def _lines(self) -> list[str]:
         state, size = self._state, self._window.picture.device_size
-        lines = [f"{self._meter.words or '–'}   {size[0]} × {size[1]}"]
+        lines = [f"{self._window.status.cell('frame').text() or '–'}   {size[0]} × {size[1]}"]
         if state.fit is not None:
             lines[0] += "   " + tr("{count} lobes").format(count=len(state.fit.weights.exponents))
         return [*lines, how(state.exposed_view), *self._readout.lines]

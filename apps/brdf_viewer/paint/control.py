@@ -34,7 +34,6 @@ from brdf_suite.pipeline.material import (
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.inspector import Source, set_note, title_of
-from brdf_viewer.paint.patches import Patch
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -266,20 +265,7 @@ class PaintControl(ViewerFeature):
         self._window.paint.chooser.rename(DESIGNER, self._designer_title())
         self._show_place(key)
         # A designed paint's readings, or the usual angles that the fit looked at.
-        section.patches.set_patches(
-            [
-                Patch(
-                    row.aspecular_deg,
-                    row.lab,
-                    row.lab_fitted,
-                    row.delta_e_2000,
-                    fit.time_limited,
-                    fit.exact_follows,
-                    row.illumination_deg,
-                )
-                for row in fit.compared
-            ]
-        )
+        section.patches.set_patches(fit.compared, fit.time_limited, fit.exact_follows)
         worst, follows = fit.worst_delta_e, fit.exact_follows
         section.set_fit_error(worst, fit.time_limited, follows)
         facts = list(fit.notices)

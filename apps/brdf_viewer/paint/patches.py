@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
@@ -15,28 +14,12 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from brdf_suite.appearance.colour.colorimetry import in_srgb_gamut, lab_to_working, working_to_display
+from brdf_suite.documents.paint import Lab
+from brdf_suite.fitting.metrics import AngleError
 
-Lab = tuple[float, float, float]
 _GAP = 8
 _HEIGHT = 84
 _MOST = 6
-
-
-@dataclass(frozen=True)
-class Patch:
-    """One measured angle: what was asked for and what the fit gives, both L*a*b* (D65, 10°).
-
-    ``illumination_deg`` is the incidence of the light from the normal. ``time_limited``: the limit came before the
-    optimum; ``exact_follows``: which is still looked for.
-    """
-
-    aspecular_deg: float
-    asked: Lab
-    fitted: Lab
-    delta_e_2000: float
-    time_limited: bool = False
-    exact_follows: bool = False
-    illumination_deg: float = 45.0
 
 
 class PaintPatches(QWidget):
@@ -48,24 +31,31 @@ class PaintPatches(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.patches: tuple[Patch, ...] = ()
+        self.patches: tuple[AngleError, ...] = ()
+        self.time_limited = self.exact_follows = False
         self._colours: list[tuple[QColor, QColor, bool]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMinimumHeight(_HEIGHT)
         self.setAccessibleName(tr("Colours at the measured angles"))
 
-    def set_patches(self, patches: Sequence[Patch]) -> None:
-        """Show ``patches``, by light and from the smallest aspecular angle on; many angles are thinned."""
+    def set_patches(
+        self, patches: Sequence[AngleError], time_limited: bool = False, exact_follows: bool = False
+    ) -> None:
+        """Show ``patches``, by light and from the smallest aspecular angle on; many angles are thinned.
+
+        ``time_limited``: the limit of the fit came before the optimum; ``exact_follows``: which is still looked for.
+        """
+        self.time_limited, self.exact_follows = time_limited, exact_follows
         ordered = sorted(patches, key=lambda patch: (patch.illumination_deg, patch.aspecular_deg))
         keep = np.unique(np.linspace(0, len(ordered) - 1, min(_MOST, len(ordered))).round().astype(int))
         self.patches = tuple(ordered[i] for i in keep) if ordered else ()
         self.setMinimumHeight(_HEIGHT + (self._line() if self.names_lights else 0))
         self.updateGeometry()
         self._colours = [
-            (_screen(p.asked), _screen(p.fitted), bool(in_srgb_gamut(np.array(p.asked))))
+            (_screen(p.lab), _screen(p.lab_fitted), bool(in_srgb_gamut(np.array(p.lab))))
             for p in self.patches
         ]
-        self.setAccessibleDescription("; ".join(_words(patch) for patch in self.patches))
+        self.setAccessibleDescription("; ".join(map(self._words, self.patches)))
         self.update()
 
     @property
@@ -122,11 +112,26 @@ class PaintPatches(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             for patch, box in zip(self.patches, self._boxes(), strict=True):
                 if box.contains(QPointF(event.pos())):
-                    QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)
+                    QToolTip.showText(event.globalPos(), plain_tip(self._words(patch)), self)
                     return True
             QToolTip.hideText()
             return True
         return super().event(event)
+
+    def _words(self, patch: AngleError) -> str:
+        lab = "L* {:.1f}  a* {:.1f}  b* {:.1f}"
+        angles = tr("Light {light:g}°, aspecular {aspecular:g}°")
+        lines = [
+            angles.format(light=patch.illumination_deg, aspecular=patch.aspecular_deg),
+            tr("target") + " " + lab.format(*patch.lab),
+            tr("fit") + " " + lab.format(*patch.lab_fitted),
+            f"ΔE00 {patch.delta_e_2000:.2f}",
+        ]
+        if is_large(patch.delta_e_2000):
+            lines.append(large_error_tip(self.time_limited, self.exact_follows))
+        if not in_srgb_gamut(np.array(patch.lab)):
+            lines.append(tr("Outside this screen's colours: shown clipped"))
+        return "\n".join(lines)
 
     def _boxes(self) -> list[QRectF]:
         count = max(1, len(self.patches))
@@ -148,21 +153,3 @@ def _mark_out_of_gamut(painter: QPainter, body: QRectF, asked: QColor) -> None:
     corner = body.topRight()
     painter.drawPolygon([corner, corner + QPointF(-9, 0), corner + QPointF(0, 9)])
     painter.setBrush(Qt.BrushStyle.NoBrush)
-
-
-def _words(patch: Patch) -> str:
-    def lab(values: Lab) -> str:
-        return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
-
-    angles = tr("Light {light:g}°, aspecular {aspecular:g}°")
-    lines = [
-        angles.format(light=patch.illumination_deg, aspecular=patch.aspecular_deg),
-        tr("target") + f" {lab(patch.asked)}",
-        tr("fit") + f" {lab(patch.fitted)}",
-        f"ΔE00 {patch.delta_e_2000:.2f}",
-    ]
-    if is_large(patch.delta_e_2000):
-        lines.append(large_error_tip(patch.time_limited, patch.exact_follows))
-    if not in_srgb_gamut(np.array(patch.asked)):
-        lines.append(tr("Outside this screen's colours: shown clipped"))
-    return "\n".join(lines)

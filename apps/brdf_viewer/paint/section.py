@@ -23,13 +23,10 @@ class PaintSection(Section):
         self.chooser = SourceChooser(tr("Open a paint (.brdfpaint) or a measured file"))
         self.patches = PaintPatches()
         self.fit, self.facts = note(), note()
-        form = Form()
+        form = self.add(Form())
         form.add_row("", self.follow)
         form.add_row(tr("Paint"), self.chooser, tr("Choosing another paint stops following Designer"))
-        form.add_wide(self.patches)
-        form.add_wide(self.fit)
-        form.add_wide(self.facts)
-        self.add(form)
+        form.add_wide(self.patches, self.fit, self.facts)
 
     def set_fit_error(self, worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> None:
         """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""

@@ -42,11 +42,10 @@ class FresnelSection(Section):
         super().__init__(tr("Fresnel"), "fresnel", parent)
         self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Coat and base"), self.mode, tr("Dependence on the viewing angle"))
         tip = tr("Direction in which a lobe is looked up in the filtered light")
         form.add_row(tr("Look-up"), self.look_up, tip)
-        self.add(form)
 
 
 SPARKLE_TITLES = {
@@ -71,11 +70,10 @@ class SparkleSection(Section):
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
         self.lights = SliderField(tr("Lights"), *reach_of(lights, 1.0, 0))
         self.strength = SliderField(tr("Strength"), *reach_of(strength, 0.1, 1))
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
         form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
         form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
-        self.add(form)
         self.facts = note(tr(NO_FLAKES))
         self.add(self.facts)
 

@@ -72,11 +72,6 @@ class SceneControl(ViewerFeature):
         state.view_changed.connect(self._view_changed)
 
     @property
-    def loading(self) -> dict[str, str]:
-        """What is being loaded, by kind."""
-        return dict(self._loading)
-
-    @property
     def is_idle(self) -> bool:
         return not self._loading
 
@@ -242,11 +237,6 @@ class SceneControl(ViewerFeature):
         )
         self._report(error, kind, todo.format(shown=shown))
         self.failed.emit(kind, str(error))
-
-    def report_unknown(self, path: str, known: str) -> None:
-        """A file was dropped that the Viewer does not open."""
-        what = tr("Viewer opens files that end in {endings}.").format(endings=known)
-        self._refuse("dropped", what, tr("Drop one of these."), where=path)
 
     def _moved(self, kind: str, fraction: float, what: str) -> None:
         title = title_of(self._loading.get(kind, ""), SHIPPED_TITLES)

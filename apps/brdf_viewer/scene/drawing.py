@@ -15,7 +15,6 @@ from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
 from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.gl.context import Context
-from brdf_suite.realtime.gl.objects import Counters
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, ComparisonRenderer
 from brdf_suite.realtime.pictures.probe import PixelProbe
 from brdf_suite.realtime.pictures.renderer import Renderer
@@ -70,11 +69,6 @@ class SceneDrawer:
         state.contents_changed.connect(self._prepare)
         state.view_changed.connect(self._prepare)
         self._prepare()
-
-    @property
-    def counters(self) -> Counters:
-        """OpenGL objects made and written since the start."""
-        return self.scene_renderer.renderer.counters
 
     @property
     def renderer(self) -> Renderer:

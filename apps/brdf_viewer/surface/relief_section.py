@@ -73,7 +73,7 @@ class ReliefSection(Section):
         self.projection.picked.connect(lambda key: self.edited.emit("two_tone", "projection", key))
         self.mask_width_mm = self._number("two_tone", "mask_width_mm", 50.0, 1, tr("Mask width"))
         self.two_tone_facts = note()
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Orange peel"), self.orange_peel, tr(PARAMETERS["relief.orange_peel"].meaning))
         form.add_row(tr("Wavelength"), self.orange_peel_mm, tr(PARAMETERS["relief.orange_peel_mm"].meaning))
         form.add_wide(self.peel_facts)
@@ -88,7 +88,6 @@ class ReliefSection(Section):
         form.add_row(tr("Mapping"), self.projection, tr("Mapping of the mask onto the surface"))
         form.add_row(tr("Mask width"), self.mask_width_mm, tr(PARAMETERS["two_tone.mask_width_mm"].meaning))
         form.add_wide(self.two_tone_facts)
-        self.add(form)
 
     def set_relief(self, relief: Relief) -> None:
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
@@ -157,27 +156,22 @@ class SurfaceSection(Section):
         self.again.hide()
         self.parts = SurfaceParts()
         self.unit = self._list("unit", UNIT_TITLES)
-        scale = PARAMETERS["surface.scale"]
-        self.scale = NumberField(tr("Scale"), *reach_of(scale, 0.1, 4))
-        self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
         self.recentre = self._check("recentre", tr("Centre on ground"))
         self.normals = self._list("normals", NORMALS_TITLES)
         self.flip_normals = self._check("flip_normals", tr("Flip normals"))
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
         form.add_wide(self.facts)
         form.add_row("", self.occlusion)
         form.add_row("", self.ground)
-        form.add_wide(self.baking)
-        form.add_wide(self.again)
-        form.add_wide(self.parts)
+        form.add_wide(self.baking, self.again, self.parts)
         form.add_row(tr("Unit"), self.unit, tr("Unit of length in the file"))
-        form.add_row(tr("Scale"), self.scale, tr(scale.meaning))
+        self.scale = form.add_number(tr("Scale"), PARAMETERS["surface.scale"], 0.1, 4)
+        self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
         tip = tr("Moves the centre over the origin and the lowest point to height 0")
         form.add_row(tr("Place"), self.recentre, tip)
         form.add_row(tr("Normals"), self.normals, tr("Read from the file, or recomputed"))
         form.add_row("", self.flip_normals, tr("For files whose triangles and normals point inwards"))
-        self.add(form)
 
     def set_look(self, look: SurfaceLook) -> None:
         for name in ("occlusion", "ground", "recentre", "flip_normals"):

@@ -50,7 +50,7 @@ class ToneSection(Section):
         self.profile = QCheckBox(tr("Monitor profile"))
         self.profile.setToolTip(tr("Convert colours with the system's profile of this monitor"))
         self.profile_note = note()
-        form = Form()
+        form = self.add(Form())
         tip = tr("Mapping of radiance to the screen, before its transfer curve")
         form.add_row(tr("Tone curve"), self.curve, tip)
         form.add_row(tr("Show clipping"), self.clipping)
@@ -60,7 +60,6 @@ class ToneSection(Section):
         form.add_wide(self.counted)
         form.add_row(tr("Screen"), self.profile)
         form.add_wide(self.profile_note)
-        self.add(form)
 
     def set_marks(self, clipping: bool, gamut: bool, style: str) -> None:
         self.clipping.setChecked(clipping)

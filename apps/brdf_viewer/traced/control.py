@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import TypeVar
@@ -113,7 +114,7 @@ class TracedControl(ViewerFeature):
     @property
     def process_id(self) -> int:
         """The process that traces; 0 where there is none."""
-        return 0 if self._process is None else self._process.process_id
+        return 0 if self._process is None else int(self._process.process.processId())
 
     @property
     def is_settled(self) -> bool:
@@ -246,12 +247,15 @@ class TracedControl(ViewerFeature):
         assert self._process is not None
         self._generation += 1
         self._asked, self._answered, self._stopped, self._step = wanted, False, False, ""
-        pieces = self._hand_over.pieces(
-            wanted, self._generation, self._process.folder, self._limit, denoised=self.denoised
+        write = partial(
+            write_request,
+            folder=self._process.folder,
+            numbers=self._hand_over.numbers(wanted),
+            generation=self._generation,
+            samples=self._limit,
+            denoised=self.denoised,
         )
-        self._runner.submit(
-            KIND, write_request, pieces, self._handed_over, lambda error: self._fail(str(error))
-        )
+        self._runner.submit(KIND, write, wanted, self._handed_over, lambda error: self._fail(str(error)))
         self._show()
 
     def _handed_over(self, request: TraceRequest) -> None:
@@ -267,7 +271,8 @@ class TracedControl(ViewerFeature):
         process.failed.connect(self._trace_failed)
         process.crashed.connect(self._crashed)
         process.saved.connect(self._saved)
-        process.not_saved.connect(self._not_saved)
+        todo = tr("Choose another name or folder.")
+        process.not_saved.connect(lambda path, text: self._refuse(KIND, text, todo, where=path))
         process.start()
 
     def _end_process(self) -> None:
@@ -333,9 +338,6 @@ class TracedControl(ViewerFeature):
     def _saved(self, path: str) -> None:
         self._window.messages.dismiss(KIND)
         self._window.status.showMessage(tr("Saved {name}").format(name=Path(path).name), _MESSAGE_MS)
-
-    def _not_saved(self, path: str, text: str) -> None:
-        self._refuse(KIND, text, tr("Choose another name or folder."), where=path)
 
     def _drop(self) -> None:
         """What is traced is wanted no more."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, save_paint
 from brdf_suite.progress import Progress, report
@@ -14,59 +14,47 @@ from brdf_viewer.traced.scene_files import write_environment, write_surface
 from brdf_viewer.traced.trace_input import TraceInput
 
 
-@dataclass(frozen=True, eq=False)
-class Pieces:
-    """What a thread is to write; ``surface`` and ``paint`` are numbered, each number is one content."""
-
-    wanted: TraceInput
-    generation: int
-    folder: Path
-    surface: int
-    paint: int
-    samples: int
-    denoised: bool
-
-
 class HandOver:
-    """Numbers what changes, for one folder."""
+    """Numbers what changes, for one folder: each number is one content."""
 
     def __init__(self) -> None:
         self._surface: tuple[Mesh | None, int] = (None, 0)
         self._paint: tuple[AnyPaint | None, int] = (None, 0)
 
-    def pieces(
-        self, wanted: TraceInput, generation: int, folder: Path, samples: int, *, denoised: bool = False
-    ) -> Pieces:
+    def numbers(self, wanted: TraceInput) -> tuple[int, int]:
+        """Return the numbers of the surface and of the paint."""
         if wanted.surface is not self._surface[0]:
             self._surface = (wanted.surface, self._surface[1] + 1)
         if wanted.paint is not None and wanted.paint != self._paint[0]:
             self._paint = (wanted.paint, self._paint[1] + 1)
-        return Pieces(wanted, generation, folder, self._surface[1], self._paint[1], samples, denoised)
+        return self._surface[1], self._paint[1]
 
 
-def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
-    """Write what is not written yet and return the request; FileError where the disk does not take it."""
-    wanted, folder = pieces.wanted, pieces.folder
+def write_request(
+    wanted: TraceInput, progress: Progress, *, folder: Path, numbers: tuple[int, int], **asked: Any
+) -> TraceRequest:
+    """Write what is not written yet and return the request; FileError where the disk does not take it.
+
+    ``numbers`` are those of :meth:`HandOver.numbers`, ``asked`` are the other fields of the request.
+    """
     report(progress, 0.0, "preparing the scene")
     environment = write_environment(wanted.environment, folder)
-    surface = write_surface(wanted.surface, folder, pieces.surface)
+    surface = write_surface(wanted.surface, folder, numbers[0])
     paint = wanted.paint_key
     if wanted.paint is not None:
-        file = folder / f"paint-{pieces.paint}{PAINT_ENDING}"
+        file = folder / f"paint-{numbers[1]}{PAINT_ENDING}"
         if not file.exists():
             save_paint(wanted.paint, file)
         paint = str(file)
     return TraceRequest(
-        pieces.generation,
-        wanted.renderer,
-        wanted.quality,
-        wanted.view,
-        wanted.size,
-        paint,
-        environment,
-        surface,
-        pieces.samples,
-        pieces.denoised,
+        renderer=wanted.renderer,
+        quality=wanted.quality,
+        view=wanted.view,
+        size=wanted.size,
+        paint=paint,
+        environment=environment,
+        surface=surface,
+        **asked,
     )
 
 

@@ -23,28 +23,9 @@ def slot_file(folder: Path, slot: int) -> Path:
     return folder / f"picture-{slot}.f32"
 
 
-class SlotWriter:
-    """The tracer's side."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-        self._free = list(range(SLOTS))
-
-    @property
-    def is_free(self) -> bool:
-        return bool(self._free)
-
-    def put(self, pixels: NDArray[Any]) -> int:
-        """Write (h, w, channels) into a free slot and return its number; OSError where the disk is full."""
-        slot = self._free[0]
-        np.ascontiguousarray(pixels, np.float32).tofile(slot_file(self._folder, slot))
-        self._free.pop(0)
-        return slot
-
-    def give_back(self, slot: int) -> None:
-        """The window has taken what was in the slot."""
-        if slot not in self._free:
-            self._free.append(slot)
+def put(folder: Path, slot: int, pixels: NDArray[Any]) -> None:
+    """Write (h, w, channels) into a free slot; OSError where the disk is full. The tracer's side."""
+    np.ascontiguousarray(pixels, np.float32).tofile(slot_file(folder, slot))
 
 
 def take(folder: Path, slot: int, size: tuple[int, int]) -> Singles:

@@ -76,11 +76,6 @@ class TraceProcess(ChildProcess):
         self.folder = Path(tempfile.mkdtemp(prefix="brdf-traced-"))
         self._program = [*(program or child_command(WORKER))]
 
-    @property
-    def process_id(self) -> int:
-        """The worker's process; 0 where there is none."""
-        return int(self.process.processId())
-
     def start(self) -> None:
         """Begin; what is sent is read as soon as it can be."""
         self.launch([*self._program, str(self.folder)])
@@ -94,10 +89,9 @@ class TraceProcess(ChildProcess):
         shutil.rmtree(self.folder, ignore_errors=True)  # in the temporary folder, which is emptied anyway
 
     def take_line(self, line: str) -> None:
-        if line:
-            self._take(json.loads(line))
-
-    def _take(self, answer: dict[str, Any]) -> None:
+        if not line:
+            return
+        answer = json.loads(line)
         what, generation = answer["say"], int(answer.get("generation", 0))
         if what == "picture":
             self._take_picture(answer, generation)

@@ -82,7 +82,7 @@ class RendererSection(Section):
         self._buttons = QWidget()
         fill_row(self._buttons, self.stop, self.resume, self.save, spacing=4, even=True)
         self.state, self.facts = note(), note()
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
         samples_tip = tr("Samples per pixel at which the path tracer stops; 0: unlimited")
@@ -94,9 +94,7 @@ class RendererSection(Section):
             form.add_row("", self.denoised): "reference",
             self.denoised: "reference",
         }
-        for widget in (self._buttons, self.state, self.facts):
-            form.add_wide(widget)
-        self.add(form)
+        form.add_wide(self._buttons, self.state, self.facts)
         self.set_denoiser(tr("The renderer has not been started yet."))
         self.show_renderer("realtime", "fast", DEFAULT_SAMPLES, denoised=False)
         self.show_work(running=False, stopped=False, has_picture=False)

@@ -26,7 +26,7 @@ from brdf_suite.documents.store import view_from_json
 from brdf_suite.errors import SuiteError
 from brdf_viewer.traced.engines import Engines
 from brdf_viewer.traced.job import Job, TracedFrame
-from brdf_viewer.traced.picture_slots import SlotWriter
+from brdf_viewer.traced.picture_slots import SLOTS, put
 from brdf_viewer.traced.request import TraceRequest
 
 log = logging.getLogger(__name__)
@@ -70,7 +70,7 @@ class Worker:
     """Traces the newest request; everything else is dropped."""
 
     def __init__(self, folder: Path, inbox: Inbox, say: Say, engines: Engines) -> None:
-        self._slots = SlotWriter(folder)
+        self._folder, self._free_slots = folder, list(range(SLOTS))
         self._inbox, self._say, self._engines = inbox, say, engines
         self._request: TraceRequest | None = None
         self._job: Job | None = None
@@ -108,7 +108,7 @@ class Worker:
             if self._newest is not None:
                 self._attempt(lambda: self._report(self._newest))
         elif what == "taken":
-            self._slots.give_back(int(message["slot"]))
+            self._free_slots.append(int(message["slot"]))
             if self._unsent is not None:
                 self._attempt(lambda: self._report(self._unsent))
         elif what == "save":
@@ -134,10 +134,12 @@ class Worker:
 
     def _report(self, frame: TracedFrame | None) -> None:
         self._newest = self._unsent = frame
-        if frame is None or self._request is None or self._job is None or not self._slots.is_free:
+        if frame is None or self._request is None or self._job is None or not self._free_slots:
             return
         denoised = self._denoised and not self._job.no_denoiser
-        slot = self._slots.put(self._job.denoise_picture(frame.pixels) if denoised else frame.pixels)
+        slot = self._free_slots[0]
+        put(self._folder, slot, self._job.denoise_picture(frame.pixels) if denoised else frame.pixels)
+        self._free_slots.pop(0)
         self._unsent = None
         height, width = frame.pixels.shape[:2]
         done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)

@@ -80,7 +80,7 @@ def test_unsaved_work_is_offered_in_plain_text(designer, hostile, walks) -> None
         store.set(paint, "Open")
         recovery.write()
         recovery.close(keep=True)
-    designer.recovery_offer.show()
+    designer.offer_recovery()
     assert walks.HOSTILE in designer.window.messages.shown()["recovery"].what
     wrong, seen = walks.drawn_as_html()
     assert wrong == []

@@ -155,7 +155,7 @@ def test_a_refused_part_ends_the_loading(start, held, light, qtbot) -> None:
     viewer.controller.drawer.uploads["environment"] = refuse
     viewer.controller.open_file(str(light(6)))
     qtbot.waitUntil(lambda: "environment" in viewer.messages(), timeout=60_000)
-    assert not viewer.controller.scene.loading
+    assert viewer.controller.scene.is_idle
     assert viewer.state.environment.value is environment
     assert viewer.state.is_complete
 

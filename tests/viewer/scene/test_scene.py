@@ -204,7 +204,7 @@ def test_progress_is_shown_and_cancel_keeps_the_old_picture(start, slow, lights,
     section = viewer.window.environment
     assert not section.figures.isEnabled()  # they are of the light that is still on show
     job.findChild(QPushButton).click()
-    qtbot.waitUntil(lambda: not viewer.controller.scene.loading)
+    qtbot.waitUntil(lambda: viewer.controller.scene.is_idle)
     assert section.figures.isEnabled()
     assert "environment" not in strip.jobs
     assert viewer.view == view
@@ -311,12 +311,12 @@ def test_many_environments_leave_nothing_behind(start, lights) -> None:
         gc.collect()
 
     change(6)
-    live, growth = [viewer.controller.drawer.counters.live], []
+    live, growth = [viewer.controller.drawer.scene_renderer.counters.live], []
     for _ in range(6):  # what leaks grows each time; what is made once when it is first wanted does not
         memory = resident()
         change(4)
         growth.append(resident() - memory)
-        live.append(viewer.controller.drawer.counters.live)
+        live.append(viewer.controller.drawer.scene_renderer.counters.live)
         if live[-1] <= live[-2] and growth[-1] < 2.4e6:
             break
     assert any(later <= earlier for earlier, later in itertools.pairwise(live)), live

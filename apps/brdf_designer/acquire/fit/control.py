@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject
 
@@ -26,7 +26,7 @@ class FitControl(QObject):
     """Fits, shows, opens and saves."""
 
     def __init__(
-        self, bench: ReconstructionSession, page: FitPage, paint_session: PaintSession, dialogs: Dialogs
+        self, bench: ReconstructionSession, page: FitPage, paint_session: PaintSession, dialogs: QtDialogs
     ) -> None:
         super().__init__(bench)
         self._bench, self._page, self._paint_session, self._dialogs = bench, page, paint_session, dialogs

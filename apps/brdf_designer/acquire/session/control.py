@@ -8,7 +8,7 @@ from typing import Any
 
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject
@@ -31,7 +31,7 @@ _SEVERITIES = {"fatal": "error", "position": "error", "exposure": "error", "warn
 class SessionControl(QObject):
     """Joins the session's page to the workbench."""
 
-    def __init__(self, bench: ReconstructionSession, page: SessionPage, dialogs: Dialogs) -> None:
+    def __init__(self, bench: ReconstructionSession, page: SessionPage, dialogs: QtDialogs) -> None:
         super().__init__(bench)
         self._bench, self._page, self._dialogs = bench, page, dialogs
         self.problems: tuple[Problem, ...] | None = None

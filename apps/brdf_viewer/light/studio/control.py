@@ -10,9 +10,9 @@ from typing import Any
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
-from brdf_qt.documents.recovery_offer import RecoveryOffer
+from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.dialogs import QtDialogs
 
 from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, Studio
 from brdf_suite.documents.view import View
@@ -39,7 +39,7 @@ class StudioControl(ViewerFeature):
     """
 
     def __init__(
-        self, state: ViewerState, window: ViewerWindow, scene: SceneControl, dialogs: Dialogs
+        self, state: ViewerState, window: ViewerWindow, scene: SceneControl, dialogs: QtDialogs
     ) -> None:
         super().__init__(state, window)
         self._scene = scene
@@ -65,13 +65,13 @@ class StudioControl(ViewerFeature):
         self._connect_panel()
         self._add_commands()
         self._contents_changed()
-        RecoveryOffer(
+        offer_recovery(
             window.messages.show_message,
-            self.recovery.found,
+            self.recovery.found(),
             self._recover,
             self.recovery.drop,
             tr("Viewer closed unexpectedly. Recover your unsaved work on the studio “{name}” of {when}?"),
-        ).show()
+        )
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""
@@ -239,7 +239,7 @@ class StudioControl(ViewerFeature):
         self._do(tr("Scale Lamp"), edit)
 
     def _add(self, shape: str) -> None:
-        self._index = edits.lamp_count(self.store.value)
+        self._index = len(_studio(self.store.value).lamps)
         self._do(tr("Add Lamp"), lambda light: edits.added(_studio(light), shape))
 
     def _double(self) -> None:
@@ -257,7 +257,7 @@ class StudioControl(ViewerFeature):
             self._show()
 
     def _changed(self, _old: LightDocument, new: LightDocument) -> None:
-        self._index = min(self._index, edits.lamp_count(new) - 1) if isinstance(new, Studio) else 0
+        self._index = min(self._index, len(new.lamps) - 1) if isinstance(new, Studio) else 0
         if self._open:
             self._live.show(new)
         self._show()
@@ -300,7 +300,8 @@ class StudioControl(ViewerFeature):
         self._panel.relight.setVisible(not self.is_lit())
 
     def _show_editable(self, view: View) -> None:
-        self._window.environment.set_editable(_has_description(view.environment))
+        key = view.environment
+        self._window.environment.set_editable(key == "booth" or key.lower().endswith(STUDIO_ENDING))
 
     def is_lit(self) -> bool:
         """Return whether the picture is lit by the open studio."""
@@ -329,7 +330,3 @@ def _studio(light: LightDocument) -> Studio:
 def _changed(light: LightDocument, name: str, value: Any) -> LightDocument:
     changed: LightDocument = dataclasses.replace(light, **{name: value})
     return changed
-
-
-def _has_description(key: str) -> bool:
-    return key == "booth" or key.lower().endswith(STUDIO_ENDING)

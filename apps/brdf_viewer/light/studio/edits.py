@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from brdf_suite.documents.studio import Backdrop, BoothRoom, LightDocument, Point, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import Backdrop, BoothRoom, Point, Sky, Studio, StudioLamp
 from brdf_viewer.light.studio.document import NEW_LAMPS
 from brdf_viewer.light.studio.places import angle_of, held_in, moved, point_at, polar, size_at
 
@@ -67,8 +67,3 @@ def with_sun(sky: Sky, azimuth_deg: float, elevation_deg: float) -> Sky:
     """Return the sky with its sun elsewhere, above the horizon."""
     elevation_deg = min(89.9, max(1.0, elevation_deg))
     return dataclasses.replace(sky, sun_azimuth_deg=azimuth_deg, sun_elevation_deg=elevation_deg)
-
-
-def lamp_count(light: LightDocument) -> int:
-    """Return how many lamps a light has; a sky has none."""
-    return len(light.lamps) if isinstance(light, Studio) else 0

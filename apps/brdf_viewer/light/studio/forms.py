@@ -132,22 +132,20 @@ class LampForm(Form):
 
     def set_lamp(self, lamp: StudioLamp, unit: str) -> None:
         self.shape.show_choice(lamp.shape)
-        azimuth, elevation, distance = polar(lamp.position_m)
-        self.azimuth.set_value(azimuth)
-        self.elevation.set_value(elevation)
-        self.distance.set_value(distance)
+        place = polar(lamp.position_m)
+        for field, value in zip((self.azimuth, self.elevation, self.distance), place, strict=True):
+            field.set_value(value)
         tip = tr("{side}: {metres}; the angle is its face-on angular size")
         for field, label, text, size in zip(
             (self.first, self.second), self._size_labels, _SIZE_LABELS[lamp.shape], lamp.size_m, strict=True
         ):
-            field.set_value(angle_of(size, distance))
+            field.set_value(angle_of(size, place[2]))
             label.setText(tr(text))
             field.setToolTip(plain_tip(tip.format(side=tr(text), metres=f"{size:.3g} m")))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
-        facing_azimuth, facing_elevation = facing_deg(lamp)
-        self.facing_azimuth.set_value(facing_azimuth)
-        self.facing_elevation.set_value(facing_elevation)
+        for field, value in zip((self.facing_azimuth, self.facing_elevation), facing_deg(lamp), strict=True):
+            field.set_value(value)
         for widget in (self.facing_azimuth, self.facing_elevation, *self._facing_labels):
             widget.setVisible(lamp.facing is not None)
         self.luminance.setSuffix("" if unit == "relative" else " kcd/m²")

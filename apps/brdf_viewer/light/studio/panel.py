@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
-from brdf_qt.fields.form import fill_column, fill_row, icon_button
+from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import icon_button
 from brdf_qt.fields.text import TextLine
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
@@ -59,24 +60,24 @@ class StudioPanel(QScrollArea):
         self.list.currentRowChanged.connect(self.chosen)
         self.lamp, self.around, self.sky = LampForm(), SurroundingsForm(), SkyForm()
         self._light: LightDocument | None = None
-        self.save = _tool("floppy-disk", tr("Save the studio (Ctrl+S in this panel)"))
-        self.save_as = _tool("copy", tr("Save the studio under another name"))
-        self.undo = _tool("arrow-counter-clockwise", tr("Undo (Ctrl+Z in this panel)"))
-        self.redo = _tool("arrow-clockwise", tr("Redo"))
+        self.save = icon_button("floppy-disk", tr("Save the studio (Ctrl+S in this panel)"))
+        self.save_as = icon_button("copy", tr("Save the studio under another name"))
+        self.undo = icon_button("arrow-counter-clockwise", tr("Undo (Ctrl+Z in this panel)"))
+        self.redo = icon_button("arrow-clockwise", tr("Redo"))
         self._keys = {
             _KEYS.Undo: self.undo,
             _KEYS.Redo: self.redo,
             _KEYS.SaveAs: self.save_as,
             _KEYS.Save: self.save,
         }
-        self.add = _tool("plus", tr("Add a lamp"))
+        self.add = icon_button("plus", tr("Add a lamp"))
         menu = QMenu(self.add)
         for shape, title in SHAPE_TITLES.items():
             menu.addAction(tr(title), partial(self.add_requested.emit, shape))
         self.add.setMenu(menu)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.double = _tool("copy-simple", tr("Duplicate this lamp"))
-        self.remove = _tool("trash", tr("Remove this lamp"))
+        self.double = icon_button("copy-simple", tr("Duplicate this lamp"))
+        self.remove = icon_button("trash", tr("Remove this lamp"))
         self.edit = QPushButton(tr("Edit current light"))
         self.relight = QPushButton(tr("Light the picture with this studio"))
         self._lamps, self._begin, self._open = QWidget(), self._begin_part(), QWidget()
@@ -191,9 +192,3 @@ def lamp_line(index: int, lamp: StudioLamp) -> str:
     colour = tr("neutral") if kelvin is None else f"{kelvin:.0f} K"
     place = tr("{azimuth:.0f}° and {elevation:.0f}° up").format(azimuth=azimuth, elevation=elevation)
     return f"{index + 1}  {tr(SHAPE_TITLES[lamp.shape])}, {place}, {lamp.luminance:g}, {colour}"
-
-
-def _tool(name: str, tip: str) -> QToolButton:
-    button = icon_button(name, tip)
-    button.setAutoRaise(True)
-    return button
