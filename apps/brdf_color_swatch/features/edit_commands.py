@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from brdf_qt.program.translation import mark, tr
@@ -190,11 +191,8 @@ class EditCommands(SwatchFeature):
             self._change(name, ids, lambda entry: replace(entry, content=replace(entry.content, name=text)))
         elif key in ("code", "notes"):
             name = tr("Change code") if key == "code" else tr("Change notes")
-            self._change(
-                name,
-                ids,
-                lambda entry: replace(entry, code=text) if key == "code" else replace(entry, notes=text),
-            )
+            field: dict[str, Any] = {key: text}
+            self._change(name, ids, lambda entry: replace(entry, **field))
         else:
             self._tag(ids, text)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
-from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import (
     QEvent,
@@ -108,7 +108,7 @@ class Pane(QFrame):
         self.stack = QStackedWidget()
         for page in (self.grid, self.list, self._note_page()):
             self.stack.addWidget(page)
-        column_in(self, self.head, self.stack, grows=self.stack, spacing=0)
+        fill_column(self, self.head, self.stack, grows=self.stack, spacing=0)
         self._as_list = False
         self.title = ""
         """What is shown, in words."""
@@ -225,7 +225,7 @@ class Pane(QFrame):
         self._title = ElidedLabel()
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
-        self._close = icon_button("x", tr("Close pane"), self.close_requested.emit)
+        self._close = icon_button("x", tr("Close pane"), self.close_requested.emit, flat=True)
         row = row_of(
             self._mark, self._title, self._count, self._close, grows=self._title, margins=(8, 2, 8, 2)
         )
@@ -243,7 +243,7 @@ class Pane(QFrame):
         self._bar.setMaximumWidth(240)
         bar, buttons = row_of(None, self._bar, None), row_of(None, self._buttons, None)
         margins = (24, 24, 24, 24)
-        box = column_in(page, None, self._note, bar, buttons, None, spacing=6, margins=margins)
+        box = fill_column(page, None, self._note, bar, buttons, None, spacing=6, margins=margins)
         # A little above the middle.
         box.setStretch(0, 2)
         box.setStretch(4, 3)

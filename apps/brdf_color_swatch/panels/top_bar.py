@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.layouts import described, row_of
+from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr

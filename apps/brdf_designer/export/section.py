@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from brdf_designer.window.widgets import button, combo, fill_column, wrapped
+from brdf_designer.window.widgets import button, combo, wrapped
 
 TITLES = {
     "cxf": mark("CxF3, one specification per angle"),

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from brdf_qt.fields.form import fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
 
 from brdf_designer.preview.scene import LIGHTS
 from brdf_designer.window.caption import Caption
-from brdf_designer.window.widgets import fill_column
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
@@ -55,12 +55,8 @@ class PreviewPanel(QWidget):
         # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
         self.light.setFixedHeight(self.fontMetrics().height() + 4)
         self.light.activated.connect(lambda row: self.light_chosen.emit(self.light.itemData(row)))
-        head = QHBoxLayout()
-        head.setSpacing(8)
-        head.addWidget(self.caption, 1)
-        head.addWidget(self.light)
-        self._box = fill_column(self, spacing=4)
-        self._box.addLayout(head)
+        head = row_of(self.caption, self.light, grows=self.caption)
+        self._box = fill_column(self, head, spacing=4)
         self.surface: GlSurface | None = None
         self.notice: QLabel | None = None
         if can_draw():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.parameters import FieldParameter, ParameterPanel
 from brdf_qt.fields.text import TextLine, TextNotes
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from brdf_designer.session.edits import SetInterpolation, SetNumber, SetText
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.window.widgets import combo, fill_column, set_font, wrapped
+from brdf_designer.window.widgets import combo, set_font, wrapped
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
 
 _STEPS = {

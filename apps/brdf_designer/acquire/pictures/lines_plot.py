@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pyqtgraph as pg
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
@@ -19,7 +20,6 @@ from PySide6.QtGui import QColor, QPalette, QPen
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.colour.plot_items import dress_plot, line, make_plot
-from brdf_designer.window.widgets import fill_column
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
 Mark = Literal["line", "points", "fill"]
