@@ -76,17 +76,15 @@ class SwatchWindow(SuiteWindow):
             self.pane_split.setSizes([half, half])
 
     def add_library_button(self, action: QAction) -> None:
-        button = QToolButton()
+        button = described(QToolButton(), spoken=action.text().replace("&", ""))
         button.setDefaultAction(action)
         button.setAutoRaise(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        button.setAccessibleName(action.text().replace("&", ""))
         self.library_buttons.addWidget(button)
 
     def open_menu(self, keys: Iterable[str], point: QPoint, name: str = "") -> None:
         """Open a menu of commands by their keys at a point of the screen; an empty key is a line between groups."""
-        menu = QMenu(self)
-        menu.setObjectName(name)
+        menu = described(QMenu(self), name=name)
         for key in keys:
             action = self.command(key) if key else None
             if action is not None:

@@ -183,8 +183,7 @@ class RangeField(QWidget):
         keys = tr("Space switches the handle; double-click clears the filter.")
         described(self.track, spoken=name, tip=f"{tip}\n{keys}".strip())
         self._wraps = wraps
-        label = PlainLabel(name)
-        label.setToolTip(plain_tip(tip))
+        label = described(PlainLabel(name), tip=tip)
         for field in (self.low, self.high):
             field.setMaximumWidth(84)
             field.edited.connect(lambda _value, field=field: self._typed(field))

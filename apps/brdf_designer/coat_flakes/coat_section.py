@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from brdf_qt.fields.form import described
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
@@ -65,13 +66,11 @@ class CoatSection(PaintSection):
         self.roughness = NumberField(
             tr("Roughness of the coat"), "", LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS, 0.001, 4, LOWEST_ROUGHNESS
         )
-        self.ior.setObjectName("field_coat.ior")
-        self.roughness.setObjectName("field_coat.roughness")
         for field, key, label, tip in (
             (self.ior, "ior", tr("Index n"), tr(_IOR_TIP)),
             (self.roughness, "roughness", tr("Roughness α"), tr(_ROUGHNESS_TIP)),
         ):
-            self.panel.add_row(label, field, tip)
+            self.panel.add_row(label, described(field, name=f"field_coat.{key}"), tip)
             field.edited.connect(lambda _value, key=key: self._set_coat(key))
             field.gesture_started.connect(self._begin_coat)
             field.gesture_finished.connect(self._end_coat)

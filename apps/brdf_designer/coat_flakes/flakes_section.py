@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QCheckBox, QLabel
 
@@ -33,8 +33,7 @@ class FlakesSection(PaintSection):
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
         self._last = DEFAULT_FLAKES
-        self.has_flakes = QCheckBox(tr("Visible flakes"))
-        self.has_flakes.setToolTip(tr(_DRAWN))
+        self.has_flakes = described(QCheckBox(tr("Visible flakes")), tip=tr(_DRAWN))
         self.has_flakes.clicked.connect(lambda on: session.edit(SetFlakes(self._last if on else None)))
         self.box.addWidget(self.has_flakes)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
@@ -42,8 +41,7 @@ class FlakesSection(PaintSection):
         tip = tr(_FIGURE).format(contrast=CONTRAST, distance=DISTANCE_MM, resolved=RESOLVED_MM)
         self.figures: dict[float, QLabel] = {}
         for angle in ANGLES_DEG:
-            label = computed()
-            label.setObjectName(f"sparkle_{angle:g}")
+            label = described(computed(), name=f"sparkle_{angle:g}")
             form.add_row(tr("Sparkle {angle:g}°").format(angle=angle), label, tip)
             self.figures[angle] = label
         self.box.addWidget(form)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.form import Form, fill_column, fill_row, row_of
+from brdf_qt.fields.form import Form, described, fill_column, fill_row, row_of
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
@@ -55,8 +55,7 @@ class ColourHead(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.sets = QuietComboBox()
-        self.sets.setObjectName("angle_set")
+        self.sets = described(QuietComboBox(), name="angle_set")
         for name, text in _SETS.items():
             self.sets.addItem(tr(text), name)
         self.sets.addItem(tr(_OWN), None)
@@ -129,9 +128,7 @@ class _Choice(QWidget):
         self.buttons: dict[str, ChoiceButton] = {}
         group = QButtonGroup(self)
         for choice, (text, tip) in choices.items():
-            button = ChoiceButton(tr(text))
-            button.setToolTip(tr(tip))
-            button.setAccessibleName(f"{name}: {tr(text)}")
+            button = described(ChoiceButton(tr(text)), spoken=f"{name}: {tr(text)}", tip=tr(tip))
             button.clicked.connect(lambda _=False, choice=choice: self._choose(choice))
             group.addButton(button)
             self.buttons[choice] = button

@@ -333,6 +333,5 @@ class Band(QWidget):
 
 
 def _row(codes: Bytes) -> QImage:
-    """One line of pixels (n, 3)."""
     count = len(codes)
     return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

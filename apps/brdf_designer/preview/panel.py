@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from brdf_qt.fields.form import fill_column, row_of
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
@@ -60,9 +60,7 @@ class PreviewPanel(QWidget):
         self.surface: GlSurface | None = None
         self.notice: QLabel | None = None
         if can_draw():
-            self.surface = make_surface()
-            self.surface.setAccessibleName(tr("The paint on the speed form"))
-            self.surface.setToolTip(tr(_TIP))
+            self.surface = described(make_surface(), spoken=tr("The paint on the speed form"), tip=tr(_TIP))
             self._box.addWidget(self.surface, 1)
         else:
             self._say_why_not()
@@ -90,11 +88,10 @@ class PreviewPanel(QWidget):
             "curves are complete. Open the paint file in Viewer on another computer to see "
             "it."
         )
-        self.notice = PlainLabel(text)
+        self.notice = described(PlainLabel(text), spoken=text)
         self.notice.setWordWrap(True)
         self.notice.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.notice.setFrameShape(QFrame.Shape.StyledPanel)
         self.notice.setMargin(16)
-        self.notice.setAccessibleName(text)
         self.light.setEnabled(False)
         self._box.addWidget(self.notice, 1)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from brdf_qt.fields.form import fill_row
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.form import described, fill_row
+from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
@@ -49,8 +49,7 @@ def set_font(label: QWidget, *, bold: bool = False, italic: bool = False) -> Non
 
 def button(text: str, tip: str, action: Callable[[], object] | None = None) -> QPushButton:
     """Return a button that gives way in a narrow column, and calls ``action``."""
-    made = QPushButton(text)
-    made.setToolTip(plain_tip(tip))
+    made = described(QPushButton(text), tip=tip)
     made.setAccessibleDescription(tip)
     made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     made.setMinimumWidth(48)

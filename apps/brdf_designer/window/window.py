@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from brdf_qt.fields.form import fill_column
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
@@ -153,8 +153,7 @@ class DesignerWindow(SuiteWindow):
     def _build_centre(self) -> None:
         top, centre = QWidget(), QWidget()
         fill_column(top, self.strip, self.patches).setStretchFactor(self.patches, 1)
-        self.lower_split = split(Qt.Orientation.Horizontal, (self.plot, 3))
-        self.lower_split.setObjectName("lower_split")
+        self.lower_split = described(split(Qt.Orientation.Horizontal, (self.plot, 3)), name="lower_split")
         whole = split(Qt.Orientation.Vertical, (top, 1), (self.lower_split, 1))
         whole.setSizes([500, 420])
         whole.setObjectName("centre_split")

@@ -48,8 +48,7 @@ class LinePlot(QWidget):
             return
         from brdf_lobe_visualizer.cuts import plot_items
 
-        self.plot = plot_items.SlicePlot(with_axes=self.with_axes)
-        self.plot.setAccessibleName(self.accessibleName())
+        self.plot = described(plot_items.SlicePlot(with_axes=self.with_axes), spoken=self.accessibleName())
         self.make_items(plot_items)
         self._cross.setVisible(False)
         self._cross.setZValue(10)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import PlainLabel, plain_tip, set_bold
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
@@ -231,9 +231,7 @@ class Legend(QWidget):
 
     def _head(self) -> QHBoxLayout:
         title = PlainLabel(tr("Legend"))
-        font = title.font()
-        font.setBold(True)
-        title.setFont(font)
+        set_bold(title, True)
         return row_of(
             title,
             None,

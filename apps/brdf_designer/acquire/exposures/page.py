@@ -121,8 +121,8 @@ class ExposuresPage(PositionPage):
                 # The style tints what is chosen; a photograph keeps its colours.
                 sign.addPixmap(small, QIcon.Mode.Selected)
                 item = QListWidgetItem(sign, text)
-                item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
                 item.setToolTip(plain_tip(shot.file))
+                item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
                 self.strip.addItem(item)
             self.strip.setCurrentRow(self._chosen)
         self._fill_table(series)
