@@ -77,8 +77,8 @@ class Controller(QObject):
 
     def _switch(self) -> None:
         self._accepted()
-        # The readings of another document are others, and what was said of the one before is no longer so.
-        self._view.pickers.close()
+        self._view.close_pickers()
+        # What was said of the document before is no longer so.
         self._view.dismiss_message("fit")
         self._view.show_colours(colours_of(self._session.original))
         self._view.keep_opened()
@@ -111,7 +111,7 @@ class Controller(QObject):
         row, front = self._documents.row, self._documents.front
         tabs = [TabState(item.title, item.store.path, item.store.is_clean) for item in row]
         self._view.show_tabs(tabs, row.index(front))
-        self._view.reopen_action.setEnabled(self._documents.can_reopen)
+        self._view.show_reopen(self._documents.can_reopen)
 
     def _show_history(self) -> None:
         stack = self._documents.front.store.stack

@@ -48,6 +48,7 @@ class StandardControl(Feature, QObject):
         self._settings = load()
         self._tasks = TaskRunner(self)
         self._shown = False
+        self._angles: list[float] | None = None
         self.section = StandardSection()
         self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
         self._add_commands()
@@ -205,7 +206,7 @@ class StandardControl(Feature, QObject):
         return self._kept.setdefault(self._session.document_key, DocumentStandards())
 
     def _switched(self) -> None:
-        self._angles: list[float] | None = None
+        self._angles = None
         self._show_choices()
         self.refresh()
         self._read_again()

@@ -138,6 +138,10 @@ class DesignerWindow(SuiteWindow):
         for action in self._step_actions:
             action.setEnabled(len(tabs) > 1)
 
+    def show_reopen(self, can: bool) -> None:
+        """Show whether a closed tab can be reopened."""
+        self.reopen_action.setEnabled(can)
+
     def show_message(self, message: Message) -> None:
         if message.key == "edit":
             self._whole = None  # a field holds what was refused
@@ -245,3 +249,7 @@ class DesignerWindow(SuiteWindow):
         """Let Tab go through the window as seen: tabs, colours, plots, picture and history, then the inspector."""
         parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
         order_focus([*parts, *self.inspector.sections])
+
+    def close_pickers(self) -> None:
+        """Close every picker: another document has come, and its readings are others."""
+        self.pickers.close()
