@@ -64,7 +64,7 @@ class SwatchGrid(QAbstractItemView):
         self, model: SwatchModel, tile_of: Callable[[int], Tile], parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._tile_of = tile_of
+        self._swatches, self._tile_of = model, tile_of
         self.form = "sphere"
         self._hovered = -1
         self._drop_row = -1
@@ -109,9 +109,7 @@ class SwatchGrid(QAbstractItemView):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        model = self.model()
-        parts = model.shown.parts if isinstance(model, SwatchModel) else ()
-        self.layout_ = GridLayout(parts, self.tiles.tile, self.viewport().width())
+        self.layout_ = GridLayout(self._swatches.shown.parts, self.tiles.tile, self.viewport().width())
         self.updateGeometries()
         self.viewport().update()
         self.seen_changed.emit()
@@ -145,9 +143,8 @@ class SwatchGrid(QAbstractItemView):
         super().reset()
         self._hovered = self._drop_row = self._range_start = -1
         self._band = None
-        model = self.model()
-        shown = model.shown if isinstance(model, SwatchModel) else None
-        self.lines = 2 if shown is not None and (shown.figure or shown.rows.has_codes) else 1
+        shown = self._swatches.shown
+        self.lines = 2 if shown.figure or shown.rows.has_codes else 1
         if self.lines != self.tiles.lines:
             self._renew(self.tiles.size)
         else:
@@ -429,8 +426,7 @@ class SwatchGrid(QAbstractItemView):
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
         super().dragMoveEvent(event)
-        model, data = self.model(), event.mimeData()
-        if isinstance(model, SwatchModel) and any(data.hasFormat(kind) for kind in model.mime_types):
+        if any(event.mimeData().hasFormat(kind) for kind in self._swatches.mime_types):
             row = self.drop_row(event.position().toPoint())
             if row != self._drop_row:
                 self._drop_row = row
@@ -450,10 +446,8 @@ class SwatchGrid(QAbstractItemView):
 
     def startDrag(self, actions: Qt.DropAction) -> None:
         """Drag what is selected; what is moved is taken out by the edit itself, and not by the view."""
-        model = self.model()
-        data = None
-        if isinstance(model, SwatchModel) and model.mime_of is not None:
-            data = model.mime_of([model.id_at(row) for row in self.selected_rows()])
+        model = self._swatches
+        data = model.mime_of and model.mime_of([model.id_at(row) for row in self.selected_rows()])
         if data is None:
             return
         drag = QDrag(self)
