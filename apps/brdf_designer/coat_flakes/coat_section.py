@@ -10,7 +10,7 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox
 
-from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetNumber, SetOrangePeel
+from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetField, SetNumber
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
@@ -81,7 +81,9 @@ class CoatSection(PaintSection):
         self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))
         self.has_peel.setToolTip(tr("Waviness of a sprayed coat. Viewer renders it; a view can override it."))
-        self.has_peel.clicked.connect(lambda on: session.edit(SetOrangePeel(self._last_peel if on else None)))
+        self.has_peel.clicked.connect(
+            lambda on: session.edit(SetField("orange_peel", self._last_peel if on else None))
+        )
         self.box.addWidget(self.has_peel)
         self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
         self.slope = computed()

@@ -6,7 +6,7 @@ from brdf_qt.fields.form import Form, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QCheckBox, QLabel
 
-from brdf_designer.session.edits import DEFAULT_FLAKES, SetFlakes
+from brdf_designer.session.edits import DEFAULT_FLAKES, SetField
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.paint_sections import PaintSection, computed
 from brdf_suite.documents.paint import Flakes, Paint
@@ -34,7 +34,9 @@ class FlakesSection(PaintSection):
         super().__init__(session)
         self._last = DEFAULT_FLAKES
         self.has_flakes = described(QCheckBox(tr("Visible flakes")), tip=tr(_DRAWN))
-        self.has_flakes.clicked.connect(lambda on: session.edit(SetFlakes(self._last if on else None)))
+        self.has_flakes.clicked.connect(
+            lambda on: session.edit(SetField("flakes", self._last if on else None))
+        )
         self.box.addWidget(self.has_flakes)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
         form = Form()

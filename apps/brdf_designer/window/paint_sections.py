@@ -9,7 +9,7 @@ from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QLabel, QWidget
 
-from brdf_designer.session.edits import SetInterpolation, SetNumber, SetText
+from brdf_designer.session.edits import SetField, SetNumber
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.widgets import combo, set_font, wrapped
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
@@ -117,7 +117,9 @@ class ModelSection(PaintSection):
         super().__init__(session)
         form = Form()
         self.rule = combo((tr(_RULES[name]), name) for name in INTERPOLATIONS)
-        self.rule.activated.connect(lambda row: session.edit(SetInterpolation(self.rule.itemData(row))))
+        self.rule.activated.connect(
+            lambda row: session.edit(SetField("interpolation", self.rule.itemData(row)))
+        )
         form.add_row(
             tr("Between angles"),
             self.rule,
@@ -167,7 +169,7 @@ class TextSection(PaintSection):
             (self.source, "source", tr("Source"), tr("Source of the readings")),
             (self.notes, "notes", tr("Notes"), ""),
         ):
-            field.edited.connect(lambda text, key=key: session.edit(SetText(key, text)))
+            field.edited.connect(lambda text, key=key: session.edit(SetField(key, text)))
             field.gesture_started.connect(session.begin_gesture)
             field.gesture_finished.connect(session.end_gesture)
             form.add_row(label, field, tip)
