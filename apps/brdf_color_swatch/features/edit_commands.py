@@ -47,7 +47,7 @@ class EditCommands(SwatchFeature):
             add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors"),
             add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy"),
         ]
-        self._paste = add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
+        add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
         self._of_selected += [
             add("edit", mark("D&uplicate"), "Ctrl+D", self.duplicate, "duplicate"),
             add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),

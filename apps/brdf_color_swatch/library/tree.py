@@ -111,9 +111,6 @@ class LibraryTree(QTreeWidget):
             self.setCurrentItem(item)
             self.editItem(item)
 
-    def scopes(self) -> list[Scope]:
-        return [self._scope(item) for item in self._all()]
-
     def _build_item(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])
         item.setData(0, _SCOPE, line.scope)
