@@ -85,7 +85,12 @@ class ColorSwatch(Program):
     def __init__(self, dialogs: Callable[[QWidget], QtExportDialogs] = QtExportDialogs) -> None:
         lights = resource_names("environments", ".exr")
         super().__init__(SwatchWindow(lights))
-        self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
+        self.library = Library(
+            palette_format(),
+            dialogs(self.window),
+            lambda error: error_relay().report(error, "autosave"),
+            self.window,
+        )
         self.unsaved = UnsavedWork(self.library)
         self.session = PaletteSession(self.library, self.window)
         self.session.recall()
@@ -149,9 +154,6 @@ class ColorSwatch(Program):
             question.accept()
         else:
             question.ignore()
-
-    def _autosave_failed(self, error: BaseException) -> None:
-        error_relay().report(error, "autosave")
 
     def offer_recovery(self) -> None:
         """Show a message with the unsaved work of earlier runs; nothing where there is none."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from brdf_qt.fields.layouts import column_in, described, row_of
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import QPoint, Qt, Signal
@@ -40,10 +40,10 @@ class SwatchWindow(SuiteWindow):
             self.pane_split.addWidget(pane)
         self.panes[1].hide()
         centre, library = QWidget(), QWidget()
-        column_in(centre, self.bar, self.pane_split, grows=self.pane_split, spacing=0)
+        fill_column(centre, self.bar, self.pane_split, grows=self.pane_split, spacing=0)
         self.set_centre(centre)
         self.library_buttons = row_of(margins=(8, 4, 8, 4))
-        column_in(library, self.library_buttons, self.tree, grows=self.tree, spacing=0)
+        fill_column(library, self.library_buttons, self.tree, grows=self.tree, spacing=0)
         self.library_dock = self.add_panel(mark("Library"), library, Qt.DockWidgetArea.LeftDockWidgetArea)
         self.tree.setMinimumWidth(168)
         self.add_section("swatch", tr("Swatch"), self.swatch)
@@ -76,17 +76,15 @@ class SwatchWindow(SuiteWindow):
             self.pane_split.setSizes([half, half])
 
     def add_library_button(self, action: QAction) -> None:
-        button = QToolButton()
+        button = described(QToolButton(), spoken=action.text().replace("&", ""))
         button.setDefaultAction(action)
         button.setAutoRaise(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
-        button.setAccessibleName(action.text().replace("&", ""))
         self.library_buttons.addWidget(button)
 
     def open_menu(self, keys: Iterable[str], point: QPoint, name: str = "") -> None:
         """Open a menu of commands by their keys at a point of the screen; an empty key is a line between groups."""
-        menu = QMenu(self)
-        menu.setObjectName(name)
+        menu = described(QMenu(self), name=name)
         for key in keys:
             action = self.command(key) if key else None
             if action is not None:

@@ -10,6 +10,7 @@ from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
@@ -17,12 +18,21 @@ from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
 
+from brdf_designer.acquire.control import AcquireControl
+from brdf_designer.coat_flakes.control import CoatControl
+from brdf_designer.colour.commands import ColourCommands
+from brdf_designer.colour.nearest_offer import NearestOffer
 from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
+from brdf_designer.export.control import HandoverControl
+from brdf_designer.history.control import HistoryControl
 from brdf_designer.measured.control import MeasuredControl
+from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.window.sections import build_sections
+from brdf_designer.standard.control import StandardControl
+from brdf_designer.variations.control import VariationsControl
+from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
 from brdf_suite.documents.store import (
@@ -38,6 +48,24 @@ from brdf_suite.pipeline.material import is_file, load_document, load_shipped_pa
 from brdf_suite.processes import child_command
 
 FIRST_PAINT = "blue"
+PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
+    ColourCommands,
+    CoatControl,
+    NearestOffer,
+    PreviewControl,
+    HistoryControl,
+    StandardControl,
+    VariationsControl,
+    HandoverControl,
+    InterpolationControl,
+    MeasuredControl,
+    AcquireControl,
+)
+"""The sections, docks and commands, in the order of the inspector.
+
+Each is called with session and window, adds itself to the window and follows the session.
+Parts are made before the window is shown. What costs time at a start belongs into :meth:`PaintSession.at_idle`.
+"""
 
 
 def new_paint() -> Paint:
@@ -82,7 +110,7 @@ class Designer(Program):
         self.controller = Controller(self.window, self.session, self.window)
         self._has_closed_documents = False
         self._join()
-        self.features += (*build_sections(self.session, self.window), self.link)
+        self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
@@ -162,14 +190,9 @@ class Designer(Program):
         window.shipped_requested.connect(
             lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
         )
-        window.save_requested.connect(lambda: self.files.save())
-        window.save_as_requested.connect(lambda: self.files.save_as())
         window.tabs.chosen.connect(lambda place: documents.show(documents.row[place]))
         window.tabs.close_requested.connect(lambda place: documents.close(documents.row[place]))
-        window.close_front_requested.connect(lambda: documents.close(documents.front))
         window.tabs.dragged.connect(documents.move)
-        window.tab_step_requested.connect(documents.step)
-        window.reopen_requested.connect(documents.reopen)
         window.viewer_requested.connect(self._open_viewer)
         window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_requested.connect(self._may_close)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from brdf_qt.window.progress_strip import ProgressStrip
+from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, QTimer
 
 SHOW_AFTER_MS = 400
@@ -26,11 +27,9 @@ class LateProgress(QObject):
         """Begin a job, in the place of one with its key; return what takes how far it is."""
         self.end(key)
         self._at[key] = 0.0
-        timer = QTimer(self)
-        timer.setSingleShot(True)
-        timer.setInterval(SHOW_AFTER_MS)
-        timer.timeout.connect(lambda: self._strip.set_job(key, self._at[key], text, cancel))
-        self._timers[key] = timer
+        timer = self._timers[key] = make_timer(
+            self, lambda: self._strip.set_job(key, self._at[key], text, cancel), SHOW_AFTER_MS
+        )
         timer.start()
 
         def moved(fraction: float, _what: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.layouts import column_in, described, row_of
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
@@ -44,7 +44,7 @@ class PlotRow(QWidget):
         scroll.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(self._split)
-        column_in(self, self._head, scroll, grows=scroll, spacing=4)
+        fill_column(self, self._head, scroll, grows=scroll, spacing=4)
         self.hide()
 
     def add(self, key: str, title: str, plot: QWidget) -> None:

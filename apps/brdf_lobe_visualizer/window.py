@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import Qt
@@ -38,7 +38,7 @@ class LobeWindow(SuiteWindow):
             split.setHandleWidth(8)
             split.setChildrenCollapsible(False)
         centre = QWidget()
-        column_in(centre, self.centre_split, margins=(8, 4, 8, 8))
+        fill_column(centre, self.centre_split, margins=(8, 4, 8, 8))
         super().set_centre(centre)
         keys, ask = QKeySequence.StandardKey, lambda: self.open_requested.emit(None)
         self.toolbar.addAction(self.add_action(self.file_menu, mark("&Open…"), ask, keys.Open, "folder-open"))

@@ -60,13 +60,8 @@ def lobe_title(lobe: FitLobe) -> str:
 
 def lobe_weight(lobe: FitLobe) -> str:
     """Return the weight of a lobe in the three channels."""
-    red, green, blue = (_short(value) for value in lobe.weight)
+    red, green, blue = (f"{value:.0f}" if 1e3 <= value < 1e5 else f"{value:.3g}" for value in lobe.weight)
     return tr("{red} · {green} · {blue} 1/sr").format(red=red, green=green, blue=blue)
-
-
-def _short(value: float) -> str:
-    """Three digits; of large numbers all before the point."""
-    return f"{value:.0f}" if 1e3 <= value < 1e5 else f"{value:.3g}"
 
 
 def number(value: float) -> str:

@@ -10,7 +10,7 @@ import sys
 from threading import Thread
 
 from brdf_designer.assembly import Designer
-from brdf_qt.program.application import create_application, run
+from brdf_qt.program.application import create_application
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtTest import QTest
 
@@ -63,4 +63,5 @@ def begin() -> None:
 
 hand.line_read.connect(obey, Qt.ConnectionType.QueuedConnection)
 designer.window.first_painted.connect(lambda: QTimer.singleShot(100, begin))
-sys.exit(run(app, designer.window))
+designer.window.show()
+sys.exit(app.exec())

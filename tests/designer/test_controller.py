@@ -12,7 +12,7 @@ from brdf_designer.assembly import paint_format
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.edits import SetLab, SetNumber, SetText
+from brdf_designer.session.edits import SetField, SetLab, SetNumber
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import PaintStatus
@@ -114,7 +114,7 @@ def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(parts):
 
 def test_a_paint_that_the_link_refuses_is_reported(parts, qtbot):
     parts.publish = lambda topic, value: encode(topic, value, "me", 1)
-    parts.session.edit(SetText("source", "\u20ac" * 10_000))
+    parts.session.edit(SetField("source", "\u20ac" * 10_000))
     qtbot.wait(20)
     parts.view.show_message.assert_not_called()
     parts.publish = refuse
@@ -160,7 +160,7 @@ def test_an_edit_of_another_field_ends_the_gesture(parts):
 
 def test_a_refused_value_is_reported_and_the_field_shows_the_document_again(parts):
     parts.session.begin_gesture()
-    parts.session.edit(SetText("name", ""))
+    parts.session.edit(SetField("name", ""))
     assert parts.store.value.name == "Blue"
     assert "name" in parts.view.show_message.call_args.args[0].what
     shown = parts.view.show_colours.call_count

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from brdf_qt.program.application import create_application, run
+from brdf_qt.program.application import create_application
 from PySide6.QtCore import QObject, QProcess, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
@@ -189,7 +189,8 @@ def main() -> int:
     # Another program would stay open; each is walked through on its own.
     QProcess.startDetached = lambda _program, arguments: (started.append(arguments), (True, 0))[1]
     walk = {"designer": designer, "viewer": viewer, "lobes": lobes, "swatch": swatch}[name](Path(folder))
-    status = run(app, walk._window)
+    walk._window.show()
+    status = app.exec()
     found = {"done": walk.done, "messages": sorted(walk.messages), "started": started}
     Path(answer).write_text(json.dumps(found, ensure_ascii=False, indent=1), encoding="utf-8")
     return status

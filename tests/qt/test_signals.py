@@ -7,11 +7,13 @@ import sys
 
 _PROGRAM = """
 import os, signal, sys
-from brdf_qt.program.application import create_application, run
+from brdf_qt.program.application import create_application
 from PySide6.QtWidgets import QWidget
 app = create_application("Signals", ["signals"], theme_name="dark")
 os.kill(os.getpid(), signal.SIGTERM)
-sys.exit(run(app, QWidget()))
+window = QWidget()
+window.show()
+sys.exit(app.exec())
 """
 
 

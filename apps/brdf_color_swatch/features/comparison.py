@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
@@ -81,7 +81,7 @@ class ComparePanel(QWidget):
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.table.horizontalHeader().setMinimumSectionSize(28)
-        column_in(self, self.names, self.pair, self.table, self.figures)
+        fill_column(self, self.names, self.pair, self.table, self.figures)
         self.show_entries([])
 
     def show_entries(self, entries: list[Entry]) -> None:

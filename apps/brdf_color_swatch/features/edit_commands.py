@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from brdf_qt.program.translation import mark, tr
@@ -46,7 +47,7 @@ class EditCommands(SwatchFeature):
             add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors"),
             add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy"),
         ]
-        self._paste = add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
+        add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
         self._of_selected += [
             add("edit", mark("D&uplicate"), "Ctrl+D", self.duplicate, "duplicate"),
             add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),
@@ -190,11 +191,8 @@ class EditCommands(SwatchFeature):
             self._change(name, ids, lambda entry: replace(entry, content=replace(entry.content, name=text)))
         elif key in ("code", "notes"):
             name = tr("Change code") if key == "code" else tr("Change notes")
-            self._change(
-                name,
-                ids,
-                lambda entry: replace(entry, code=text) if key == "code" else replace(entry, notes=text),
-            )
+            field: dict[str, Any] = {key: text}
+            self._change(name, ids, lambda entry: replace(entry, **field))
         else:
             self._tag(ids, text)
 

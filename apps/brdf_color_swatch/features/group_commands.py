@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from brdf_qt.program.translation import mark, tr
 
@@ -43,16 +44,13 @@ class GroupCommands(SwatchFeature):
             self.rename_scope(self._session.state.scope, text)
             return
         name = tr("Change colour") if key == "colour" else tr("Change notes")
+        field: dict[str, Any] = {key: text}
         if group:
-
-            def change(one: Group) -> Group:
-                return replace(one, colour=text) if key == "colour" else replace(one, notes=text)
-
-            self._session.edit(name, lambda palette: edits.change_group(palette, group, change))
-        elif key == "colour":
-            self._session.edit(name, lambda palette: replace(palette, colour=text))
+            self._session.edit(
+                name, lambda old: edits.change_group(old, group, lambda one: replace(one, **field))
+            )
         else:
-            self._session.edit(name, lambda palette: replace(palette, notes=text))
+            self._session.edit(name, lambda palette: replace(palette, **field))
 
     def new_group(self) -> None:
         """Make a group within the one that is shown, of what is selected, and let it be named."""

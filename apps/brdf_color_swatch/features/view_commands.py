@@ -31,7 +31,13 @@ class ViewCommands(SwatchFeature):
         for number, (key, text) in enumerate(_FORMS, 1):
             act = partial(session.set_look, form=key, as_list=False)
             add("view", text, f"{number}", act, f"form_{key}_command")
-        self._list = add("view", mark("Show as &List"), "Ctrl+L", self._toggle_list, "list")
+        self._list = add(
+            "view",
+            mark("Show as &List"),
+            "Ctrl+L",
+            lambda: session.set_look(as_list=not session.look.as_list),
+            "list",
+        )
         self._list.setCheckable(True)
         view.addSeparator()
         larger, smaller = partial(self._scale, _STEP), partial(self._scale, 1 / _STEP)
@@ -51,9 +57,6 @@ class ViewCommands(SwatchFeature):
             pane.close_requested.connect(lambda: self._second.setChecked(False))
         # What a first start shows where nothing was chosen yet: keys work at once.
         window.panes[0].view.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def _toggle_list(self) -> None:
-        self._session.set_look(as_list=not self._session.look.as_list)
 
     def _scale(self, by: float) -> None:
         size = round(self._session.look.size * by)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel
-from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
+from brdf_qt.fields.form import described, fill_column, icon_button, row_of
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, set_bold
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import (
     QEvent,
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
     QHeaderView,
+    QLineEdit,
     QProgressBar,
     QPushButton,
     QStackedWidget,
@@ -40,6 +41,27 @@ from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile
 
 _CHIP = 18
+
+
+class _NameDelegate(QStyledItemDelegate):
+    """Puts the editor of a name where the name is written."""
+
+    def __init__(self, grid: SwatchGrid) -> None:
+        super().__init__(grid)
+        self._grid = grid
+
+    def createEditor(
+        self, parent: QWidget, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex
+    ) -> QWidget:
+        editor = QLineEdit(parent)
+        editor.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        editor.setMaxLength(200)
+        return editor
+
+    def updateEditorGeometry(
+        self, editor: QWidget, _option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        editor.setGeometry(self._grid.tiles.name_box(self._grid.visualRect(index)))
 
 
 class ChipDelegate(QStyledItemDelegate):
@@ -100,15 +122,15 @@ class Pane(QFrame):
         self.setAccessibleName(tr("Swatches") if number == 0 else tr("Swatches, second pane"))
         self.model = SwatchModel(self)
         self.model.mime_types = TAKEN
-        self.grid = SwatchGrid(self.model, self.tile_of)
-        self.grid.setAccessibleName(tr("Grid of swatches"))
+        self.grid = described(SwatchGrid(self.model, self.tile_of), spoken=tr("Grid of swatches"))
+        self.grid.setItemDelegate(_NameDelegate(self.grid))
         self.list = _list(self.model)
         self.list.setSelectionModel(self.grid.selectionModel())
         self._head()
         self.stack = QStackedWidget()
         for page in (self.grid, self.list, self._note_page()):
             self.stack.addWidget(page)
-        column_in(self, self.head, self.stack, grows=self.stack, spacing=0)
+        fill_column(self, self.head, self.stack, grows=self.stack, spacing=0)
         self._as_list = False
         self.title = ""
         """What is shown, in words."""
@@ -150,8 +172,7 @@ class Pane(QFrame):
                 if widget is not None:
                     widget.deleteLater()
             for label, key in actions:
-                button = QPushButton(label)
-                button.setObjectName(f"note_{key}")
+                button = described(QPushButton(label), name=f"note_{key}")
                 button.clicked.connect(lambda _=False, key=key: self.action_requested.emit(key))
                 self._buttons.addWidget(button)
         self._noted = bool(text)
@@ -182,9 +203,7 @@ class Pane(QFrame):
         """Show what the pane is of; ``front``: it is the one that is worked in, of ``two`` where there are two."""
         self.title = title
         self._title.setText(title)
-        font = self._title.font()
-        font.setBold(front)
-        self._title.setFont(font)
+        set_bold(self._title, front)
         self._count.setText(count)
         # The first pane stays.
         self._close.setVisible(two and self.number > 0)
@@ -225,7 +244,7 @@ class Pane(QFrame):
         self._title = ElidedLabel()
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
-        self._close = icon_button("x", tr("Close pane"), self.close_requested.emit)
+        self._close = icon_button("x", tr("Close pane"), self.close_requested.emit, flat=True)
         row = row_of(
             self._mark, self._title, self._count, self._close, grows=self._title, margins=(8, 2, 8, 2)
         )
@@ -243,7 +262,7 @@ class Pane(QFrame):
         self._bar.setMaximumWidth(240)
         bar, buttons = row_of(None, self._bar, None), row_of(None, self._buttons, None)
         margins = (24, 24, 24, 24)
-        box = column_in(page, None, self._note, bar, buttons, None, spacing=6, margins=margins)
+        box = fill_column(page, None, self._note, bar, buttons, None, spacing=6, margins=margins)
         # A little above the middle.
         box.setStretch(0, 2)
         box.setStretch(4, 3)
@@ -313,10 +332,8 @@ class Pane(QFrame):
 
 
 def _list(model: SwatchModel) -> QTableView:
-    view = QTableView()
+    view = described(QTableView(), name="list", spoken=tr("List of swatches"))
     view.setModel(model)
-    view.setObjectName("list")
-    view.setAccessibleName(tr("List of swatches"))
     view.setItemDelegateForColumn(0, ChipDelegate(view))
     view.setFrameShape(QFrame.Shape.NoFrame)
     view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)

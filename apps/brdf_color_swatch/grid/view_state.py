@@ -11,9 +11,6 @@ from brdf_suite.resources import resource_names
 Form = Literal["sphere", "panel", "flop_strip", "chips"]
 SIZES = (32, 320)
 """The smallest and the largest swatch of a grid, pixels of the window."""
-SORTS = ("own", "hue", "lightness", "flop", "gloss", "name", "code", "date", "tags", "nearest")
-"""The orders of a pane; ``own`` is the user's. A column of the list may be any of these or ``L_15`` … ``b_110``."""
-
 RANGES: dict[str, tuple[float, float]] = {
     "hue": (0.0, 360.0),
     "lightness": (0.0, 150.0),
@@ -43,7 +40,10 @@ class Near:
 
 @dataclass(frozen=True)
 class PaneState:
-    """A scope with what narrows and orders it. ``ranges`` holds those alone that are narrower than :data:`RANGES`."""
+    """A scope with what narrows and orders it. ``ranges`` holds those alone that are narrower than :data:`RANGES`.
+
+    ``sort`` is ``own`` (the user's order), ``hue``, ``lightness``, ``nearest`` or a column of the list (``L_15``, …).
+    """
 
     scope: Scope = Scope()
     text: str = ""

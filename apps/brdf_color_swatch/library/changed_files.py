@@ -31,7 +31,10 @@ class ChangedFiles(SwatchFeature):
         what = tr("“{name}” was changed by another program.").format(name=item.path.name)
         reload_it = (
             tr("Reload"),
-            lambda: self._session.loader.reread(key, lambda read: self._reload(key, read)),
+            lambda: self._session.loader.reread(
+                key,
+                lambda read: self._session.loader.adopt_file(key, read.palette, read, tr("Reload from disk")),
+            ),
         )
         if item.palette.store.is_clean:
             todo = tr("Reload loads the current file. It can be undone.")
@@ -50,9 +53,6 @@ class ChangedFiles(SwatchFeature):
                 f"outside {key}", what, where=str(item.path), todo=todo, severity="warning", actions=actions
             )
         )
-
-    def _reload(self, key: str, read: Read) -> None:
-        self._session.loader.adopt_file(key, read.palette, read, tr("Reload from disk"))
 
     def _merge(self, key: str, read: Read) -> None:
         item = self._session.library.item(key)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
+from brdf_qt.fields.form import described
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.layouts import described
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
@@ -110,9 +110,6 @@ class LibraryTree(QTreeWidget):
         if item is not None:
             self.setCurrentItem(item)
             self.editItem(item)
-
-    def scopes(self) -> list[Scope]:
-        return [self._scope(item) for item in self._all()]
 
     def _build_item(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -66,7 +66,7 @@ class ColourMap(SwatchFeature):
         self.note = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self.stack.addWidget(self.note)
         inside, head = QWidget(), row_of(self.kinds, None, self.lasso, spacing=4)
-        column_in(inside, head, self.stack, grows=self.stack, spacing=4, margins=(8, 4, 8, 8))
+        fill_column(inside, head, self.stack, grows=self.stack, spacing=4, margins=(8, 4, 8, 8))
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
             "view", mark("Colour &Map"), "Ctrl+M", self.toggle, "map", icon="map-trifold"

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
-    QFocusEvent,
     QKeyEvent,
     QLinearGradient,
     QMouseEvent,
@@ -135,14 +134,6 @@ class _Track(QWidget):
             self._to(self.values[self._keyed] + way * step)
             self._held = None
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self.update()
-
     def _to(self, value: float) -> None:
         assert self._held is not None
         low, high = self._ends
@@ -192,14 +183,13 @@ class RangeField(QWidget):
         keys = tr("Space switches the handle; double-click clears the filter.")
         described(self.track, spoken=name, tip=f"{tip}\n{keys}".strip())
         self._wraps = wraps
-        label = PlainLabel(name)
-        label.setToolTip(plain_tip(tip))
+        label = described(PlainLabel(name), tip=tip)
         for field in (self.low, self.high):
             field.setMaximumWidth(84)
             field.edited.connect(lambda _value, field=field: self._typed(field))
         head = row_of(label, self.low, PlainLabel("–"), self.high, grows=label, spacing=4)
-        column_in(self, head, self.track, spacing=0)
-        self.track.moved.connect(self._dragged)
+        fill_column(self, head, self.track, spacing=0)
+        self.track.moved.connect(self._take)
 
     def set_range(self, low: float, high: float) -> None:
         """Show a range; nothing is emitted."""
@@ -211,12 +201,10 @@ class RangeField(QWidget):
         low, high = self.low.value(), self.high.value()
         if not self._wraps and low > high:
             low, high = (low, low) if field is self.low else (high, high)
-        self.set_range(low, high)
-        self.edited.emit(low, high)
+        self._take(low, high)
 
-    def _dragged(self, low: float, high: float) -> None:
-        self.low.set_value(low)
-        self.high.set_value(high)
+    def _take(self, low: float, high: float) -> None:
+        self.set_range(low, high)
         self.edited.emit(low, high)
 
 
@@ -260,7 +248,7 @@ class FiltersPanel(QWidget):
         self.clear = described(QPushButton(tr("Clear Filters")), name="clear_filters")
         self.clear.clicked.connect(self.cleared)
         row = row_of(self.duplicates, self.tolerance, grows=self.duplicates)
-        column_in(self, *self.fields.values(), row, row_of(None, self.clear))
+        fill_column(self, *self.fields.values(), row, row_of(None, self.clear))
         self.duplicates.clicked.connect(lambda _on: self._request_duplicates())
         self.tolerance.edited.connect(
             lambda _value: self._request_duplicates() if self.duplicates.isChecked() else None

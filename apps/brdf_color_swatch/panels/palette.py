@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.layouts import described, icon_button, row_of
+from brdf_qt.fields.form import described, icon_button, row_of
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPixmap
@@ -28,7 +28,7 @@ class PalettePanel(QWidget):
         tip = tr("Colour that marks the palette or group in the library")
         self.colour = described(QPushButton(), name="palette_colour", spoken=spoken, tip=tip)
         self.colour.clicked.connect(self._choose)
-        self.none = icon_button("x", tr("No colour"), lambda: self.edited.emit("colour", ""))
+        self.none = icon_button("x", tr("No colour"), lambda: self.edited.emit("colour", ""), flat=True)
         self.notes = described(_Notes(), name="palette_notes", spoken=tr("Notes of the palette or group"))
         self.notes.finished.connect(lambda text: self.edited.emit("notes", text))
         form = QFormLayout(self)

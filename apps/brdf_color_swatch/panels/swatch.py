@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from datetime import datetime
 
 import numpy as np
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QTextOption
@@ -119,7 +119,7 @@ class SwatchPanel(QWidget):
         form.addRow(tr("Notes"), self.notes)
         self.figures = PlainLabel(wordWrap=True)
         self.figures.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        column_in(self, self.title, self.chips, form, self.figures)
+        fill_column(self, self.title, self.chips, form, self.figures)
         self.show_entries([], "")
 
     def show_entries(self, entries: Sequence[Entry], figures: str) -> None:

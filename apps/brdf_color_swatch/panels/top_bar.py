@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.layouts import described, row_of
+from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
@@ -57,8 +58,7 @@ class SearchField(QLineEdit):
         self.setPlaceholderText(tr("Search names, codes, tags, notes"))
         self.setClearButtonEnabled(True)
         self.addAction(icon("magnifying-glass"), QLineEdit.ActionPosition.LeadingPosition)
-        self._timer = QTimer(self, singleShot=True, interval=_SEARCH_AFTER_MS)
-        self._timer.timeout.connect(lambda: self.searched.emit(self.text()))
+        self._timer = make_timer(self, lambda: self.searched.emit(self.text()), _SEARCH_AFTER_MS)
         self.textEdited.connect(lambda _text: self._timer.start())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

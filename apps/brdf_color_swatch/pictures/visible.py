@@ -7,7 +7,7 @@ from functools import partial
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import QTimer
+from brdf_qt.work.timer import make_timer
 from PySide6.QtGui import QPixmap
 
 from brdf_color_swatch.feature import SwatchFeature
@@ -31,10 +31,7 @@ class VisiblePictures(SwatchFeature):
         self.pictures = Pictures(window)
         self.look: SwatchLook | None = None
         """What is drawn; None before the first form other than chips."""
-        self._soon = QTimer(window)
-        self._soon.setSingleShot(True)
-        self._soon.setInterval(_SOON_MS)
-        self._soon.timeout.connect(self._request_visible)
+        self._soon = make_timer(window, self._request_visible, _SOON_MS)
         window.picture_of = self._picture
         for pane in window.panes:
             pane.grid.stale = partial(self._is_stale, pane.number)

@@ -11,10 +11,10 @@ from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
-from brdf_designer.acquire.geometry.work import GeometryFound, find_geometry
+from brdf_designer.acquire.geometry.work import find_geometry
 from brdf_designer.acquire.reconstruction_session import WORK_FILE, ReconstructionSession, no_session
-from brdf_designer.acquire.response.work import ResponseFound, find_response
-from brdf_designer.acquire.states import CoverageState, Problem
+from brdf_designer.acquire.response.work import find_response
+from brdf_designer.acquire.states import CoverageState, Found, Problem
 from brdf_designer.acquire.table.work import (
     KeptWork,
     TableFound,
@@ -63,7 +63,7 @@ class ReconstructionController(QObject):
     def find_geometry(self) -> None:
         """Find sphere and lamp."""
         if self._ready():
-            self._bench.run("geometry", find_geometry, self._bench.request(), self._take_geometry)
+            self._bench.run("geometry", find_geometry, self._bench.request(), self._keep)
 
     def find_table(self, *, restart: bool = False) -> None:
         """Make the table, or go on with it."""
@@ -144,8 +144,7 @@ class ReconstructionController(QObject):
                 )
             )
         if kept.done:
-            self._bench.keep("response", kept.response)
-            self._bench.keep("geometry", kept.geometry)
+            self._keep(kept.calibrated)
             self._done = kept.done
             self._show_done(())
             self._bench.window.reconstruction.show_progress(
@@ -156,18 +155,14 @@ class ReconstructionController(QObject):
             words = tr("{done} of {total} done").format(done=kept.done, total=self._total)
             self._bench.window.show_step("reconstruction", "todo", words)
 
-    def _take_geometry(self, answer: tuple[GeometryFound, ResponseFound | None]) -> None:
-        geometry, response = answer
-        if response is not None:
-            self._bench.keep("response", response)
-        self._bench.keep("geometry", geometry)
+    def _keep(self, found: dict[str, Found]) -> None:
+        for key, value in found.items():
+            self._bench.keep(key, value)
 
     def _take_table(self, found: TableFound) -> None:
         bench = self._bench
         # What was calibrated on the way is kept without forgetting the table that came of it.
-        for key, value in (("response", found.response), ("geometry", found.geometry)):
-            if value is not None:
-                bench.keep(key, value)
+        self._keep(found.calibrated)
         self._done = len(found.acquired.positions_done)
         self._saved = ""
         bench.keep("table", found)
@@ -268,7 +263,7 @@ class ReconstructionController(QObject):
             self._show_done(())
 
 
-def _response_words(value: ResponseFound) -> str:
+def _response_words(value: Found) -> str:
     if value.state is None or value.state.linear:
         return tr("linear")
     if value.kept:

@@ -38,7 +38,7 @@ _AFTER = {
 class StepRequest:
     """What a thread needs to take the road up: the folder, the choices, and what was found before.
 
-    ``response`` is a :class:`brdf_designer.acquire.response.work.ResponseFound`, ``geometry`` a calibration with its
+    ``response`` is a :class:`brdf_designer.acquire.states.Found`, ``geometry`` a calibration with its
     geometry; None where a step was not taken.
     """
 

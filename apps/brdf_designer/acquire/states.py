@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,6 +84,19 @@ class GeometryState:
     facts: tuple[tuple[str, str, str], ...] = ()
     parameters: tuple[tuple[str, str, str], ...] = ()
     problems: tuple[Problem, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A response, or a calibration with its geometry, and what is shown of it.
+
+    ``found`` is None for the response of linear files; ``state`` too, and for a geometry from a work file. ``kept``:
+    taken from a work file, with the figures of the run that found it.
+    """
+
+    found: Any
+    state: Any
+    kept: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.fields.form import Form, fill_column, row_of
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietSlider
+from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Inspector, Section
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
-from brdf_designer.window.widgets import fill_column, wrapped
+from brdf_designer.window.widgets import wrapped
 
 SIDE_WIDTH = 300
 
@@ -24,11 +28,7 @@ class AcquirePage(QWidget):
         left = QWidget()
         self.centre = fill_column(left, wrapped(says), margins=(8, 0, 8, 8))
         self.side = SideInspector()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 8, 0, 0)
-        row.setSpacing(0)
-        row.addWidget(left, 1)
-        row.addWidget(self.side)
+        self.setLayout(row_of(left, self.side, grows=left, spacing=0, margins=(0, 8, 0, 0)))
 
     def add_part(self, name: str, title: str, *widgets: QWidget) -> Section:
         """Add a section of that title at the end of the side."""
@@ -37,6 +37,47 @@ class AcquirePage(QWidget):
             section.add(widget)
         self.side.add_section(section)
         return section
+
+
+class PositionPage(AcquirePage):
+    """A page with the photographs of one position. Intents: ``position_chosen(index)``."""
+
+    position_chosen = Signal(int)
+
+    def __init__(self, key: str, says: str, least_ev: float) -> None:
+        super().__init__(key, says)
+        self.position = QuietSlider(Qt.Orientation.Horizontal)
+        self.position.valueChanged.connect(self._report_position)
+        self.position.valueChanged.connect(self.position_chosen)
+        self.where = wrapped()
+        self.brightness = NumberField(tr("Brightness"), "EV", least_ev, 12.0, 0.5, 1, 0.0)
+        self._angles: tuple[float, ...] = ()
+
+    def position_form(self, tip: str) -> Form:
+        """Return the form of position and brightness."""
+        form = Form()
+        form.add_row(tr("Position"), self.position, tip)
+        form.add_wide(self.where)
+        form.add_row(
+            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
+        )
+        return form
+
+    def show_positions(self, angles_deg: tuple[float, ...], index: int) -> None:
+        """Offer these positions, and show which one is chosen, without an intent."""
+        self._angles = angles_deg
+        with QSignalBlocker(self.position):
+            self.position.setRange(0, max(0, len(angles_deg) - 1))
+            self.position.setValue(index)
+        self._report_position(index)
+
+    def position_text(self, index: int) -> str:
+        """Return what is written of a position that there is."""
+        return tr("Lamp at {angle:g}°").format(angle=self._angles[index])
+
+    def _report_position(self, index: int) -> None:
+        if index < len(self._angles):
+            self.where.setText(self.position_text(index))
 
 
 class SideInspector(Inspector):

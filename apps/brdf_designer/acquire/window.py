@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from brdf_qt.fields.form import fill_column, row_of
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
@@ -17,7 +18,6 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QHideEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QFrame,
-    QHBoxLayout,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -34,7 +34,6 @@ from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.step_page import AcquirePage
 from brdf_designer.acquire.table.coverage_page import CoveragePage
 from brdf_designer.acquire.table.reconstruction_page import ReconstructionPage
-from brdf_designer.window.widgets import fill_column
 
 StepState = Literal["todo", "running", "done", "warning"]
 _STATES: dict[StepState, tuple[str, str]] = {
@@ -124,24 +123,14 @@ class AcquireWindow(QWidget):
         self.all = QPushButton(tr("Do All Steps"))
         self.all.setToolTip(tr("Run response, geometry, reconstruction and fit in order"))
         self.all.clicked.connect(lambda: self.all_requested.emit())
-        foot = QHBoxLayout()
-        foot.setContentsMargins(8, 8, 8, 8)
-        foot.setSpacing(8)
-        foot.addStretch(1)
-        for step_button in (self.all, self.back, self.next):
-            foot.addWidget(step_button)
+        foot = row_of(None, self.all, self.back, self.next, margins=(8, 8, 8, 8))
         line = QFrame()
         line.setFrameShape(QFrame.Shape.HLine)
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
-        inside = fill_column(None, self.messages, self.progress, self.stack, line, spacing=0)
-        inside.setStretchFactor(self.stack, 1)
-        inside.addLayout(foot)
-        whole = QHBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(0)
-        whole.addWidget(self.rail)
-        whole.addLayout(inside, 1)
+        inside = QWidget()
+        fill_column(inside, self.messages, self.progress, self.stack, line, foot, grows=self.stack, spacing=0)
+        self.setLayout(row_of(self.rail, inside, grows=inside, spacing=0))
 
     def _shortcuts(self) -> None:
         for keys, slot in (

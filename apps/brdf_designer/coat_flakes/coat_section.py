@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
+from brdf_qt.fields.form import described
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox
 
-from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetNumber, SetOrangePeel
+from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetField, SetNumber
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
@@ -65,13 +66,11 @@ class CoatSection(PaintSection):
         self.roughness = NumberField(
             tr("Roughness of the coat"), "", LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS, 0.001, 4, LOWEST_ROUGHNESS
         )
-        self.ior.setObjectName("field_coat.ior")
-        self.roughness.setObjectName("field_coat.roughness")
         for field, key, label, tip in (
             (self.ior, "ior", tr("Index n"), tr(_IOR_TIP)),
             (self.roughness, "roughness", tr("Roughness α"), tr(_ROUGHNESS_TIP)),
         ):
-            self.panel.add_row(label, field, tip)
+            self.panel.add_row(label, described(field, name=f"field_coat.{key}"), tip)
             field.edited.connect(lambda _value, key=key: self._set_coat(key))
             field.gesture_started.connect(self._begin_coat)
             field.gesture_finished.connect(self._end_coat)
@@ -82,7 +81,9 @@ class CoatSection(PaintSection):
         self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))
         self.has_peel.setToolTip(tr("Waviness of a sprayed coat. Viewer renders it; a view can override it."))
-        self.has_peel.clicked.connect(lambda on: session.edit(SetOrangePeel(self._last_peel if on else None)))
+        self.has_peel.clicked.connect(
+            lambda on: session.edit(SetField("orange_peel", self._last_peel if on else None))
+        )
         self.box.addWidget(self.has_peel)
         self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
         self.slope = computed()

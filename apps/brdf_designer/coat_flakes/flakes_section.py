@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QCheckBox, QLabel
 
-from brdf_designer.session.edits import DEFAULT_FLAKES, SetFlakes
+from brdf_designer.session.edits import DEFAULT_FLAKES, SetField
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.paint_sections import PaintSection, computed
 from brdf_suite.documents.paint import Flakes, Paint
@@ -33,17 +33,17 @@ class FlakesSection(PaintSection):
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
         self._last = DEFAULT_FLAKES
-        self.has_flakes = QCheckBox(tr("Visible flakes"))
-        self.has_flakes.setToolTip(tr(_DRAWN))
-        self.has_flakes.clicked.connect(lambda on: session.edit(SetFlakes(self._last if on else None)))
+        self.has_flakes = described(QCheckBox(tr("Visible flakes")), tip=tr(_DRAWN))
+        self.has_flakes.clicked.connect(
+            lambda on: session.edit(SetField("flakes", self._last if on else None))
+        )
         self.box.addWidget(self.has_flakes)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
         form = Form()
         tip = tr(_FIGURE).format(contrast=CONTRAST, distance=DISTANCE_MM, resolved=RESOLVED_MM)
         self.figures: dict[float, QLabel] = {}
         for angle in ANGLES_DEG:
-            label = computed()
-            label.setObjectName(f"sparkle_{angle:g}")
+            label = described(computed(), name=f"sparkle_{angle:g}")
             form.add_row(tr("Sparkle {angle:g}°").format(angle=angle), label, tip)
             self.figures[angle] = label
         self.box.addWidget(form)

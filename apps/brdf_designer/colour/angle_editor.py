@@ -8,18 +8,16 @@ from functools import partial
 
 import numpy as np
 from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.form import fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
-    QToolButton,
     QWidget,
 )
 
@@ -29,7 +27,7 @@ from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
 from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour, Colours
-from brdf_designer.window.widgets import fill_column, set_font
+from brdf_designer.window.widgets import set_font
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
 from brdf_suite.arrays import Bools, Bytes
@@ -170,15 +168,8 @@ class AngleEditor(QWidget):
         set_font(self._title, bold=True)
         self.swatch = Swatch()
         self.swatch.clicked.connect(lambda: pick(self.index))
-        self.remove = QToolButton()
-        self.remove.setIcon(icon("x"))
-        self.remove.setAutoRaise(True)
-        self.remove.clicked.connect(lambda: session.edit(RemoveAngle(self.index)))
-        top = QHBoxLayout()
-        top.setContentsMargins(0, 0, 0, 0)
-        top.addWidget(self._title, 1)
-        top.addWidget(self.swatch)
-        top.addWidget(self.remove)
+        self.remove = icon_button("x", "", lambda: session.edit(RemoveAngle(self.index)), flat=True)
+        top = row_of(self._title, self.swatch, self.remove, grows=self._title)
         grid = slider_grid()
         grid.setColumnMinimumWidth(0, 20)
         self.labels = [PlainLabel() for _ in range(3)]
@@ -186,9 +177,7 @@ class AngleEditor(QWidget):
         self.fields = [NumberField("") for _ in range(3)]
         for component, parts in enumerate(zip(self.labels, self.sliders, self.fields, strict=True)):
             add_slider_row(grid, component, session, *parts, partial(self._edited, component))
-        box = fill_column(self, spacing=4, margins=(0, 0, 0, 4))
-        box.addLayout(top)
-        box.addLayout(grid)
+        fill_column(self, top, grid, spacing=4, margins=(0, 0, 0, 4))
         self._reach()
 
     def _edited(self, component: int, value: float) -> None:

@@ -9,17 +9,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import fill_column, row_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPalette, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, QUANTITIES, LineKey
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
-from brdf_designer.window.widgets import fill_column
 
 if TYPE_CHECKING:
     from brdf_designer.colour.quantity_plot import QuantityPlot
@@ -56,20 +56,19 @@ class AnglePlot(QWidget):
         self.caption.setToolTip(
             tr("Points are the targets at the measured angles; drag one up or down to change it.")
         )
-        self._head = head = QHBoxLayout()
-        head.setSpacing(8)
-        head.addWidget(self.caption, 1)
-        head.addWidget(LineKey(tr("model"), QPalette.ColorRole.PlaceholderText, MODEL_WIDTH))
-        head.addWidget(
-            LineKey(tr("fitted lobes"), QPalette.ColorRole.WindowText, FIT_WIDTH, Qt.PenStyle.DashLine)
+        self._head = row_of(
+            self.caption,
+            LineKey(tr("model"), QPalette.ColorRole.PlaceholderText, MODEL_WIDTH),
+            LineKey(tr("fitted lobes"), QPalette.ColorRole.WindowText, FIT_WIDTH, Qt.PenStyle.DashLine),
+            grows=self.caption,
         )
         # What the user wants to see, first what was asked for last: where there is no room for all, that stays.
         kept = dict.fromkeys(str(settings().value(_SHOWN_KEY, "012")))
         self._wanted = [int(digit) for digit in kept if digit in "012"] or [0, 1, 2]
         self.buttons = [self._button(number) for number in range(len(QUANTITIES))]
         for button in self.buttons:
-            head.addWidget(button)
-        self._box.addLayout(head)
+            self._head.addWidget(button)
+        self._box.addLayout(self._head)
         self.plots: list[QuantityPlot] = []
         self._colours: Colours | None = None
         self._curves: Curves | None = None

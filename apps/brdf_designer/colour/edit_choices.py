@@ -3,22 +3,16 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described, fill_column, fill_row, row_of
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QHBoxLayout,
-    QPushButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QPushButton, QWidget
 
 from brdf_designer.session.edits import Space
-from brdf_designer.window.widgets import fill_column
 from brdf_suite.documents.paint import PARAMETERS
 
 _SETS = {
@@ -38,10 +32,7 @@ _SPACES = {
 }
 _MODES = {
     "one": (mark("Angle"), mark("An edit changes the colour at one angle only.")),
-    "all": (
-        mark("All"),
-        mark("An edit adds the same difference at all angles."),
-    ),
+    "all": (mark("All"), mark("An edit adds the same difference at all angles.")),
     "flop": (
         mark("Flop"),
         mark(
@@ -64,8 +55,7 @@ class ColourHead(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.sets = QuietComboBox()
-        self.sets.setObjectName("angle_set")
+        self.sets = described(QuietComboBox(), name="angle_set")
         for name, text in _SETS.items():
             self.sets.addItem(tr(text), name)
         self.sets.addItem(tr(_OWN), None)
@@ -79,11 +69,7 @@ class ColourHead(QWidget):
         self.add.setToolTip(tr("Add a reading at this angle with the current colour of the paint."))
         self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
         further = QWidget()
-        inside = QHBoxLayout(further)
-        inside.setContentsMargins(0, 0, 0, 0)
-        inside.setSpacing(8)
-        inside.addWidget(self.angle, 1)
-        inside.addWidget(self.add)
+        fill_row(further, self.angle, self.add)
         form = Form()
         form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
         form.add_row(tr("Add angle"), further)
@@ -141,18 +127,12 @@ class _Choice(QWidget):
         self.setAccessibleName(name)
         self.buttons: dict[str, ChoiceButton] = {}
         group = QButtonGroup(self)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(0)
         for choice, (text, tip) in choices.items():
-            button = ChoiceButton(tr(text))
-            button.setToolTip(tr(tip))
-            button.setAccessibleName(f"{name}: {tr(text)}")
+            button = described(ChoiceButton(tr(text)), spoken=f"{name}: {tr(text)}", tip=tr(tip))
             button.clicked.connect(lambda _=False, choice=choice: self._choose(choice))
             group.addButton(button)
-            row.addWidget(button)
             self.buttons[choice] = button
-        row.addStretch(1)
+        self.setLayout(row_of(*self.buttons.values(), None, spacing=0))
         first = next(iter(choices))
         kept = str(settings().value(key, first)) if key else first
         self.value = kept if kept in choices else first

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
@@ -19,7 +20,7 @@ from brdf_designer.colour.display import lab_to_codes
 from brdf_designer.session.edits import SetFlop, moved_labs
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours
-from brdf_designer.window.widgets import fill_column, wrapped
+from brdf_designer.window.widgets import wrapped
 from brdf_suite.appearance.flop.edits import FlopValues, flop_ends, measure_flop
 from brdf_suite.errors import ValueRangeError
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from brdf_qt.fields.burst import Burst
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
@@ -27,7 +28,6 @@ from brdf_designer.session.edits import SetFlop
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Curves
 from brdf_designer.window.caption import Caption
-from brdf_designer.window.widgets import fill_column
 from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 
@@ -107,7 +107,6 @@ class Band(QWidget):
         self._paint = paint
         if self._under is not None or self.hasFocus():
             self.describe()
-            self.update()
 
     def keep_opened(self) -> None:
         """Take the paint that is shown for what a double click goes back to."""
@@ -125,8 +124,13 @@ class Band(QWidget):
         self.update()
 
     def describe(self) -> None:
-        """Say what the active grip, under the mouse or of the keys stands at."""
-        place = self._in_hand()
+        """Draw the grips, and say what the active one, under the mouse or of the keys, stands at."""
+        self.update()
+        place = self._chosen if self.hasFocus() else None
+        if self._grabbed is not None:
+            place = self._grabbed[0]
+        elif self._under is not None:
+            place = self._under
         flop = self._flop()
         if place is None or flop is None:
             self.described.emit(())
@@ -165,11 +169,6 @@ class Band(QWidget):
         if self._known is None or self._known[0] is not self._paint:
             self._known = (self._paint, flop_of(self._paint))
         return self._known[1]
-
-    def _in_hand(self) -> int | None:
-        if self._grabbed is not None:
-            return self._grabbed[0]
-        return self._under if self._under is not None else self._chosen if self.hasFocus() else None
 
     # The mouse.
 
@@ -229,7 +228,6 @@ class Band(QWidget):
         else:
             self.setCursor(Qt.CursorShape.SizeVerCursor)
         self.describe()
-        self.update()
 
     # The keyboard.
 
@@ -260,18 +258,15 @@ class Band(QWidget):
     def _choose(self, place: int) -> None:
         self._chosen = place
         self.describe()
-        self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self.describe()
-        self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.end()
         super().focusOutEvent(event)
         self.describe()
-        self.update()
 
     # Drawing.
 
@@ -338,6 +333,5 @@ class Band(QWidget):
 
 
 def _row(codes: Bytes) -> QImage:
-    """One line of pixels (n, 3)."""
     count = len(codes)
     return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from brdf_qt.fields.burst import Burst
+from brdf_qt.fields.form import fill_column
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPalette
@@ -19,7 +20,6 @@ from PySide6.QtWidgets import QGraphicsItem, QWidget
 from brdf_designer.colour.plot_items import ReadingPoint, dress_plot, hatch, line, make_plot
 from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, Quantity
 from brdf_designer.session.state import AngleColour, Curves
-from brdf_designer.window.widgets import fill_column
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import unwrap_hues
 from brdf_suite.arrays import Floats

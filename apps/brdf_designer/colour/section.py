@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_qt.fields.form import fill_column
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.colour.angle_editor import AngleEditors
@@ -12,7 +13,6 @@ from brdf_designer.colour.flop_panel import FlopPanel
 from brdf_designer.session.edits import AddAngle, UseAngles, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours
-from brdf_designer.window.widgets import fill_column
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.paint_design.angle_sets import set_name
 

@@ -15,6 +15,7 @@ from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.stamp import FileStamp
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject, Signal
@@ -136,6 +137,12 @@ class Documents(QObject):
         files.remember(path.absolute())
         self.succeeded.emit("open")
         return True
+
+    def ask(self, named: str) -> Path | None:
+        """Ask for a file, beside that of the paint in front; ``named`` is the filter of the kinds that fit."""
+        present = self._front.store.path
+        filters = ";;".join((named, tr("All files (*)")))
+        return self.dialogs.open_path(present.parent if present is not None else Path.home(), filters)
 
     def add(
         self,

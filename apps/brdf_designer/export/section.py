@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from brdf_designer.window.widgets import button, combo, fill_column, wrapped
+from brdf_designer.window.widgets import button, combo, wrapped
 
 TITLES = {
     "cxf": mark("CxF3, one specification per angle"),
@@ -48,11 +48,8 @@ class HandoverSection(QWidget):
             self.formats,
             tr("File format; properties of this paint that it cannot store are listed below"),
         )
-        self.holds, self.losses = wrapped(), wrapped()
-        self.holds.setObjectName("format_contents")
-        self.losses.setObjectName("format_losses")
-        self.holds.setAccessibleName(tr("Contents of the format"))
-        self.losses.setAccessibleName(tr("Losses of the format"))
+        self.holds = described(wrapped(), name="format_contents", spoken=tr("Contents of the format"))
+        self.losses = described(wrapped(), name="format_losses", spoken=tr("Losses of the format"))
         self.losses.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from brdf_qt.fields.form import described
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import (
@@ -162,12 +163,10 @@ class _Painter(QStyledItemDelegate):
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
-    def _width(self, option: QStyleOptionViewItem) -> int:
-        """Return the width in which the longest of the common names has two lines."""
-        return max(_WIDTH, option.fontMetrics.horizontalAdvance("Change Lightness") + 16)
-
     def sizeHint(self, option: QStyleOptionViewItem, _index: Index) -> QSize:
-        return QSize(self.size + 2 * _PAD + 2 if self.compact else self._width(option), self.height(option))
+        # So wide that the longest of the common names has two lines.
+        wide = max(_WIDTH, option.fontMetrics.horizontalAdvance("Change Lightness") + 16)
+        return QSize(self.size + 2 * _PAD + 2 if self.compact else wide, self.height(option))
 
 
 class HistoryStrip(QListView):
@@ -181,9 +180,8 @@ class HistoryStrip(QListView):
 
     def __init__(self, picture: Callable[[Paint], QPixmap], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("history_strip")
-        self.setAccessibleName(tr("History of this paint"))
-        self.setToolTip(tr("States of this paint, oldest at the left; click one to restore it."))
+        tip = tr("States of this paint, oldest at the left; click one to restore it.")
+        described(self, name="history_strip", spoken=tr("History of this paint"), tip=tip)
         self.states = HistoryModel(picture, self)
         self.setModel(self.states)
         self._painter = _Painter(self)

@@ -73,17 +73,15 @@ class MeasuredControl(Feature, QObject):
 
     def ask(self) -> None:
         """Ask for something measured, and start a design from it."""
-        present = self._session.documents.front.store.path
-        folder = present.parent if present is not None else Path.home()
         named = tr("Measured files and paints ({patterns})").format(patterns=patterns(PAINT_ENDING))
-        filters = ";;".join((named, tr("All files (*)")))
-        path = self._session.documents.dialogs.open_path(folder, filters)
+        path = self._session.documents.ask(named)
         if path is not None:
             self.open(path)
 
     def open(self, name_or_path: str | Path) -> None:
         """Read a measured file, or a paint of any kind, and open what was read as a new paint."""
-        self._submit(_Request(str(name_or_path), _kept_set()))
+        chosen = settings().value(_SET, START_SET, type=str)
+        self._submit(_Request(str(name_or_path), chosen if chosen in dict(ANGLE_SETS) else START_SET))
 
     def open_foreign(self, path: Path) -> bool:
         """Take care of a file that is to be opened and is no paint designed by its angles; see :class:`Documents`."""
@@ -209,8 +207,3 @@ def _is_measurement(path: Path) -> bool:
         return kind == "measured" or (kind == "paint" and not isinstance(load_any_paint(path), Paint))
     except SuiteError:
         return False
-
-
-def _kept_set() -> str:
-    name = settings().value(_SET, START_SET, type=str)
-    return name if name in dict(ANGLE_SETS) else START_SET

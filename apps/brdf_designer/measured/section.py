@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.standard.tables import WholeTable
-from brdf_designer.window.widgets import button, combo, fill_column, wrapped
+from brdf_designer.window.widgets import button, combo, wrapped
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart

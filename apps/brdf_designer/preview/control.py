@@ -55,7 +55,16 @@ class PreviewControl(Feature, QObject):
         self.panel.light_chosen.connect(self.choose_light)
         window.add_preview(self.panel)
         self._drawing = make_timer(self, self._draw)
-        self._add_command()
+        self.action = window.add_command(
+            "view",
+            tr("Previe&w"),
+            "F7",
+            self.show,
+            "preview",
+            tip=tr("Show or hide the preview on the speed form"),
+            checked=bool(settings().value(_SHOWN, True, type=bool)),
+        )
+        self.panel.setVisible(self.action.isChecked())
         surface = self.panel.surface
         if surface is not None:
             surface.frame_drawn.connect(self._time)
@@ -102,18 +111,6 @@ class PreviewControl(Feature, QObject):
         if on:
             self._load()
             self._draw_later()
-
-    def _add_command(self) -> None:
-        self.action = self._window.add_command(
-            "view",
-            tr("Previe&w"),
-            "F7",
-            self.show,
-            "preview",
-            tip=tr("Show or hide the preview on the speed form"),
-            checked=bool(settings().value(_SHOWN, True, type=bool)),
-        )
-        self.panel.setVisible(self.action.isChecked())
 
     # The scene.
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QWidget
 
 from brdf_designer.preview.scene import LIGHTS
 from brdf_designer.window.caption import Caption
-from brdf_designer.window.widgets import fill_column
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
@@ -55,18 +55,12 @@ class PreviewPanel(QWidget):
         # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
         self.light.setFixedHeight(self.fontMetrics().height() + 4)
         self.light.activated.connect(lambda row: self.light_chosen.emit(self.light.itemData(row)))
-        head = QHBoxLayout()
-        head.setSpacing(8)
-        head.addWidget(self.caption, 1)
-        head.addWidget(self.light)
-        self._box = fill_column(self, spacing=4)
-        self._box.addLayout(head)
+        head = row_of(self.caption, self.light, grows=self.caption)
+        self._box = fill_column(self, head, spacing=4)
         self.surface: GlSurface | None = None
         self.notice: QLabel | None = None
         if can_draw():
-            self.surface = make_surface()
-            self.surface.setAccessibleName(tr("The paint on the speed form"))
-            self.surface.setToolTip(tr(_TIP))
+            self.surface = described(make_surface(), spoken=tr("The paint on the speed form"), tip=tr(_TIP))
             self._box.addWidget(self.surface, 1)
         else:
             self._say_why_not()
@@ -94,11 +88,10 @@ class PreviewPanel(QWidget):
             "curves are complete. Open the paint file in Viewer on another computer to see "
             "it."
         )
-        self.notice = PlainLabel(text)
+        self.notice = described(PlainLabel(text), spoken=text)
         self.notice.setWordWrap(True)
         self.notice.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.notice.setFrameShape(QFrame.Shape.StyledPanel)
         self.notice.setMargin(16)
-        self.notice.setAccessibleName(text)
         self.light.setEnabled(False)
         self._box.addWidget(self.notice, 1)

@@ -23,7 +23,7 @@ from brdf_suite.appearance.flop.edits import (
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.paint import PARAMETERS, Flakes, Interpolation, Lab, OrangePeel, Paint
+from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.paint_design.angle_sets import at_geometries, with_angle, without_angle
 from brdf_suite.reflectance.designed.build import DarkerThanCoatError, gloss_of_coat
@@ -265,58 +265,29 @@ class TooRoughError(UnreachableError):
 
 
 @dataclass(frozen=True)
-class SetText(Edit):
-    """The ``name``, ``source`` or ``notes``."""
+class SetField(Edit):
+    """A whole field by its name in :class:`Paint`: a text, the interpolation, or flakes or orange peel (or None)."""
 
-    field: Literal["name", "source", "notes"]
-    text: str
+    field: Literal["name", "source", "notes", "interpolation", "flakes", "orange_peel"]
+    value: str | Flakes | OrangePeel | None
     is_dragged = False
 
     def apply(self, paint: Paint) -> Paint:
-        text: dict[str, Any] = {self.field: self.text}
-        return replace(paint, **text)
+        change: dict[str, Any] = {self.field: self.value}
+        return replace(paint, **change)
 
     def step(self, _paint: Paint, /) -> str:
-        return tr(_TEXT_STEPS[self.field])
+        return tr(_FIELD_STEPS[self.field])
 
 
-_TEXT_STEPS = {"name": mark("Rename Paint"), "source": mark("Edit Source"), "notes": mark("Edit Notes")}
-
-
-@dataclass(frozen=True)
-class SetInterpolation(Edit):
-    """How colours between the readings are found: a name of ``INTERPOLATIONS``."""
-
-    rule: Interpolation
-    is_dragged = False
-    label = mark("Change Interpolation")
-
-    def apply(self, paint: Paint) -> Paint:
-        return replace(paint, interpolation=self.rule)
-
-
-@dataclass(frozen=True)
-class SetFlakes(Edit):
-    """The visible flakes; ``None`` without any."""
-
-    flakes: Flakes | None
-    is_dragged = False
-    label = mark("Flakes On")
-
-    def apply(self, paint: Paint) -> Paint:
-        return replace(paint, flakes=self.flakes)
-
-
-@dataclass(frozen=True)
-class SetOrangePeel(Edit):
-    """The waviness of the coat; ``None`` without any."""
-
-    orange_peel: OrangePeel | None
-    is_dragged = False
-    label = mark("Orange Peel On")
-
-    def apply(self, paint: Paint) -> Paint:
-        return replace(paint, orange_peel=self.orange_peel)
+_FIELD_STEPS = {
+    "name": mark("Rename Paint"),
+    "source": mark("Edit Source"),
+    "notes": mark("Edit Notes"),
+    "interpolation": mark("Change Interpolation"),
+    "flakes": mark("Flakes On"),
+    "orange_peel": mark("Orange Peel On"),
+}
 
 
 @dataclass(frozen=True)

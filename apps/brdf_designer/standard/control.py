@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -48,6 +48,7 @@ class StandardControl(Feature, QObject):
         self._settings = load()
         self._tasks = TaskRunner(self)
         self._shown = False
+        self._angles: list[float] | None = None
         self.section = StandardSection()
         self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
         self._add_commands()
@@ -64,7 +65,7 @@ class StandardControl(Feature, QObject):
             lambda *limit: self.judge_by(self._settings.with_limit(*limit))
         )
         section.ellipsoid_chosen.connect(lambda on: self.judge_by(replace(self._settings, ellipsoid=on)))
-        section.add_batches_requested.connect(self._ask_batch)
+        section.add_batches_requested.connect(lambda: self._ask(self.add_batches))
         section.clear_batches_requested.connect(lambda: self._set_batches(()))
         section.batches.opened.connect(self._open_batch)
         section.tolerances.refused.connect(
@@ -100,8 +101,7 @@ class StandardControl(Feature, QObject):
 
     def ask_standard(self) -> None:
         """Ask for a file and load it."""
-        if (path := self._ask_path()) is not None:
-            self.load(path)
+        self._ask(self.load)
 
     def load(self, name_or_path: str | Path) -> None:
         """Load the standards in a file, or a shipped paint, beside the paint."""
@@ -185,7 +185,10 @@ class StandardControl(Feature, QObject):
         self._shown = True
         if self.host.is_open:
             self.section.show_state(state)
-            self._show_angles(paint)
+            angles = sorted({m.aspecular_deg for m in paint.measurements})
+            if angles != self._angles:
+                self._angles = angles
+                self.section.show_settings(angles, self._settings)
         self._batches_later()
 
     def report(self, paint: Paint, standard: Standard) -> BatchReport:
@@ -203,7 +206,7 @@ class StandardControl(Feature, QObject):
         return self._kept.setdefault(self._session.document_key, DocumentStandards())
 
     def _switched(self) -> None:
-        self._angles: list[float] | None = None
+        self._angles = None
         self._show_choices()
         self.refresh()
         self._read_again()
@@ -293,7 +296,7 @@ class StandardControl(Feature, QObject):
                 kept.awaited = None
                 self._report_kept(tr("{file} can no longer be read.").format(file=record.source))
 
-        self._tasks.submit(f"{KEY} again", _load, self._request(record.source), take, failed)
+        self._tasks.submit(f"{KEY} again", _load, (record.source, self._session.paint), take, failed)
 
     def _report_kept(self, what: str) -> None:
         todo = tr("The stored standard is used. Load the file again to use its current contents.")
@@ -305,12 +308,6 @@ class StandardControl(Feature, QObject):
     def _show_choices(self) -> None:
         kept = self._of_front
         self.section.show_choices([_title(one) for one in kept.standards], kept.chosen)
-
-    def _show_angles(self, paint: Paint) -> None:
-        angles = sorted({m.aspecular_deg for m in paint.measurements})
-        if angles != self._angles:
-            self._angles = angles
-            self.section.show_settings(angles, self._settings)
 
     def _show_batches(self) -> None:
         standard = self.standard
@@ -340,16 +337,10 @@ class StandardControl(Feature, QObject):
 
     # Files.
 
-    def _ask_path(self) -> Path | None:
-        present = self._session.documents.front.store.path
-        folder = present.parent if present is not None else Path.home()
+    def _ask(self, then: Callable[[Path], None]) -> None:
         named = tr("Standards ({patterns})").format(patterns=standard_patterns())
-        filters = ";;".join((named, tr("All files (*)")))
-        return self._session.documents.dialogs.open_path(folder, filters)
-
-    def _ask_batch(self) -> None:
-        if (path := self._ask_path()) is not None:
-            self.add_batches(path)
+        if (path := self._session.documents.ask(named)) is not None:
+            then(path)
 
     def add_batches(self, path: str | Path) -> None:
         """Judge every paint in a file against the standard too."""
@@ -393,13 +384,10 @@ class StandardControl(Feature, QObject):
         self._tasks.submit(
             key,
             _load,
-            self._request(str(name_or_path)),
+            (str(name_or_path), self._session.paint),
             take,
             lambda error: self._session.show_message(message_of(error, key)),
         )
-
-    def _request(self, name_or_path: str) -> tuple[str, Paint]:
-        return name_or_path, self._session.paint
 
     def _add_commands(self) -> None:
         add = self._window.add_command

@@ -5,23 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QMenu,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QMenu, QWidget
 
 from brdf_designer.standard.settings import ToleranceSettings
 from brdf_designer.standard.state import StandardState
 from brdf_designer.standard.tables import BatchTable, ResultTable, ToleranceTable
-from brdf_designer.window.widgets import button, combo, fill_column, make_row, set_font, wrapped
+from brdf_designer.window.widgets import button, combo, make_row, set_font, wrapped
 
 OWN_CMC = "cmc"
 FORMULAS = (
@@ -170,8 +165,7 @@ class StandardSection(QWidget):
                 tr("CMC(l:c) divides the lightness difference by l and the chroma difference by c")
             )
         self.weights = QWidget()
-        weights = QHBoxLayout(self.weights)
-        weights.setContentsMargins(0, 0, 0, 0)
+        weights = fill_row(self.weights)
         for text, weight in (("l", self.lightness), ("c", self.chroma)):
             weights.addWidget(PlainLabel(text))
             weights.addWidget(weight, 1)

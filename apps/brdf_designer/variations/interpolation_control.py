@@ -28,8 +28,6 @@ from brdf_suite.progress import Progress
 KEY = "interpolation"
 STEP = mark("Interpolate")
 _TAB, _SHIPPED = "tab ", "shipped "
-
-
 MOST_MADE = 2000
 
 
@@ -79,7 +77,8 @@ class InterpolationControl(Feature, QObject):
     def choose(self, key: str) -> None:
         """Take the paint of that key as the other end: an open tab, a shipped paint, or a file that is asked for."""
         if key == FILE:
-            if (path := self._ask_path()) is not None:
+            named = tr("Paints and measured files ({patterns})").format(patterns=standard_patterns())
+            if (path := self._session.documents.ask(named)) is not None:
                 self.load(path)
             else:
                 self._list()
@@ -185,13 +184,6 @@ class InterpolationControl(Feature, QObject):
         if self.host.is_open:
             for place, paint in enumerate(self._stops()):
                 self.section.stops[place].show_picture(thumbnail(self._pictures, paint))
-
-    def _ask_path(self) -> Path | None:
-        present = self._session.documents.front.store.path
-        folder = present.parent if present is not None else Path.home()
-        named = tr("Paints and measured files ({patterns})").format(patterns=standard_patterns())
-        filters = ";;".join((named, tr("All files (*)")))
-        return self._session.documents.dialogs.open_path(folder, filters)
 
 
 def _load(name_or_path: str | Path, progress: Progress) -> Standard:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.fields.form import fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_designer.variations.section import PictureButton
-from brdf_designer.window.widgets import combo, fill_column, make_row, wrapped
+from brdf_designer.window.widgets import combo, wrapped
 from brdf_suite.paint_design.mix import LEAST_SHARE, MOST_SHARE
 
 STOPS = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -86,9 +87,6 @@ class InterpolationSection(QWidget):
         self.slider.sliderPressed.connect(self.gesture_started)
         self.slider.sliderReleased.connect(self.gesture_finished)
         self.slider.valueChanged.connect(lambda value: self._edited(value / 1000.0))
-        ends_row = QWidget()
-        ends = QHBoxLayout(ends_row)
-        ends.setContentsMargins(0, 0, 0, 0)
         self.first, self.second = PlainLabel(), PlainLabel()
         self.second.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for label in (self.first, self.second):
@@ -101,14 +99,13 @@ class InterpolationSection(QWidget):
         self.number.edited.connect(lambda value: self._edited(value / 100.0))
         self.number.gesture_started.connect(self.gesture_started)
         self.number.gesture_finished.connect(self.gesture_finished)
-        ends.addWidget(self.first, 1)
-        ends.addWidget(self.number)
-        ends.addWidget(self.second, 1)
+        ends = row_of(self.first, self.number, self.second)
+        ends.setStretchFactor(self.first, 1)
+        ends.setStretchFactor(self.second, 1)
         self.beyond = QCheckBox(tr("Beyond the ends"))
         self.beyond.setToolTip(tr("Extend the range from −50 to 150 %"))
         self.beyond.toggled.connect(self._set_reach)
-        stops = make_row(*self.stops, spacing=0, stretch=0)
-        fill_column(self.body, stops, self.slider, ends_row, self.beyond, spacing=4)
+        fill_column(self.body, row_of(*self.stops, spacing=0), self.slider, ends, self.beyond, spacing=4)
         self._set_reach(False)
 
     def _set_reach(self, beyond: bool) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
@@ -13,7 +13,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
 
-from brdf_designer.window.widgets import combo, fill_column, wrapped
+from brdf_designer.window.widgets import combo, wrapped
 from brdf_suite.paint_design.variations import LEAST_STEP, MOST_STEP, USUAL_STEP, Direction
 
 PICTURE = 72

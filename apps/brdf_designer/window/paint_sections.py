@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import reach_of
 from brdf_qt.fields.parameters import ParameterPanel
@@ -10,9 +10,9 @@ from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QLabel, QWidget
 
-from brdf_designer.session.edits import SetInterpolation, SetNumber, SetText
+from brdf_designer.session.edits import SetField, SetNumber
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.window.widgets import combo, fill_column, set_font, wrapped
+from brdf_designer.window.widgets import combo, set_font, wrapped
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
 
 _STEPS = {
@@ -113,7 +113,9 @@ class ModelSection(PaintSection):
         super().__init__(session)
         form = Form()
         self.rule = combo((tr(_RULES[name]), name) for name in INTERPOLATIONS)
-        self.rule.activated.connect(lambda row: session.edit(SetInterpolation(self.rule.itemData(row))))
+        self.rule.activated.connect(
+            lambda row: session.edit(SetField("interpolation", self.rule.itemData(row)))
+        )
         form.add_row(
             tr("Between angles"),
             self.rule,
@@ -163,7 +165,7 @@ class TextSection(PaintSection):
             (self.source, "source", tr("Source"), tr("Source of the readings")),
             (self.notes, "notes", tr("Notes"), ""),
         ):
-            field.edited.connect(lambda text, key=key: session.edit(SetText(key, text)))
+            field.edited.connect(lambda text, key=key: session.edit(SetField(key, text)))
             field.gesture_started.connect(session.begin_gesture)
             field.gesture_finished.connect(session.end_gesture)
             form.add_row(label, field, tip)

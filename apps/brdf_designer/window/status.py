@@ -121,7 +121,6 @@ def _lab(lab: Lab) -> str:
 
 
 def _one_decimal(value: float) -> str:
-    """One decimal; a dash for what is no number."""
     return "–" if value != value else f"{value:.1f}"
 
 

@@ -1,46 +1,20 @@
-"""Columns, rows, labels, lists and buttons as all parts of Designer have them."""
+"""Rows, labels, lists and buttons as all parts of Designer have them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.form import described, fill_row
+from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
-
-Margins = tuple[int, int, int, int]
+from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
 
 
-def fill_column(
-    parent: QWidget | None, *widgets: QWidget, spacing: int = 8, margins: Margins = (0, 0, 0, 0)
-) -> QVBoxLayout:
-    """Lay widgets out in ``parent`` from top to bottom."""
-    box = QVBoxLayout() if parent is None else QVBoxLayout(parent)
-    box.setContentsMargins(*margins)
-    box.setSpacing(spacing)
-    for widget in widgets:
-        box.addWidget(widget)
-    return box
-
-
-def make_row(*widgets: QWidget, spacing: int = 8, stretch: int = 1) -> QWidget:
-    """Return widgets side by side; ``stretch`` 0: none is wider than it has to be."""
+def make_row(*widgets: QWidget, spacing: int = 8) -> QWidget:
+    """Return widgets side by side, each as wide as the others."""
     made = QWidget()
-    box = QHBoxLayout(made)
-    box.setContentsMargins(0, 0, 0, 0)
-    box.setSpacing(spacing)
-    for widget in widgets:
-        box.addWidget(widget, stretch)
+    fill_row(made, *widgets, spacing=spacing, even=True)
     return made
 
 
@@ -75,8 +49,7 @@ def set_font(label: QWidget, *, bold: bool = False, italic: bool = False) -> Non
 
 def button(text: str, tip: str, action: Callable[[], object] | None = None) -> QPushButton:
     """Return a button that gives way in a narrow column, and calls ``action``."""
-    made = QPushButton(text)
-    made.setToolTip(plain_tip(tip))
+    made = described(QPushButton(text), tip=tip)
     made.setAccessibleDescription(tip)
     made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
     made.setMinimumWidth(48)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
@@ -28,25 +29,19 @@ from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
-from brdf_designer.window.widgets import fill_column, split
+from brdf_designer.window.widgets import split
 from brdf_suite.documents.paint import Paint
 
 
 class DesignerWindow(SuiteWindow):
     """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, ``save_requested``,
-    ``save_as_requested``, ``viewer_requested``; of the tabs ``close_front_requested``, ``tab_step_requested(by)``,
-    ``reopen_requested``, and those of ``tabs``.
+    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``,
+    ``viewer_requested``, and those of ``tabs``.
     """
 
     new_requested = Signal()
     shipped_requested = Signal(str)
-    save_requested = Signal()
-    save_as_requested = Signal()
-    close_front_requested = Signal()
-    tab_step_requested = Signal(int)
-    reopen_requested = Signal()
     viewer_requested = Signal()
 
     takes_several_files = False
@@ -162,8 +157,7 @@ class DesignerWindow(SuiteWindow):
     def _build_centre(self) -> None:
         top, centre = QWidget(), QWidget()
         fill_column(top, self.strip, self.patches).setStretchFactor(self.patches, 1)
-        self.lower_split = split(Qt.Orientation.Horizontal, (self.plot, 3))
-        self.lower_split.setObjectName("lower_split")
+        self.lower_split = described(split(Qt.Orientation.Horizontal, (self.plot, 3)), name="lower_split")
         whole = split(Qt.Orientation.Vertical, (top, 1), (self.lower_split, 1))
         whole.setSizes([500, 420])
         whole.setObjectName("centre_split")
@@ -186,8 +180,7 @@ class DesignerWindow(SuiteWindow):
         self.add_section("paint", tr("Paint"), self.texts)
 
     def _build_menus(self, session: PaintSession, shipped: Sequence[str]) -> None:
-        keys = QKeySequence.StandardKey
-        file = self.file_menu
+        keys, documents, file = QKeySequence.StandardKey, session.documents, self.file_menu
         new = self.add_action(file, mark("&New"), self.new_requested.emit, keys.New, "file-plus")
         opened = self.add_action(
             file, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
@@ -198,12 +191,14 @@ class DesignerWindow(SuiteWindow):
             action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
         self.add_recent_menu()
         file.addSeparator()
-        save = self.add_action(file, mark("&Save"), self.save_requested.emit, keys.Save, "floppy-disk")
-        self.add_action(file, mark("Save &As…"), self.save_as_requested.emit, "Ctrl+Shift+S")
+        save = self.add_action(
+            file, mark("&Save"), lambda: documents.front.files.save(), keys.Save, "floppy-disk"
+        )
+        self.add_action(file, mark("Save &As…"), lambda: documents.front.files.save_as(), "Ctrl+Shift+S")
         file.addSeparator()
-        self.add_action(file, mark("&Close Tab"), self.close_front_requested.emit, "Ctrl+W", "x")
+        self.add_action(file, mark("&Close Tab"), lambda: documents.close(documents.front), "Ctrl+W", "x")
         self.reopen_action = self.add_action(
-            file, mark("Reopen Closed &Tab"), self.reopen_requested.emit, "Ctrl+Shift+T"
+            file, mark("Reopen Closed &Tab"), documents.reopen, "Ctrl+Shift+T"
         )
         self.reopen_action.setEnabled(False)
         self.add_quit()
@@ -216,7 +211,7 @@ class DesignerWindow(SuiteWindow):
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.reading_menus = ReadingMenus(self.paint_menu, session, self.pick_colour)
         self._step_actions = [
-            self.add_action(self.window_menu, text, partial(self.tab_step_requested.emit, by), keys)
+            self.add_action(self.window_menu, text, partial(documents.step, by), keys)
             for text, by, keys in (
                 (mark("&Next Tab"), 1, "Ctrl+Tab"),
                 (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.watch import FileWatch
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import ElidedLabel
-from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
@@ -92,7 +92,7 @@ class BasisView(QWidget):
         self.reset.setToolTip(tr("Return to the sample paints and their search"))
         self.database.setMenu(menu)
         head = row_of(self.note, self.search, self.database, grows=self.note, spacing=4)
-        column_in(self, head, self.plots, self.progress, grows=self.plots, spacing=4)
+        fill_column(self, head, self.plots, self.progress, grows=self.plots, spacing=4)
 
 
 class Basis(Feature, QObject):
@@ -262,7 +262,7 @@ class Basis(Feature, QObject):
         """Whether a search is shown that is neither the folder's nor the shipped one."""
         return self._source is not None and self._source.parent not in (
             self._output().parent,
-            _stored().parent,
+            Path(str(resource("basis", STORED_NAME))).parent,
         )
 
     def _is_stale(self, search: StoredSearch) -> bool:
@@ -370,7 +370,3 @@ def _errors(request: tuple[Any, dict[int, tuple[float, ...]]], progress: Any) ->
 
 def _shipped() -> Path:
     return Path(str(resource_root() / "paints"))
-
-
-def _stored() -> Path:
-    return Path(str(resource("basis", STORED_NAME)))

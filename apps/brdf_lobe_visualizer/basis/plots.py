@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from brdf_qt.fields.form import fill_row
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QBrush, QColor, QPalette, QPen, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from brdf_lobe_visualizer.cuts.crosshair import Readout, Row
 from brdf_lobe_visualizer.cuts.lines import Line
@@ -35,9 +36,7 @@ class BasisPlots(QWidget):
         self.own: tuple[PlottedMaterial, ErrorsOverCount] | None = None
         self.exponents: Any = None
         self.errors: Any = None
-        self._box = QHBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(8)
+        self._box = fill_row(self)
 
     def build(self) -> None:
         if self.exponents is not None:

@@ -63,7 +63,8 @@ class Readout(QLabel):
             mark = f'<span style="color:{colour_of(row.colour, base).name()}">━</span>'
             value = number(row.value) + (" " + tr("(filled in)") if row.filled else "")
             kind = {"fit": " · " + tr("fit"), "difference": " · " + tr("difference"), "target": ""}[row.kind]
-            name = html.escape(_short(row.title) + kind)
+            title = row.title if len(row.title) <= 28 else row.title[:27] + "…"
+            name = html.escape(title + kind)
             cells.append(
                 f"<tr><td>{mark}&nbsp;{name}&nbsp;&nbsp;</td><td align='right'>{html.escape(value)}</td></tr>"
             )
@@ -88,7 +89,3 @@ class Readout(QLabel):
         painter.fillRect(self.rect(), back)
         painter.end()
         super().paintEvent(event)
-
-
-def _short(title: str) -> str:
-    return title if len(title) <= 28 else title[:27] + "…"

@@ -7,8 +7,8 @@ from typing import Any, get_args
 
 import numpy as np
 from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.layouts import described, row_of
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, Qt
@@ -37,7 +37,7 @@ class SliceImageView(QWidget):
         self._late = make_timer(self, self._show_late, _LATE_MS)
         text = tr("No reflectance shown. Add one.")
         self.empty = PlainLabel(text, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
-        column_in(self, self.empty, self.images, grows=self.images).setStretch(0, 1)
+        fill_column(self, self.empty, self.images, grows=self.images).setStretch(0, 1)
         self.images.hide()
         self.images.hovered.connect(self._read)
         self.images.left.connect(self.readout.hide)

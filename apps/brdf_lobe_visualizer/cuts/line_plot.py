@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette, QPen
@@ -41,15 +41,14 @@ class LinePlot(QWidget):
         text = tr("No reflectance shown. Add one, or show one in the legend.")
         self.empty = PlainLabel(text, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self.note = ElidedLabel()
-        self._box = column_in(self, self.empty, self.note, grows=self.empty, spacing=4)
+        self._box = fill_column(self, self.empty, self.note, grows=self.empty, spacing=4)
 
     def build(self) -> None:
         if self.plot is not None:
             return
         from brdf_lobe_visualizer.cuts import plot_items
 
-        self.plot = plot_items.SlicePlot(with_axes=self.with_axes)
-        self.plot.setAccessibleName(self.accessibleName())
+        self.plot = described(plot_items.SlicePlot(with_axes=self.with_axes), spoken=self.accessibleName())
         self.make_items(plot_items)
         self._cross.setVisible(False)
         self._cross.setZValue(10)

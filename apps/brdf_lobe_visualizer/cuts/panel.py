@@ -163,7 +163,9 @@ class Slices(Feature, QObject):
             return
         self._running.add(key)
         self._images[key].set_stale(True)
-        lights, front = self._lights(), self._session.front
+        # Images are made for the azimuth of the incidence, also where it does not matter.
+        options, phi, front = self.state.options, self._session.incidence[1], self._session.front
+        lights = options.incidences_deg, phi, options.phi_d_deg, options.by_root
         colour = (0.5, 0.5, 0.5) if front is None else front.colour
         self._session.tasks.submit(
             f"slices/{key}",
@@ -189,11 +191,6 @@ class Slices(Feature, QObject):
         self._images[key].set_stale(False)
         if key in self._stale:
             self._timer.start()
-
-    def _lights(self) -> tuple[Any, ...]:
-        # Images are made for the azimuth of the incidence, also where it does not matter.
-        options, phi = self.state.options, self._session.incidence[1]
-        return options.incidences_deg, phi, options.phi_d_deg, options.by_root
 
     def _request(self, key: str) -> Request | None:
         subject, session, options = self._session.front, self._session, self.state.options

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from brdf_qt.fields.layouts import column_in, described, row_of
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import mark, tr
@@ -131,7 +131,7 @@ class SlicesSection(QWidget):
             choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContentsOnFirstShow)
         self.reset = described(QPushButton(tr("Reset Slices")), name="reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
-        column_in(self, form, self.reset)
+        fill_column(self, form, self.reset)
         state.changed.connect(self.show_options)
         self.show_options()
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import cast
 
 import numpy as np
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -121,7 +121,7 @@ class FactorsPanel(QWidget):
         tip = tr("Each map is scaled to its maximum. The logarithmic scale covers four decades.")
         self.tone = described(ChoiceField(TONES, "gamma"), spoken=tr("Scale of the maps"), tip=tip)
         head = row_of(self.channel, self.tone, self.note, grows=self.note)
-        column_in(self, head, self.view, grows=self.view, spacing=4, margins=(8, 4, 8, 8))
+        fill_column(self, head, self.view, grows=self.view, spacing=4, margins=(8, 4, 8, 8))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -152,7 +152,9 @@ class Factors(Feature, QObject):
         # Drawing maps imports reflectances, which are not needed before the window is painted.
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         tip = mark("Show or hide the maps of a factored reflectance")
-        window.add_command("view", mark("&Factors"), "Ctrl+M", self._toggle, tip=tip)
+        window.add_command(
+            "view", mark("&Factors"), "Ctrl+M", lambda: self.dock.setVisible(self.dock.isHidden()), tip=tip
+        )
 
     @property
     def is_idle(self) -> bool:
@@ -171,9 +173,6 @@ class Factors(Feature, QObject):
         field.set_choice(value)
         self._show()
         return True
-
-    def _toggle(self) -> None:
-        self.dock.setVisible(self.dock.isHidden())
 
     def _begin(self) -> None:
         self._ready = True

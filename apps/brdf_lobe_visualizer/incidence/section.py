@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.layouts import column_in, described, row_of
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.icons import icon
@@ -32,7 +32,12 @@ class SweepControl(QObject):
         self._session, self._state = session, state
         self._rising = True
         self._clock = QElapsedTimer()
-        self._timer = make_timer(self, self._tick, _STEP_MS, single_shot=False)
+        self._timer = make_timer(
+            self,
+            lambda: self.advance(min(self._clock.restart() / 1e3, _MOST_STEP_S)),
+            _STEP_MS,
+            single_shot=False,
+        )
 
     @property
     def running(self) -> bool:
@@ -56,9 +61,6 @@ class SweepControl(QObject):
         else:
             theta, self._rising = to_and_fro(theta, step, self._rising)
         self._session.set_incidence(theta, phi)
-
-    def _tick(self) -> None:
-        self.advance(min(self._clock.restart() / 1e3, _MOST_STEP_S))
 
 
 def to_and_fro(theta: float, step: float, rising: bool) -> tuple[float, bool]:
@@ -120,7 +122,7 @@ class IncidenceSection(QWidget):
         self.run.clicked.connect(sweep.set_running)
         self.reset = QPushButton(tr("Reset"))
         self.reset.clicked.connect(self._reset)
-        column_in(self, form, row_of(self.run, self.reset))
+        fill_column(self, form, row_of(self.run, self.reset))
         session.incidence_changed.connect(lambda _theta, _phi: self.show_now())
         state.changed.connect(self.show_now)
         sweep.running_changed.connect(lambda _on: self.show_now())

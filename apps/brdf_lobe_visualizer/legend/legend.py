@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
+from brdf_qt.fields.form import described, fill_column, icon_button, row_of
+from brdf_qt.fields.labels import PlainLabel, plain_tip, set_bold
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
@@ -153,7 +153,7 @@ class Legend(QWidget):
         self.pages.addWidget(self.rows)
         self.pages.addWidget(self._empty())
         self.pages.setCurrentIndex(1)
-        column_in(self, self._head(), self.pages, grows=self.pages, spacing=4)
+        fill_column(self, self._head(), self.pages, grows=self.pages, spacing=4)
         self.setMinimumWidth(170)
 
     def show_rows(self, rows: Sequence[LegendRow], front: str) -> None:
@@ -231,15 +231,15 @@ class Legend(QWidget):
 
     def _head(self) -> QHBoxLayout:
         title = PlainLabel(tr("Legend"))
-        font = title.font()
-        font.setBold(True)
-        title.setFont(font)
+        set_bold(title, True)
         return row_of(
             title,
             None,
-            icon_button("folder-open", tr("Open a file"), self.open_requested.emit),
-            icon_button("list-plus", tr("Add from the library of reflectances"), self.list_requested.emit),
-            icon_button("eye", tr("Show all"), self._session.show_all),
+            icon_button("folder-open", tr("Open a file"), self.open_requested.emit, flat=True),
+            icon_button(
+                "list-plus", tr("Add from the library of reflectances"), self.list_requested.emit, flat=True
+            ),
+            icon_button("eye", tr("Show all"), self._session.show_all, flat=True),
             spacing=4,
         )
 
@@ -251,7 +251,7 @@ class Legend(QWidget):
         buttons = [QPushButton(tr("Open a File…")), QPushButton(tr("Add from Library…"))]
         for button, signal in zip(buttons, (self.open_requested, self.list_requested), strict=True):
             button.clicked.connect(signal)
-        column_in(page, None, text, *buttons, None)
+        fill_column(page, None, text, *buttons, None)
         return page
 
     def _selected(self, item: QTreeWidgetItem | None) -> None:

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
@@ -202,10 +202,10 @@ class NumbersPanel(QWidget):
             self.angles,
             self.note,
             None,
-            icon_button("copy", tr("Copy the table"), self.copy_requested.emit),
-            icon_button("export", tr("Export all figures as CSV"), self.export_requested.emit),
+            icon_button("copy", tr("Copy the table"), self.copy_requested.emit, flat=True),
+            icon_button("export", tr("Export all figures as CSV"), self.export_requested.emit, flat=True),
         )
-        column_in(self, head, self.table, grows=self.table, spacing=4, margins=(8, 4, 8, 8))
+        fill_column(self, head, self.table, grows=self.table, spacing=4, margins=(8, 4, 8, 8))
 
     def show_choices(self, group: str, angles: str) -> None:
         for key, button in self.buttons.items():
@@ -255,7 +255,12 @@ class Numbers(Feature, QObject):
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         tip = mark("Show or hide the figures")
         self.action = window.add_command(
-            "view", mark("&Numbers"), "Ctrl+N", self._toggle, icon="table", tip=tip
+            "view",
+            mark("&Numbers"),
+            "Ctrl+N",
+            lambda: self.dock.setVisible(self.dock.isHidden()),
+            icon="table",
+            tip=tip,
         )
         tip = mark("Copy the visible table")
         window.add_command("edit", mark("&Copy Figures"), "Ctrl+Shift+N", self.copy, icon="copy", tip=tip)
@@ -319,9 +324,6 @@ class Numbers(Feature, QObject):
                 count=len(named), path=path
             )
             self._window.show_message(Message("figures", text))
-
-    def _toggle(self) -> None:
-        self.dock.setVisible(self.dock.isHidden())
 
     def _begin(self) -> None:
         self._ready = True

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
@@ -39,7 +39,7 @@ class AlbedoPlot(QWidget):
         described(self, name="albedo_plot", spoken=tr("Albedo over the incidence"))
         self.setMinimumSize(220, 140)
         self.empty = PlainLabel(tr("No albedo yet."), alignment=Qt.AlignmentFlag.AlignCenter)
-        self._box = column_in(self, self.empty, grows=self.empty)
+        self._box = fill_column(self, self.empty, grows=self.empty)
         self.plot: Any = None
         self.curves: list[Any] = []
         self.lines: Sequence[AlbedoLine] = ()

@@ -23,8 +23,6 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
-from brdf_suite.pipeline.material import Material
-from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
 
@@ -90,10 +88,14 @@ class Fits(Feature, QObject):
             todo = tr("The reflectance is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 
-        def work(material: Material, progress: Progress) -> LobeFit:
-            return fit_material(material, progress=progress)
-
-        self.tasks.submit(key, work, subject.material, done, failed, moved)
+        self.tasks.submit(
+            key,
+            lambda material, progress: fit_material(material, progress=progress),
+            subject.material,
+            done,
+            failed,
+            moved,
+        )
 
 
 KEY = "designer"

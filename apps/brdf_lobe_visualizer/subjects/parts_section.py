@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QIcon, QPixmap
@@ -60,7 +60,7 @@ class PartsSection(QWidget):
         tip = tr("Switch all lobes on and restore the default display")
         self.reset = described(QPushButton(tr("Reset Parts")), tip=tip)
         self.reset.clicked.connect(self._reset)
-        column_in(self, form, self._list, self.none, self.reset)
+        fill_column(self, form, self._list, self.none, self.reset)
         for signal in (
             session.options_changed,
             session.subjects_changed,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QShowEvent
@@ -50,7 +50,7 @@ class SourcesPanel(QWidget):
         self.no_match = PlainLabel(tr("No reflectance matches."), margin=8)
         self.no_match.hide()
         parts = (self.query, self.no_match, self.tree, row_of(None, add))
-        column_in(self, *parts, grows=self.tree, margins=(8, 8, 8, 8))
+        fill_column(self, *parts, grows=self.tree, margins=(8, 8, 8, 8))
         self.setMinimumWidth(180)
 
     def fill(self) -> None:

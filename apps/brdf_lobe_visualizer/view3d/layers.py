@@ -128,7 +128,6 @@ class SceneMaker:
         return [self._overlay(self._ordered(), options)]
 
     def _ordered(self) -> tuple[PlottedMaterial, ...]:
-        """The visible subjects, the front one first."""
         front = self._session.front
         return tuple(sorted(self._session.visible, key=lambda s: s is not front))
 

@@ -150,15 +150,15 @@ class Space(Feature, QObject):
         gestures.framed.connect(self.frame)
         drag = IncidenceDrag(view)
         drag.dragged.connect(self.session.set_incidence)
-        drag.turned.connect(self._turn)
+        drag.turned.connect(
+            lambda theta, phi: self.session.set_incidence(
+                self.session.incidence[0] + theta, self.session.incidence[1] + phi
+            )
+        )
         drag.reset.connect(self.session.reset_incidence)
         SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
-
-    def _turn(self, theta: float, phi: float) -> None:
-        now = self.session.incidence
-        self.session.set_incidence(now[0] + theta, now[1] + phi)
 
     def _add_commands(self) -> None:
         add = self._window.add_command

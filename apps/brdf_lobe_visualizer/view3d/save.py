@@ -6,9 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
@@ -65,7 +64,7 @@ class SaveSection(QWidget):
         self.message.hide()
         self.reset = QPushButton(tr("Reset Sizes"))
         self.reset.clicked.connect(self._reset)
-        column_in(self, form, grid, self.message, self.reset)
+        fill_column(self, form, grid, self.message, self.reset)
 
     def report(self, text: str) -> None:
         self.message.setText(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from brdf_qt.fields.layouts import column_in
+from brdf_qt.fields.form import fill_column
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
@@ -141,7 +141,14 @@ class SurfaceSection(QWidget):
         tip = tr("Stays fixed while the light moves")
         full = (*FULL_RANGE, 0.1)
         self.full = form.number(
-            "full", tr("Value"), tr("Value of radius 1"), "1/sr", full, 4, tip, self._choose_full
+            "full",
+            tr("Value"),
+            tr("Value of radius 1"),
+            "1/sr",
+            full,
+            4,
+            tip,
+            lambda value: self._state.set(full=value, fill="value"),
         )
         tip = tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo")
         form.choice("cosine", _COSINES, tr("Quantity"), tip)
@@ -163,7 +170,7 @@ class SurfaceSection(QWidget):
         self.within = samples.number("within_deg", tr("Within"), spoken, "°", within, 1, tip)
         self.reset = QPushButton(tr("Reset Radius"))
         self.reset.clicked.connect(self._reset)
-        column_in(self, form, self.own_scale, grid, samples, self.reset)
+        fill_column(self, form, self.own_scale, grid, samples, self.reset)
         session.options_changed.connect(self.show_now)
         state.changed.connect(self.show_now)
         self.show_now()
@@ -182,9 +189,6 @@ class SurfaceSection(QWidget):
         if self._state.options.fill != "value" and value > 0.0:
             self.full.set_value(value)
             self.full.set_default(value)
-
-    def _choose_full(self, value: float) -> None:
-        self._state.set(full=value, fill="value")
 
     def _choose_fill(self, key: str) -> None:
         # What is held first is what was shown.

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from brdf_qt.fields.form import described
 from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
 from brdf_qt.gl.segments import Rgba
 from brdf_qt.gl.space import Region, SpaceView, project
@@ -62,8 +63,7 @@ class LobeView(SpaceView):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setMinimumSize(200, 160)
-        self.setAccessibleName(tr("3-D lobe plot"))
-        self.setObjectName("space_view")
+        described(self, name="space_view", spoken=tr("3-D lobe plot"))
         self.scene = Scene()
         self.camera = Camera()
         self.hot = False

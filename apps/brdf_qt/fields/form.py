@@ -1,11 +1,21 @@
-"""How fields stand in a window: forms of labels and fields, rows and columns without margins, buttons with a sign."""
+"""How fields stand in a window: forms, rows and columns, and widgets with their names and tips."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
@@ -14,36 +24,71 @@ from brdf_qt.program.translation import tr
 from brdf_suite.documents.parameter import Parameter
 
 LABEL_WIDTH = 96
+Part = QWidget | QLayout | None
+"""What stands in a row or a column; None is spare room."""
+Margins = tuple[int, int, int, int]
+SomeWidget = TypeVar("SomeWidget", bound=QWidget)
 
 
 def fill_row(place: QWidget, *widgets: QWidget, spacing: int = 8, even: bool = False) -> QHBoxLayout:
     """Put widgets side by side into ``place``; the first, or with ``even`` each alike, takes the room that is left."""
     row = QHBoxLayout(place)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(spacing)
-    for number, widget in enumerate(widgets):
-        row.addWidget(widget, int(even or number == 0))
+    _fill(row, widgets, widgets if even else widgets[:1], spacing, (0, 0, 0, 0))
     return row
 
 
-def fill_column(place: QWidget, *widgets: QWidget, spacing: int = 8) -> QVBoxLayout:
-    """Put widgets one below the other into ``place``."""
+def fill_column(
+    place: QWidget, *parts: Part, grows: Part = None, spacing: int = 8, margins: Margins = (0, 0, 0, 0)
+) -> QVBoxLayout:
+    """Put ``parts`` one below the other into ``place``; ``grows`` is the part that takes spare room."""
     column = QVBoxLayout(place)
-    column.setContentsMargins(0, 0, 0, 0)
-    column.setSpacing(spacing)
-    for widget in widgets:
-        column.addWidget(widget)
+    _fill(column, parts, (grows,), spacing, margins)
     return column
 
 
-def icon_button(name: str, tip: str, clicked: Callable[[], object] | None = None) -> QToolButton:
-    """Return a button with the icon of that name; ``tip`` says what it does."""
-    button = QToolButton()
+def row_of(
+    *parts: Part, grows: Part = None, spacing: int = 8, margins: Margins = (0, 0, 0, 0)
+) -> QHBoxLayout:
+    """Return ``parts`` from left to right; ``grows`` is the part that takes spare room."""
+    row = QHBoxLayout()
+    _fill(row, parts, (grows,), spacing, margins)
+    return row
+
+
+def _fill(
+    box: QBoxLayout, parts: Sequence[Part], grow: Sequence[Part], spacing: int, margins: Margins
+) -> None:
+    box.setContentsMargins(*margins)
+    box.setSpacing(spacing)
+    for part in parts:
+        if part is None:
+            box.addStretch(1)
+        elif isinstance(part, QWidget):
+            box.addWidget(part, int(part in grow))
+        else:
+            box.addLayout(part, int(part in grow))
+
+
+def described(widget: SomeWidget, *, name: str = "", spoken: str = "", tip: str = "") -> SomeWidget:
+    """Return ``widget`` with an object name, a name for screen readers, and a tip that is drawn as it is."""
+    if name:
+        widget.setObjectName(name)
+    if spoken:
+        widget.setAccessibleName(spoken)
+    if tip:
+        widget.setToolTip(plain_tip(tip))
+    return widget
+
+
+def icon_button(
+    name: str, tip: str, act: Callable[[], object] | None = None, *, flat: bool = False
+) -> QToolButton:
+    """Return a button with the icon of a name; ``tip``, translated, says what it does and is read aloud."""
+    button = described(QToolButton(), spoken=tip, tip=tip)
     button.setIcon(icon(name))
-    button.setToolTip(plain_tip(tip))
-    button.setAccessibleName(tip)
-    if clicked is not None:
-        button.clicked.connect(lambda _=False: clicked())
+    button.setAutoRaise(flat)
+    if act is not None:
+        button.clicked.connect(lambda _=False: act())
     return button
 
 

@@ -23,8 +23,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_qt.fields.form import icon_button
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
-from brdf_qt.fields.layouts import icon_button
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from brdf_suite.errors import FileError, SuiteError

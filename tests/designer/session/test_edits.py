@@ -6,11 +6,9 @@ import pytest
 from brdf_designer.session.edits import (
     MakeSolid,
     PickColour,
-    SetFlakes,
-    SetInterpolation,
+    SetField,
     SetLab,
     SetNumber,
-    SetText,
 )
 from brdf_designer.session.state import by_angle
 
@@ -28,12 +26,17 @@ PAINT = solid_paint("x", (50.0, 1.0, 2.0))
         (SetNumber("gloss.gu_20", 70.0), lambda p: p.gloss.gu_20, 70.0, "Change Gloss 20°"),
         (SetNumber("gloss.gu_60", None), lambda p: p.gloss.gu_60, None, "Change Gloss 60°"),
         (SetNumber("flakes.size_um", 9.0), lambda p: p.flakes.size_um, 9.0, "Change Flake size"),
-        (SetFlakes(Flakes()), lambda p: p.flakes, Flakes(), "Flakes On"),
-        (SetInterpolation("monotone"), lambda p: p.interpolation, "monotone", "Change Interpolation"),
+        (SetField("flakes", Flakes()), lambda p: p.flakes, Flakes(), "Flakes On"),
+        (
+            SetField("interpolation", "monotone"),
+            lambda p: p.interpolation,
+            "monotone",
+            "Change Interpolation",
+        ),
         (SetNumber("near_specular", 1.5), lambda p: p.near_specular, 1.5, "Change Near-Specular Factor"),
-        (SetText("name", "y"), lambda p: p.name, "y", "Rename Paint"),
-        (SetText("notes", "n\nm"), lambda p: p.notes, "n\nm", "Edit Notes"),
-        (SetText("source", "s"), lambda p: p.source, "s", "Edit Source"),
+        (SetField("name", "y"), lambda p: p.name, "y", "Rename Paint"),
+        (SetField("notes", "n\nm"), lambda p: p.notes, "n\nm", "Edit Notes"),
+        (SetField("source", "s"), lambda p: p.source, "s", "Edit Source"),
     ],
 )
 def test_every_field_is_set_and_named(edit, read, value, name):
@@ -50,7 +53,7 @@ def test_a_value_out_of_range_is_refused_by_name():
     with pytest.raises(ValueRangeError, match="lab"):
         SetLab(0, 0, 300.0).apply(PAINT)
     with pytest.raises(ValueRangeError, match="name"):
-        SetText("name", " ").apply(PAINT)
+        SetField("name", " ").apply(PAINT)
 
 
 def test_readings_are_shown_by_light_then_angle():

@@ -16,14 +16,11 @@ from brdf_designer.session.edits import (
     PickColour,
     RemoveAngle,
     SetCoat,
-    SetFlakes,
+    SetField,
     SetFlop,
-    SetInterpolation,
     SetLab,
     SetLch,
     SetNumber,
-    SetOrangePeel,
-    SetText,
     UseAngles,
 )
 from brdf_designer.session.paint_session import PaintSession
@@ -69,12 +66,14 @@ def edits(paint: Paint) -> dict[type[Edit], st.SearchStrategy[Edit]]:
         SetCoat: st.builds(
             SetCoat, st.sampled_from(["ior", "roughness"]), st.floats(1.3, 1.8), st.floats(0.001, 0.3)
         ),
-        SetOrangePeel: st.sampled_from([SetOrangePeel(None), SetOrangePeel(OrangePeel())]),
-        SetFlakes: st.sampled_from([SetFlakes(None), SetFlakes(Flakes())]),
         MakeSolid: st.builds(MakeSolid, readings),
-        SetInterpolation: st.builds(SetInterpolation, st.sampled_from(["flake", "monotone", "polynomial"])),
-        SetText: st.builds(
-            SetText, st.sampled_from(["name", "notes", "source"]), st.text("ab \n", max_size=3)
+        SetField: st.one_of(
+            st.builds(SetField, st.sampled_from(["name", "notes", "source"]), st.text("ab \n", max_size=3)),
+            st.builds(
+                SetField, st.just("interpolation"), st.sampled_from(["flake", "monotone", "polynomial"])
+            ),
+            st.builds(SetField, st.just("orange_peel"), st.sampled_from([None, OrangePeel()])),
+            st.builds(SetField, st.just("flakes"), st.sampled_from([None, Flakes()])),
         ),
     }
 

@@ -53,7 +53,7 @@ class SeriesControl(QObject):
         self._kept.clear()
         session = self._bench.session
         if session is None:
-            self._page.show_positions(())
+            self._page.show_positions((), 0)
             self._page.show_series(None)
             return
         angles = tuple(position.angle_deg for position in session.positions)

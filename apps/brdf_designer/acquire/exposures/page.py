@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem
 
@@ -18,7 +15,7 @@ from brdf_designer.acquire.pictures.tone import Tones, area_of, drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import Series, Shot
-from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.acquire.step_page import Facts, PositionPage
 from brdf_designer.standard.tables import WholeTable
 from brdf_designer.window.widgets import split, wrapped
 
@@ -28,10 +25,8 @@ _SAME_TIME = 0.05
 """A time of a file's own that differs by less is the stated one: cameras write rounded fractions."""
 
 
-class ExposuresPage(AcquirePage):
-    """The page of the exposures. Intents: ``position_chosen(index)``."""
-
-    position_chosen = Signal(int)
+class ExposuresPage(PositionPage):
+    """The page of the exposures."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -40,6 +35,7 @@ class ExposuresPage(AcquirePage):
                 "Each position was photographed with several exposures: a short one for the "
                 "highlight, a long one for the flank."
             ),
+            least_ev=-6.0,
         )
         self._series: Series | None = None
         self._chosen = -1
@@ -67,19 +63,9 @@ class ExposuresPage(AcquirePage):
         self.problems.hide()
         self.centre.addWidget(self.problems)
         self.centre.addWidget(self.strip)
-        self.position = QuietSlider(Qt.Orientation.Horizontal)
         self.position.setAccessibleName(tr("Position of the lamp"))
-        self.position.setToolTip(tr("Position of the displayed photographs"))
-        self.position.valueChanged.connect(self._move)
-        self.where = wrapped()
-        self.brightness = NumberField(tr("Brightness"), "EV", -6.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
-        form = Form()
-        form.add_row(tr("Position"), self.position, tr("Position of the displayed photographs"))
-        form.add_wide(self.where)
-        form.add_row(
-            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
-        )
+        form = self.position_form(tr("Position of the displayed photographs"))
         self.add_part("position", tr("Position"), form)
         self.pixel = Facts(tr("The pixel under the cursor"))
         self.table = WholeTable(
@@ -96,20 +82,11 @@ class ExposuresPage(AcquirePage):
         self.times = wrapped()
         self.add_part("times", tr("Exposure Times"), self.table, self.times)
         self.add_part("pixel", tr("Under the Cursor"), self.pixel)
-        self._angles: tuple[float, ...] = ()
         self.differing = 0
         """Number of displayed files whose exposure time differs from the session."""
         self._read(-1.0, -1.0)
         self.picture.hovered.connect(self._read)
         self.picture.left_picture.connect(lambda: self._read(-1.0, -1.0))
-
-    def show_positions(self, angles_deg: tuple[float, ...], index: int = 0) -> None:
-        """Offer these positions, and show which one is chosen, without an intent."""
-        self._angles = angles_deg
-        with QSignalBlocker(self.position):
-            self.position.setRange(0, max(0, len(angles_deg) - 1))
-            self.position.setValue(index)
-        self._report_position(index)
 
     def show_series(self, series: Series | None) -> None:
         """Show a position's photographs; the same exposure stays chosen."""
@@ -144,8 +121,8 @@ class ExposuresPage(AcquirePage):
                 # The style tints what is chosen; a photograph keeps its colours.
                 sign.addPixmap(small, QIcon.Mode.Selected)
                 item = QListWidgetItem(sign, text)
-                item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
                 item.setToolTip(plain_tip(shot.file))
+                item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
                 self.strip.addItem(item)
             self.strip.setCurrentRow(self._chosen)
         self._fill_table(series)
@@ -176,17 +153,9 @@ class ExposuresPage(AcquirePage):
             text = tr("The times of {count} files differ from session.json.").format(count=self.differing)
         self.times.setText(text)
 
-    def _move(self, index: int) -> None:
-        self._report_position(index)
-        self.position_chosen.emit(index)
-
-    def _report_position(self, index: int) -> None:
-        if index < len(self._angles):
-            self.where.setText(
-                tr("Lamp at {angle:g}°, position {number} of {count}").format(
-                    angle=self._angles[index], number=index + 1, count=len(self._angles)
-                )
-            )
+    def position_text(self, index: int) -> str:
+        text = tr("Lamp at {angle:g}°, position {number} of {count}")
+        return text.format(angle=self._angles[index], number=index + 1, count=len(self._angles))
 
     def _choose(self, row: int) -> None:
         if self._series is None or not 0 <= row < len(self._series.shots) or row == self._chosen:

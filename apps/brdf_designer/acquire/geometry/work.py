@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,22 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_designer.acquire.pictures.tone import LONGEST_SIDE, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import StepRequest
-from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found
-from brdf_designer.acquire.states import GeometryState, Problem
+from brdf_designer.acquire.response.work import open_session, response_found
+from brdf_designer.acquire.states import Found, GeometryState, Problem
 from brdf_suite.progress import Progress, subrange
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
 _OUTLINE_POINTS = 361
-
-
-@dataclass(frozen=True, eq=False)
-class GeometryFound:
-    """A calibration with its geometry, and what is shown of it; no ``state`` where it was taken from a work file."""
-
-    found: Any
-    state: GeometryState | None
 
 
 def open_acquisition(request: StepRequest) -> Acquisition:
@@ -39,25 +31,25 @@ def open_acquisition(request: StepRequest) -> Acquisition:
     return road
 
 
-def find_geometry(request: StepRequest, progress: Progress) -> tuple[GeometryFound, ResponseFound | None]:
+def find_geometry(request: StepRequest, progress: Progress) -> dict[str, Found]:
     """Find sphere and lamp; the response first, and returned too, where it is not known."""
     road = open_acquisition(replace(request, geometry=None))
-    response = None
+    found: dict[str, Found] = {}
     start = 0.0
     if request.response is None:
         road.calibrate_response(subrange(progress, 0.0, 0.3))
-        response, start = response_found(road), 0.3
+        found["response"], start = response_found(road), 0.3
     road.calibrate_intrinsics(subrange(progress, start, start + 0.05))
     road.calibrate_geometry(subrange(progress, start + 0.05, 1.0))
-    return geometry_found(road), response
+    return found | {"geometry": geometry_found(road)}
 
 
-def geometry_found(road: Acquisition) -> GeometryFound:
+def geometry_found(road: Acquisition) -> Found:
     """Return what a road knows of the geometry."""
     geometry, outline, refinement, union = road.geometry, road.outline, road.refinement, road.union
     assert geometry is not None
     if union is None or outline is None:
-        return GeometryFound(road.calibration, None)
+        return Found(road.calibration, None)
     facts: list[tuple[str, str, str]] = [
         (
             tr("Outline"),
@@ -140,7 +132,7 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         tuple(parameters),
         tuple(Problem("warning", "", notice) for notice in road.notices),
     )
-    return GeometryFound(road.calibration, state)
+    return Found(road.calibration, state)
 
 
 def _refined(row: Any) -> tuple[str, str, str]:

@@ -70,7 +70,8 @@ class MaskControl(QObject):
         self._pause.stop()
         self._fresh, self._unwritten = True, False
         session = self._bench.session
-        self._page.show_positions(() if session is None else tuple(p.angle_deg for p in session.positions))
+        angles = () if session is None else tuple(p.angle_deg for p in session.positions)
+        self._page.show_positions(angles, len(angles) // 2)
         self._page.show_picture(None)
         self._bench.window.show_step("mask", "todo", "")
         if self._bench.window.step == "mask":

@@ -6,27 +6,22 @@ from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy
 
 from brdf_designer.acquire.exposures.page import percent
 from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
 from brdf_designer.acquire.pictures.tone import Tones, drawn
-from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.acquire.step_page import Facts, PositionPage
 from brdf_designer.window.widgets import button, make_row, wrapped
 from brdf_suite.arrays import Bools
 
 
-class MaskPage(AcquirePage):
-    """The page of the mask.
-
-    Intents: ``mask_edited()``, ``position_chosen(index)``.
-    """
+class MaskPage(PositionPage):
+    """The page of the mask. Intents: ``mask_edited()``."""
 
     mask_edited = Signal()
-    position_chosen = Signal(int)
 
     def __init__(self) -> None:
         super().__init__(
@@ -35,6 +30,7 @@ class MaskPage(AcquirePage):
                 "Paint over the arm, its reflection and dust to exclude them. The lower half "
                 "is always excluded."
             ),
+            least_ev=-10.0,
         )
         self._tones: Tones | None = None
         self.picture = MaskView(tr("Mask over a photograph"), tr("Open a session first."))
@@ -80,28 +76,10 @@ class MaskPage(AcquirePage):
         self.facts = Facts(tr("The mask"))
         self.kept = wrapped()
         self.add_part("mask", tr("Mask"), self.facts, self.everything, self.kept)
-        look = Form()
-        self.position = QuietSlider(Qt.Orientation.Horizontal)
-        self.position.valueChanged.connect(self._move)
-        self.where = wrapped()
-        self._angles: tuple[float, ...] = ()
-        self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
-        look.add_row(tr("Position"), self.position, tr("Position of the photograph below the mask"))
-        look.add_wide(self.where)
-        look.add_row(
-            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
-        )
+        look = self.position_form(tr("Position of the photograph below the mask"))
         self.add_part("look", tr("Picture"), look)
         self._show_state()
-
-    def show_positions(self, angles_deg: tuple[float, ...]) -> None:
-        """Offer these positions."""
-        self._angles = angles_deg
-        with QSignalBlocker(self.position):
-            self.position.setRange(0, max(0, len(angles_deg) - 1))
-            self.position.setValue(len(angles_deg) // 2)
-        self._report_position(self.position.value())
 
     def show_picture(self, tones: Tones | None) -> None:
         """Show the picture below the mask."""
@@ -130,14 +108,6 @@ class MaskPage(AcquirePage):
         self.facts.show_rows(
             [(tr("Excluded"), share, tr("Share of all pixels of the picture that the mask excludes"))]
         )
-
-    def _move(self, index: int) -> None:
-        self._report_position(index)
-        self.position_chosen.emit(index)
-
-    def _report_position(self, index: int) -> None:
-        if index < len(self._angles):
-            self.where.setText(tr("Lamp at {angle:g}°").format(angle=self._angles[index]))
 
     def _draw(self) -> None:
         if self._tones is not None:

@@ -12,6 +12,7 @@ from typing import Any, Literal
 
 import numpy as np
 import pyqtgraph as pg
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
@@ -19,18 +20,15 @@ from PySide6.QtGui import QColor, QPalette, QPen
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.colour.plot_items import dress_plot, line, make_plot
-from brdf_designer.window.widgets import fill_column
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
-Mark = Literal["line", "points", "fill"]
+Mark = Literal["line", "points"]
 # Red, green and blue that protan, deutan and tritan eyes distinguish, on dark and on light grounds.
 _COLOURS = {"red": ("#d9694f", "#b5452c"), "green": ("#8fbf6a", "#4f8a2b"), "blue": ("#6f9ae0", "#2f5fb0")}
 _DASHES: dict[str, tuple[float, ...]] = {
     "solid": (),
     "dash": (7.0, 4.0),
     "dot": (1.6, 3.0),
-    "dash dot": (7.0, 3.0, 1.6, 3.0),
-    "long dash": (14.0, 5.0),
 }
 _ROOT_TICKS = (0.0, 0.5, 2.0, 5.0, 10.0, 20.0, 30.0, 45.0, 60.0, 75.0, 90.0)
 CHANNELS: tuple[tuple[Kind, str], ...] = (("red", "solid"), ("green", "dash"), ("blue", "dot"))
@@ -152,11 +150,6 @@ class LinesPlot(QWidget):
                 item = self.plot.plot(
                     x, np.where(known, y, np.nan), pen=self._pen(curve), connect="finite", **named
                 )
-                if curve.mark == "fill":
-                    ground = QColor(self._colour(curve.kind))
-                    ground.setAlpha(50)
-                    item.setFillLevel(0.0)
-                    item.setBrush(ground)
             self._items.append(item)
         for place, name in self._marks:
             pen = line(self._colour("faint"), 1.0)

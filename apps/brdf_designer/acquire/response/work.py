@@ -2,30 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.reconstruction_session import StepRequest
-from brdf_designer.acquire.states import ResponseState
+from brdf_designer.acquire.states import Found, ResponseState
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-
-
-@dataclass(frozen=True, eq=False)
-class ResponseFound:
-    """A response and what is shown of it; ``found`` is None for photographs that are linear files.
-
-    ``kept``: taken from a work file, with the figures of the run that found it.
-    """
-
-    found: Any
-    state: ResponseState | None
-    kept: bool = False
 
 
 def open_session(request: StepRequest) -> Acquisition:
@@ -35,18 +22,18 @@ def open_session(request: StepRequest) -> Acquisition:
     return Acquisition.open(request.folder, request.options)
 
 
-def find_response(request: StepRequest, progress: Progress) -> ResponseFound:
+def find_response(request: StepRequest, progress: Progress) -> Found:
     """Find the response of the camera."""
     road = open_session(request)
     road.calibrate_response(progress)
     return response_found(road)
 
 
-def response_found(road: Acquisition) -> ResponseFound:
+def response_found(road: Acquisition) -> Found:
     """Return what a road knows of the response."""
     response, fit = road.response, road.response_fit
     if response is None:
-        return ResponseFound(None, None)
+        return Found(None, None)
     facts = [
         (tr("Bits"), f"{response.bit_depth}", tr("Bits per code")),
         (tr("Black"), _each(response.black, "{:.1f}"), tr("Code without light, per channel")),
@@ -90,7 +77,7 @@ def response_found(road: Acquisition) -> ResponseFound:
         times,
         bool(response.linear),
     )
-    return ResponseFound(response, state)
+    return Found(response, state)
 
 
 def _each(values: Any, form: str, unit: str = "") -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.icons import icon
@@ -78,8 +78,7 @@ class SessionPage(AcquirePage):
                 self.template_requested.emit,
             ),
         )
-        self.folder = wrapped()
-        self.folder.setAccessibleName(tr("Folder"))
+        self.folder = described(wrapped(), spoken=tr("Folder"))
         self.check_button = button(
             tr("Check Again"), tr("Check all photographs of the folder again"), self.check_requested.emit
         )
@@ -186,9 +185,7 @@ class SessionPage(AcquirePage):
 
 def problem_list(name: str) -> QTreeWidget:
     """Return an empty list of problems."""
-    made = QTreeWidget()
-    made.setAccessibleName(name)
-    made.setToolTip(tr("Problems found by the check: file, kind and reason"))
+    made = described(QTreeWidget(), spoken=name, tip=tr("Problems found by the check: file, kind and reason"))
     made.setHeaderLabels([tr("Kind"), tr("File"), tr("Reason")])
     made.setRootIsDecorated(False)
     made.setWordWrap(True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, described
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Signal
@@ -60,8 +60,7 @@ class ReconstructionPage(AcquirePage):
                 "and resumed; finished positions are kept."
             ),
         )
-        self.bar = GreyBar()
-        self.bar.setAccessibleName(tr("Progress of the reconstruction"))
+        self.bar = described(GreyBar(), spoken=tr("Progress of the reconstruction"))
         self.progress_text = wrapped()
         self.map = MapPlot(tr("Coverage so far"))
         self.problems = problem_list(tr("Skipped positions"))

@@ -5,21 +5,24 @@ from __future__ import annotations
 import contextlib
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, open_acquisition
+from brdf_designer.acquire.geometry.work import geometry_found, open_acquisition
 from brdf_designer.acquire.reconstruction_session import WORK_FILE, StepRequest
-from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found, thousands
-from brdf_designer.acquire.states import CoverageState
+from brdf_designer.acquire.response.work import open_session, response_found, thousands
+from brdf_designer.acquire.states import CoverageState, Found
 from brdf_suite.acquisition.reconstruction.options import coverage_map, covered_share, deviation_map
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
 _PARTIAL_S = 2.0
 _PARTIAL_SHARE = 0.1
@@ -32,8 +35,7 @@ class TableFound:
 
     acquired: Any
     state: CoverageState
-    response: ResponseFound | None
-    geometry: GeometryFound | None
+    calibrated: dict[str, Found]
 
 
 @dataclass(frozen=True)
@@ -44,8 +46,7 @@ class KeptWork:
     """
 
     done: int = 0
-    response: ResponseFound | None = None
-    geometry: GeometryFound | None = None
+    calibrated: dict[str, Found] = field(default_factory=dict)
     reason: str = ""
 
 
@@ -74,7 +75,12 @@ def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
         road.take_calibration(calibration)
     except FileError as error:
         return KeptWork(reason=str(error))
-    return KeptWork(len(done), replace(response_found(road), kept=True), GeometryFound(calibration, None))
+    return KeptWork(len(done), _known(road, calibration))
+
+
+def _known(road: Acquisition, calibration: Any) -> dict[str, Found]:
+    """Return what is known from the calibration in a work file."""
+    return {"response": replace(response_found(road), kept=True), "geometry": Found(calibration, None)}
 
 
 def find_table(request: TableRequest, progress: Progress) -> TableFound:
@@ -83,21 +89,21 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
 
     road = open_acquisition(request.road)
     work = request.road.folder / WORK_FILE
-    response = geometry = None
+    calibrated: dict[str, Found] = {}
     start = 0.0
     if request.road.geometry is None:
         kept = None if request.restart else kept_work(road, work)
         if kept is not None:
             road.take_calibration(kept[0])
-            response, geometry = replace(response_found(road), kept=True), GeometryFound(kept[0], None)
+            calibrated = _known(road, kept[0])
         else:
             start = 0.25
             if request.road.response is None:
                 road.calibrate_response(subrange(progress, 0.0, 0.08))
-                response = response_found(road)
+                calibrated["response"] = response_found(road)
             road.calibrate_intrinsics(subrange(progress, 0.08, 0.1))
             road.calibrate_geometry(subrange(progress, 0.1, start))
-            geometry = geometry_found(road)
+            calibrated["geometry"] = geometry_found(road)
     due = time.monotonic() + _PARTIAL_S
 
     def partial(done: int, total: int, table: Callable[[], IsotropicTable]) -> None:
@@ -114,7 +120,7 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
 
     acquired = reconstruct(road, subrange(progress, start, 0.98), work, partial, request.restart)
     report(progress, 0.99, tr("drawing the coverage"))
-    return TableFound(acquired, coverage_state(acquired.table, acquired), response, geometry)
+    return TableFound(acquired, coverage_state(acquired.table, acquired), calibrated)
 
 
 def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState:

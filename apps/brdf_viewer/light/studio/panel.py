@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from functools import partial
 
-from brdf_qt.fields.form import fill_column, fill_row
+from brdf_qt.fields.form import fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.layouts import icon_button
 from brdf_qt.fields.text import TextLine
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
