@@ -26,7 +26,7 @@ LONG_FILE = 500
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
     "imports inside functions": 63,
-    "attributes by text": 6,
+    "attributes by text": 5,
 }
 
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}

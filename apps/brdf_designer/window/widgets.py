@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from brdf_qt.fields.form import described, fill_row
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
