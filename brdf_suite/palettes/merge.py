@@ -14,7 +14,7 @@ one that they follow in their own order.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
@@ -47,10 +47,7 @@ class Merge:
 
 
 def merge(base: Palette, ours: Palette, theirs: Palette) -> Merge:
-    """Return the palette with the changes of both sides since ``base``; entries are known by their ids.
-
-    A file that holds no ids is given those of ``base`` first (:func:`with_ids_of`).
-    """
+    """Return the palette with the changes of both sides since ``base``; entries are known by their ids."""
     if theirs == base or ours == theirs:
         return Merge(ours, (), ())
     merger = _Merger()
@@ -66,36 +63,6 @@ def merge(base: Palette, ours: Palette, theirs: Palette) -> Merge:
         old, mine, other = (getattr(side, name) for side in (base, ours, theirs))
         own[name] = merger.field(name, old, mine, other, f"the palette {ours.name}")
     return Merge(Palette(**own), tuple(merger.conflicts), tuple(merger.taken))
-
-
-def with_ids_of(base: Palette, theirs: Palette) -> Palette:
-    """Return ``theirs``, read from a file without ids, with the ids of the entries of ``base`` that it has still.
-
-    The same colour in the same group first, then the same colour, then the same name, code and group; each in order.
-    """
-    rules: tuple[Callable[[Entry], Hashable], ...] = (
-        lambda entry: (entry.content, entry.group, entry.code),
-        lambda entry: entry.content,
-        lambda entry: (entry.name, entry.code, entry.group) if entry.name or entry.code else entry,
-    )
-    found: dict[int, str] = {}
-    left = list(base.entries)
-    for rule in rules:
-        waiting: dict[Hashable, list[Entry]] = {}
-        for entry in reversed(left):
-            waiting.setdefault(rule(entry), []).append(entry)
-        for place, entry in enumerate(theirs.entries):
-            if place not in found and waiting.get(rule(entry)):
-                found[place] = waiting[rule(entry)].pop().id
-        left = [entry for rest in waiting.values() for entry in rest]
-        left.sort(key=lambda entry: base.by_id[entry.id])
-    used = {entry.id for entry in base.entries}
-    entries = []
-    for place, entry in enumerate(theirs.entries):
-        name = found.get(place) or _free(entry.id, used)
-        used.add(name)
-        entries.append(entry if entry.id == name else replace(entry, id=name))
-    return replace(theirs, entries=tuple(entries))
 
 
 def _free(name: str, used: set[str]) -> str:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.palette import Entry, Group, Palette
-from brdf_suite.palettes.merge import merge, with_ids_of
+from brdf_suite.palettes.merge import merge
 
 
 def colour(name: str, lightness: float = 50.0) -> FlatColour:
@@ -160,19 +160,3 @@ def test_entries_that_both_added_under_one_id_are_both_kept() -> None:
     found = merge(BASE, ours, theirs)
     assert sorted(entry.name for entry in found.palette) == ["c1", "c2", "c3", "c4", "c5", "mine", "other"]
     assert found.conflicts == ()
-
-
-def test_a_file_without_ids_is_recognized_by_its_colours() -> None:
-    read = [replace(entry, id="") for entry in BASE]
-    read[3] = replace(read[3], content=colour("c4", 99.0))
-    read.insert(1, Entry(colour("new")))
-    del read[5]
-    found = with_ids_of(BASE, Palette("Car", tuple(read), notes="old"))
-    assert [(entry.name, entry.id) for entry in found if entry.name != "new"] == [
-        ("c1", "1"),
-        ("c2", "2"),
-        ("c3", "3"),
-        ("c4", "4"),
-    ]
-    assert found.entries[1].id not in BASE.by_id
-    assert len(set(ids(found))) == 5
