@@ -105,7 +105,7 @@ def test_a_thousand_paints(desk) -> None:
     for number in range(100):
         desk.show(number)
     gc.collect()
-    counters, memory, fits = desk.drawer.scene_renderer.counters, resident(), fits_alive()
+    counters, memory, fits = desk.drawer.scene_renderer.renderer.counters, resident(), fits_alive()
     made, live, uploads = counters.total_created, counters.live, counters.texture_uploads
     first = desk.pixels().copy()
     for number in range(100, 1000):
@@ -132,7 +132,7 @@ def test_fifty_environments(desk) -> None:
     for number in range(10):
         change(number)
     gc.collect()
-    counters, memory = desk.drawer.scene_renderer.counters, resident()
+    counters, memory = desk.drawer.scene_renderer.renderer.counters, resident()
     live = counters.live
     first = desk.pixels().copy()
     for number in range(10, 60):
@@ -156,7 +156,7 @@ def test_modes_of_comparison_that_come_and_go(desk) -> None:
 
     round_of_modes()
     round_of_modes()
-    counters, memory = desk.drawer.scene_renderer.counters, resident()
+    counters, memory = desk.drawer.scene_renderer.renderer.counters, resident()
     live = counters.live
     for _ in range(50):
         round_of_modes()
@@ -180,9 +180,9 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
     # What the first count of the pixels makes comes once, when the picture rests for the first time.
     qtbot.waitUntil(lambda: viewer.controller.tone.counted is not None)
     QApplication.sendPostedEvents(None, 0)
-    widgets, live = len(QApplication.allWidgets()), viewer.controller.drawer.scene_renderer.counters.live
+    widgets, live = len(QApplication.allWidgets()), viewer.controller.drawer.scene_renderer.renderer.counters.live
     for number in range(30):
         work(number)
     viewer.pixels()
     qtbot.waitUntil(lambda: len(QApplication.allWidgets()) <= widgets)
-    assert viewer.controller.drawer.scene_renderer.counters.live <= live
+    assert viewer.controller.drawer.scene_renderer.renderer.counters.live <= live

@@ -301,7 +301,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
             pass
 
     fitter = viewer.controller.paint.fitter.lobe_fitter
-    counters = viewer.controller.drawer.scene_renderer.counters
+    counters = viewer.controller.drawer.scene_renderer.renderer.counters
     programs = [id(program) for program in fitter.programs]
     for step in range(20):
         change(step)

@@ -311,12 +311,12 @@ def test_many_environments_leave_nothing_behind(start, lights) -> None:
         gc.collect()
 
     change(6)
-    live, growth = [viewer.controller.drawer.scene_renderer.counters.live], []
+    live, growth = [viewer.controller.drawer.scene_renderer.renderer.counters.live], []
     for _ in range(6):  # what leaks grows each time; what is made once when it is first wanted does not
         memory = resident()
         change(4)
         growth.append(resident() - memory)
-        live.append(viewer.controller.drawer.scene_renderer.counters.live)
+        live.append(viewer.controller.drawer.scene_renderer.renderer.counters.live)
         if live[-1] <= live[-2] and growth[-1] < 2.4e6:
             break
     assert any(later <= earlier for earlier, later in itertools.pairwise(live)), live
