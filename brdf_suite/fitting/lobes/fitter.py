@@ -200,7 +200,7 @@ class LobeFitter:
         measured. Raises :class:`FittingError` for a negative or not finite sample, and for an index below 1.
         """
         start = time.perf_counter()
-        check_ior(ior)
+        ior = check_ior(ior)
         base = _checked("The base", base, self.base_samples.gamma_rad)
         coat = _checked("The coat", coat, self.coat_samples.gamma_rad)
         deadline = start + self.time_limit_s

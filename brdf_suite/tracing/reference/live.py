@@ -104,12 +104,12 @@ class LiveReference:
         report(progress, 0.9, "building the scene")
         # What a scene must be built anew for; the rest of it is changed in place.
         structure = (
-            id(surface),
+            surface,
             light.radiance.shape,
             view.lamps,
             view.surface_look.materials,
             # The ground's shadow is that of one light.
-            view.surface_look.ground and (view.rotation_deg, view.light_colour, id(light)),
+            view.surface_look.ground and (view.rotation_deg, view.light_colour, light),
         )
         before = self._scene
         kept = before if structure == self._structure else None
