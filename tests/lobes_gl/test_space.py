@@ -380,6 +380,7 @@ def test_pictures_and_surfaces_are_written_and_read_back(space, program, tmp_pat
     program.session.set_options(shown="both")
     space.state.set(colouring="values")
     section = space.save.section
+    assert all(field.parentWidget() is not None for field in (section.width_, section.height_, section.size_))
     section.width_.setValue(700)
     section.height_.setValue(500)
     for kind in ("png", "svg", "obj", "ply"):

@@ -180,7 +180,10 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
     # What the first count of the pixels makes comes once, when the picture rests for the first time.
     qtbot.waitUntil(lambda: viewer.controller.tone.counted is not None)
     QApplication.sendPostedEvents(None, 0)
-    widgets, live = len(QApplication.allWidgets()), viewer.controller.drawer.scene_renderer.renderer.counters.live
+    widgets, live = (
+        len(QApplication.allWidgets()),
+        viewer.controller.drawer.scene_renderer.renderer.counters.live,
+    )
     for number in range(30):
         work(number)
     viewer.pixels()

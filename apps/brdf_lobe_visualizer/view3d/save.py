@@ -50,6 +50,7 @@ class SaveSection(QWidget):
         self.size_ = NumberField(tr("Length of radius 1"), "mm", 0.001, 1e6, 10.0, 3, SIZE_MM)
         tip = tr("Size of PNG and SVG pictures. PNG uses 16 samples per pixel.")
         form.add_row(tr("Width"), self.width_, tip)
+        form.add_row(tr("Height"), self.height_)
         tip = tr("Length of radius 1 in OBJ and PLY. The file states the value it stands for.")
         form.add_row(tr("Scale"), self.size_, tip)
         grid = QGridLayout()

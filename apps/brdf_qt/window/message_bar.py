@@ -106,7 +106,9 @@ class _Row(QFrame):
             button.clicked.connect(lambda _=False, slot=slot: self._act(slot))
             row.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
         if message.closable:
-            close = icon_button("x", tr("Close this message"), lambda: self.closed.emit(self.message.key))
+            close = icon_button(
+                "x", tr("Close this message"), lambda: self.closed.emit(self.message.key), flat=True
+            )
             row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
 
     def changeEvent(self, event: QEvent) -> None:

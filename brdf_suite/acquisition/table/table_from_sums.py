@@ -182,7 +182,8 @@ def fill_table_holes(
        highlight's centre a bin of φd is far narrower than a bin of θh: there the bell is as wide as a bin of θh is
        deep, over θh ≈ 0 the whole turn, so that the few readings in the innermost rings serve all of their bins. The
        bell is doubled where it meets no reading, up to a sixth of the range.
-    3. From the rim inwards, the known ones among the 26 around (:mod:`brdf_suite.reflectance.tabulated.holes`).
+    3. From the rim inwards, the known ones among the 26 around
+       (:func:`brdf_suite.reflectance.tabulated.half_angle_grid.fill_holes`).
 
     ``weights`` (a, b, c) say how well each bin is known, in readings or in 1/variance; 0 is a hole. Holes where no
     direction above the horizon leads become 0, as do all where nothing is known.

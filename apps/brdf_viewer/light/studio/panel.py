@@ -59,24 +59,24 @@ class StudioPanel(QScrollArea):
         self.list.currentRowChanged.connect(self.chosen)
         self.lamp, self.around, self.sky = LampForm(), SurroundingsForm(), SkyForm()
         self._light: LightDocument | None = None
-        self.save = icon_button("floppy-disk", tr("Save the studio (Ctrl+S in this panel)"))
-        self.save_as = icon_button("copy", tr("Save the studio under another name"))
-        self.undo = icon_button("arrow-counter-clockwise", tr("Undo (Ctrl+Z in this panel)"))
-        self.redo = icon_button("arrow-clockwise", tr("Redo"))
+        self.save = icon_button("floppy-disk", tr("Save the studio (Ctrl+S in this panel)"), flat=True)
+        self.save_as = icon_button("copy", tr("Save the studio under another name"), flat=True)
+        self.undo = icon_button("arrow-counter-clockwise", tr("Undo (Ctrl+Z in this panel)"), flat=True)
+        self.redo = icon_button("arrow-clockwise", tr("Redo"), flat=True)
         self._keys = {
             _KEYS.Undo: self.undo,
             _KEYS.Redo: self.redo,
             _KEYS.SaveAs: self.save_as,
             _KEYS.Save: self.save,
         }
-        self.add = icon_button("plus", tr("Add a lamp"))
+        self.add = icon_button("plus", tr("Add a lamp"), flat=True)
         menu = QMenu(self.add)
         for shape, title in SHAPE_TITLES.items():
             menu.addAction(tr(title), partial(self.add_requested.emit, shape))
         self.add.setMenu(menu)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.double = icon_button("copy-simple", tr("Duplicate this lamp"))
-        self.remove = icon_button("trash", tr("Remove this lamp"))
+        self.double = icon_button("copy-simple", tr("Duplicate this lamp"), flat=True)
+        self.remove = icon_button("trash", tr("Remove this lamp"), flat=True)
         self.edit = QPushButton(tr("Edit current light"))
         self.relight = QPushButton(tr("Light the picture with this studio"))
         self._lamps, self._begin, self._open = QWidget(), self._begin_part(), QWidget()
