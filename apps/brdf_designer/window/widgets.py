@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from brdf_qt.fields.form import described, fill_row
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
@@ -60,10 +60,8 @@ def button(text: str, tip: str, action: Callable[[], object] | None = None) -> Q
 
 def combo(choices: Iterable[tuple[str, object]], name: str = "", tip: str = "") -> QuietComboBox:
     """Return a list of (title, value) that is no wider than its place."""
-    made = QuietComboBox()
+    made = described(QuietComboBox(), spoken=name, tip=tip)
     for title, value in choices:
         made.addItem(title, value)
-    made.setAccessibleName(name)
-    made.setToolTip(plain_tip(tip))
     made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return made

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from brdf_qt.gl.segments import Rgba, Segments, polyline, segments
 
-from brdf_suite.arrays import Floats, Singles
+from brdf_suite.arrays import Floats, Singles, triple
 from brdf_suite.geometry.directions import mirror, spherical
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface, RadiusScale
@@ -151,7 +151,7 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
             rows.append(polyline(flat, 1.0, faint))
             if options.labels:
                 place = radius * spherical(np.pi / 2, azimuth + np.radians(62.0))
-                labels.append(Label(_triple(place), text))
+                labels.append(Label(triple(place), text))
     before = [rows[0][:0]]
     if light is not None and options.arrows:
         before, words = _arrows(light, ink)
@@ -200,7 +200,7 @@ def _angles(azimuth: float, options: FrameOptions) -> list[Label]:
     if options.hemisphere:
         sides = (azimuth, azimuth + np.pi)
         at += [(1.07 * spherical(np.radians(theta), side), theta) for theta in (30, 60) for side in sides]
-    return [Label(_triple(place), f"{angle}°") for place, angle in at]
+    return [Label(triple(place), f"{angle}°") for place, angle in at]
 
 
 def _arrows(light: Floats, ink: Rgba) -> tuple[list[Segments], list[Label]]:
@@ -217,9 +217,9 @@ def _arrows(light: Floats, ink: Rgba) -> tuple[list[Segments], list[Label]]:
         *_arrow(normal, _MIRROR_REACH * normal, (*ink[:3], 0.85), 0.0 * normal),
     ]
     labels = [
-        Label(_triple(1.12 * LIGHT_REACH * light), "L", gold, True),
-        Label(_triple(1.07 * _MIRROR_REACH * top), "R", rose, True),
-        Label(_triple(1.07 * _MIRROR_REACH * normal), "N", (*ink[:3], 1.0), True),
+        Label(triple(1.12 * LIGHT_REACH * light), "L", gold, True),
+        Label(triple(1.07 * _MIRROR_REACH * top), "R", rose, True),
+        Label(triple(1.07 * _MIRROR_REACH * normal), "N", (*ink[:3], 1.0), True),
     ]
     return rows, labels
 
@@ -234,7 +234,3 @@ def _arrow(start: Floats, end: Floats, colour: Rgba, foot: Floats) -> list[Segme
         segments(neck, end, (11.0, 0.5), colour),
         segments(inner, foot, (1.2, 1.2), (*colour[:3], 0.4)),
     ]
-
-
-def _triple(place: Floats) -> tuple[float, float, float]:
-    return float(place[0]), float(place[1]), float(place[2])

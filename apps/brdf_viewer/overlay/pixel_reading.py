@@ -9,6 +9,7 @@ from brdf_qt.program.translation import tr
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import triple
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px, sides
@@ -123,7 +124,7 @@ def _first(
 
 def _of_paint(which: str, found: RadianceProbe, view: View) -> PixelReading:
     exposed = np.asarray(found.radiance) * 2.0**view.exposure_ev
-    return PixelReading(which, _triple(working_to_lab(exposed)), found.radiance, found.point)
+    return PixelReading(which, triple(working_to_lab(exposed)), found.radiance, found.point)
 
 
 def _of_picture(
@@ -138,14 +139,9 @@ def _of_picture(
     value = picture.pixels[row, min(column, columns - 1)].astype(float) if inside else np.zeros(3)
     if picture.is_light:
         lab = working_to_lab(value * 2.0**view.exposure_ev)
-        return PixelReading("B", _triple(lab), _triple(value), point)
+        return PixelReading("B", triple(lab), triple(value), point)
     lab = working_to_lab(srgb_decode(value / 255.0) @ REC709_TO_WORKING.T)
-    return PixelReading("B", _triple(lab), None, point)
-
-
-def _triple(values: np.ndarray) -> Lab:
-    x, y, z = values.tolist()
-    return (x, y, z)
+    return PixelReading("B", triple(lab), None, point)
 
 
 def lab_words(lab: Lab) -> str:
