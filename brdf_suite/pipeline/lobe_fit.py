@@ -230,11 +230,15 @@ class PaintFitter:
         start = perf_counter()
         material = material_of(paint)
         assert isinstance(material.reflectance, PaintReflectance)
-        fit = self.fit_layers(material, material.reflectance, "designed")
-        return replace(fit, seconds=perf_counter() - start)
+        return self.fit_layers(material, material.reflectance, "designed", start)
 
-    def fit_layers(self, material: Material, layers: Layered, kind: Kind) -> LobeFit:
-        """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated."""
+    def fit_layers(
+        self, material: Material, layers: Layered, kind: Kind, start: float | None = None
+    ) -> LobeFit:
+        """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated.
+
+        ``start`` is the reading of :func:`time.perf_counter` from which ``seconds`` counts; None: 0.
+        """
         fit = self.lobe_fitter.fit(layers)
         weights = fit.weights
         notices = material.notices
@@ -248,6 +252,7 @@ class PaintFitter:
             )
         if kind == "cook_torrance" and weights.ior == 1.0:
             notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
+        readings = _readings(material.paint, weights)
         return LobeFit(
             material=material,
             kind=kind,
@@ -255,7 +260,8 @@ class PaintFitter:
             l1_errors=_l1_errors(fit),
             notices=notices,
             fit_seconds=fit.seconds,
-            readings=_readings(material.paint, weights),
+            seconds=0.0 if start is None else perf_counter() - start,
+            readings=readings,
             incidences_deg=(float(np.degrees(weights.theta_fit_rad)),),
             exact=fit.exact,
         )
