@@ -24,7 +24,7 @@ _SAFE_PATH = "PYTHONSAFEPATH"
 def is_own_module(module: str) -> bool:
     """Return whether a dotted module name lies in one of the suite's packages.
 
-    >>> is_own_module("brdf_viewer.traced.worker"), is_own_module("http.server")
+    >>> is_own_module("brdf_viewer.tracing.worker"), is_own_module("http.server")
     (True, False)
     """
     return module.partition(".")[0] in OWN_PACKAGES

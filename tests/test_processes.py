@@ -103,7 +103,7 @@ def test_the_trap_catches_a_process_that_is_started_without_the_option(hostile: 
 @pytest.mark.parametrize("module", modules())
 def test_no_file_of_the_working_folder_runs(module: str, hostile: Path, tmp_path: Path) -> None:
     arguments = {
-        "brdf_viewer.traced.worker": [str(tmp_path / "scene")],
+        "brdf_viewer.tracing.worker": [str(tmp_path / "scene")],
         "brdf_suite.reference.probe": ["none"],
     }
     done = run(child_command(module, *arguments.get(module, ["--help"])), hostile)

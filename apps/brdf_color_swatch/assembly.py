@@ -14,26 +14,26 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
+from brdf_color_swatch.colour_map.panel import ColourMap
 from brdf_color_swatch.controller import PaletteController
+from brdf_color_swatch.editing.drops_and_order import DropsAndOrder
+from brdf_color_swatch.editing.edit_commands import EditCommands
+from brdf_color_swatch.editing.group_commands import GroupCommands
 from brdf_color_swatch.export.contact_sheet import ContactSheets
 from brdf_color_swatch.export.dialog import QtExportDialogs
 from brdf_color_swatch.export.palette_export import PaletteExport
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.features.colour_search import ColourSearch
-from brdf_color_swatch.features.comparison import PaintComparison
-from brdf_color_swatch.features.drops_and_order import DropsAndOrder
-from brdf_color_swatch.features.edit_commands import EditCommands
-from brdf_color_swatch.features.group_commands import GroupCommands
-from brdf_color_swatch.features.paint_exchange import PaintExchange
-from brdf_color_swatch.features.view_commands import ViewCommands
+from brdf_color_swatch.grid.thumbnails import VisiblePictures
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.changed_files import ChangedFiles
 from brdf_color_swatch.library.file_commands import FileCommands, new_palette
 from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.library.loading import UnsavedWork
-from brdf_color_swatch.map.panel import ColourMap
-from brdf_color_swatch.pictures.visible import VisiblePictures
+from brdf_color_swatch.paint_exchange import PaintExchange
+from brdf_color_swatch.search.colour_search import ColourSearch
+from brdf_color_swatch.search.comparison import PaintComparison
 from brdf_color_swatch.session import PaletteSession
+from brdf_color_swatch.view_commands import ViewCommands
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import (

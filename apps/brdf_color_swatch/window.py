@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QMenu, QSplitter, QToolButton, QWidget
 
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.library.tree import LibraryTree
-from brdf_color_swatch.panels.filters import FiltersPanel
 from brdf_color_swatch.panels.palette import PalettePanel
 from brdf_color_swatch.panels.swatch import SwatchPanel
 from brdf_color_swatch.panels.top_bar import TopBar
+from brdf_color_swatch.search.filters import FiltersPanel
 
 
 class SwatchWindow(SuiteWindow):

@@ -26,11 +26,11 @@ from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.export.control import HandoverControl
+from brdf_designer.from_measurement.control import MeasuredControl
 from brdf_designer.history.control import HistoryControl
-from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.control import StandardControl
+from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow

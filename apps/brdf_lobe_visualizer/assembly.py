@@ -15,12 +15,12 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer import remembered
-from brdf_lobe_visualizer.basis.part import Basis
 from brdf_lobe_visualizer.cuts.panel import Slices
-from brdf_lobe_visualizer.factors.part import Factors
+from brdf_lobe_visualizer.factor_maps.part import Factors
 from brdf_lobe_visualizer.legend.control import LegendControl
-from brdf_lobe_visualizer.numbers.panel import AskPath, Numbers
+from brdf_lobe_visualizer.lobe_basis.part import Basis
 from brdf_lobe_visualizer.session import LobeSession
+from brdf_lobe_visualizer.statistics.panel import AskPath, Numbers
 from brdf_lobe_visualizer.status import Status
 from brdf_lobe_visualizer.subjects.fits import KEY as DESIGNER
 from brdf_lobe_visualizer.subjects.fits import Fits, FollowedPaint

@@ -17,7 +17,7 @@ from brdf_suite.pipeline.material import default_paint_name
 from brdf_suite.pipeline.scene import environment_names, name_in_view, surface_names
 from brdf_viewer.controller import ViewerController
 from brdf_viewer.documents.remembered import recall
-from brdf_viewer.traced.request import QUALITIES, RENDERERS
+from brdf_viewer.tracing.request import QUALITIES, RENDERERS
 
 
 def parser() -> argparse.ArgumentParser:

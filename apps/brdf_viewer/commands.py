@@ -14,11 +14,11 @@ from PySide6.QtWidgets import QMenu
 
 from brdf_viewer.camera.section import PRESETS
 from brdf_viewer.compare.section import MODE_TITLES
-from brdf_viewer.fields.inspector import Source
+from brdf_viewer.inspector.fields import Source
 from brdf_viewer.light.environment_section import BACKGROUND_TITLES
 from brdf_viewer.paint.sparkle_section import FRESNEL_TITLES, LOOK_UP_TITLES, SPARKLE_TITLES
 from brdf_viewer.tone.section import TONE_TITLES
-from brdf_viewer.traced.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
+from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 _KEYS = QKeySequence.StandardKey
 _OPENED = (

@@ -38,7 +38,7 @@ from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import title_of
+from brdf_viewer.inspector.fields import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
@@ -50,7 +50,7 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
 from brdf_viewer.surface.relief_control import IMAGES, ReliefControl
 from brdf_viewer.tone.control import ToneControl
-from brdf_viewer.traced.control import TracedControl
+from brdf_viewer.tracing.control import TracedControl
 from brdf_viewer.window import ViewerWindow
 
 _PUBLISH_MS = 50

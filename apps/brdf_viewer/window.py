@@ -28,7 +28,7 @@ from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.surface.relief_section import ReliefSection
 from brdf_viewer.surface.section import SurfaceSection
 from brdf_viewer.tone.section import ToneSection
-from brdf_viewer.traced.section import RendererSection
+from brdf_viewer.tracing.section import RendererSection
 
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""

@@ -15,9 +15,9 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_lobe_visualizer.assembly import LobeVisualizer
-from brdf_lobe_visualizer.basis.part import Basis
 from brdf_lobe_visualizer.cuts.panel import CURVES, POLAR, Slices
-from brdf_lobe_visualizer.factors.part import Factors
+from brdf_lobe_visualizer.factor_maps.part import Factors
+from brdf_lobe_visualizer.lobe_basis.part import Basis
 from brdf_lobe_visualizer.subjects.fits import Fits
 from PySide6.QtCore import QCoreApplication, QEvent
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.assembly import PARTS, LobeVisualizer
-from brdf_lobe_visualizer.numbers.panel import Numbers
 from brdf_lobe_visualizer.plot_row import PlotRow
+from brdf_lobe_visualizer.statistics.panel import Numbers
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import QCoreApplication, QEvent, Qt

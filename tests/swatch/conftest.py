@@ -13,8 +13,8 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.export.dialog import Choice
-from brdf_color_swatch.features.paint_exchange import PaintExchange
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
+from brdf_color_swatch.paint_exchange import PaintExchange
 from brdf_qt.window.dialogs import Answer, Overwrite
 from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer, QEvent, QMimeData, QPointF, Qt

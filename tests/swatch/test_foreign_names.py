@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_color_swatch.features.paint_exchange import PaintExchange
+from brdf_color_swatch.paint_exchange import PaintExchange
 from brdf_qt.link.link import LiveLink
 from brdf_qt.window.message_bar import Message
 

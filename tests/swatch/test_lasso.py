@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from brdf_color_swatch.map.points import LassoLine, inside, nearest
+from brdf_color_swatch.colour_map.points import LassoLine, inside, nearest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, Qt

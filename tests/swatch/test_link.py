@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from brdf_color_swatch.features.paint_exchange import PaintExchange
+from brdf_color_swatch.paint_exchange import PaintExchange
 from brdf_qt.link.link import LiveLink
 from brdf_qt.link.messages import OFFER, document_checks
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_color_swatch.features.comparison import PaintComparison
+from brdf_color_swatch.colour_map.panel import ColourMap
 from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.map.panel import ColourMap
+from brdf_color_swatch.search.comparison import PaintComparison
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.features.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, read_data
+from brdf_color_swatch.editing.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, read_data
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QColor
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from brdf_color_swatch.grid.thumbnails import VisiblePictures
 from brdf_color_swatch.grid.view_state import Look
-from brdf_color_swatch.pictures.visible import VisiblePictures
 from brdf_qt.program.settings import settings
 
 GOOD = Look("panel", 64, "overcast", True)

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
-from brdf_color_swatch.features.paint_exchange import PaintExchange
+from brdf_color_swatch.colour_map.panel import ColourMap
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.map.panel import ColourMap
+from brdf_color_swatch.paint_exchange import PaintExchange
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit

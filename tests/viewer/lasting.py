@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 from brdf_qt.program.settings import settings
-from brdf_viewer.fields.inspector import Source, SourceChooser
+from brdf_viewer.inspector.fields import Source, SourceChooser
 from PySide6.QtCore import QCoreApplication, QEvent, QMetaMethod, QObject, SignalInstance
 from PySide6.QtGui import QAction, QUndoStack
 from PySide6.QtOpenGLWidgets import QOpenGLWidget

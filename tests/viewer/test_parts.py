@@ -13,7 +13,7 @@ from brdf_viewer.camera.section import PRESETS, look_from, signed_deg
 from brdf_viewer.compare import frozen_paints
 from brdf_viewer.compare.frozen_paints import freeze, touch
 from brdf_viewer.documents.file_kinds import kind_of
-from brdf_viewer.fields.inspector import SliderField, Source, SourceChooser, title_of
+from brdf_viewer.inspector.fields import SliderField, Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches
 from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings

@@ -35,7 +35,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_color_swatch.features.transfer import TAKEN
+from brdf_color_swatch.editing.transfer import TAKEN
 from brdf_color_swatch.grid.grid import SwatchGrid
 from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile

@@ -10,8 +10,8 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
 
+from brdf_color_swatch.editing.entry_edits import add_entries
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow

@@ -23,7 +23,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, QWidget
 
-from brdf_color_swatch.features.transfer import can_take
+from brdf_color_swatch.editing.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.library import Item
 

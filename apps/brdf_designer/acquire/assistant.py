@@ -7,8 +7,8 @@ from PySide6.QtCore import QObject
 from brdf_designer.acquire.exposures.control import SeriesControl
 from brdf_designer.acquire.fit.control import FitControl
 from brdf_designer.acquire.mask.control import MaskControl
-from brdf_designer.acquire.reconstruction_control import ReconstructionController
-from brdf_designer.acquire.reconstruction_session import ReconstructionSession, no_session
+from brdf_designer.acquire.reconstruction.control import ReconstructionController
+from brdf_designer.acquire.reconstruction.session import ReconstructionSession, no_session
 from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.window import AcquireWindow
 from brdf_designer.session.paint_session import PaintSession

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_designer.acquire.pictures.tone import Tones
+from brdf_designer.acquire.plots.tone import Tones
 
 
 @dataclass(frozen=True)

@@ -25,15 +25,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_designer.acquire.camera_response.page import ResponsePage
 from brdf_designer.acquire.exposures.page import ExposuresPage
 from brdf_designer.acquire.fit.page import FitPage
 from brdf_designer.acquire.geometry.page import GeometryPage
 from brdf_designer.acquire.mask.page import MaskPage
-from brdf_designer.acquire.response.page import ResponsePage
+from brdf_designer.acquire.reconstruction.coverage_page import CoveragePage
+from brdf_designer.acquire.reconstruction.reconstruction_page import ReconstructionPage
 from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.step_page import AcquirePage
-from brdf_designer.acquire.table.coverage_page import CoveragePage
-from brdf_designer.acquire.table.reconstruction_page import ReconstructionPage
 
 StepState = Literal["todo", "running", "done", "warning"]
 _STATES: dict[StepState, tuple[str, str]] = {

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from brdf_designer.session.state import AngleColour, Colours, GivenColour
-from brdf_designer.standard.state import StandardPatch
+from brdf_designer.standard_comparison.state import StandardPatch
 from brdf_designer.window.caption import Caption
 from brdf_designer.window.widgets import set_font
 

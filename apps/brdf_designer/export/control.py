@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject
 from brdf_designer.export.process import Request, run_export
 from brdf_designer.export.section import REPORTS, HandoverSection
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.control import StandardControl
+from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.state import say
+from brdf_designer.standard_comparison.state import say
 from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint

@@ -12,7 +12,7 @@ from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.measured.section import standard_patterns
+from brdf_designer.from_measurement.section import standard_patterns
 from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection

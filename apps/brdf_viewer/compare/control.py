@@ -23,10 +23,10 @@ from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note, title_of
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
-from brdf_viewer.traced.section import RENDERER_TITLES
+from brdf_viewer.tracing.section import RENDERER_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
-from brdf_viewer.fields.inspector import ChoiceBox, SourceChooser, note
+from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note
 
 MODE_TITLES = {
     "off": mark("Off"),

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinB
 
 from brdf_suite.output.picture_file import COLOUR_SPACES
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
-from brdf_viewer.fields.inspector import note, set_note
+from brdf_viewer.inspector.fields import note, set_note
 
 _SIZES = {
     "picture": ((1280, 720), (1920, 1080), (3840, 2160), (7680, 4320), (16384, 9216)),

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QToolTip, QWidget
 from brdf_suite.documents.view import PARAMETERS
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram
 from brdf_suite.pipeline.scene import PreparedEnvironment
-from brdf_viewer.fields.inspector import ChoiceBox, ColourButton, SliderField, SourceChooser, note, set_note
+from brdf_viewer.inspector.fields import ChoiceBox, ColourButton, SliderField, SourceChooser, note, set_note
 
 _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen

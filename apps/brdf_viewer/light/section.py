@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton,
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
-from brdf_viewer.fields.inspector import ChoiceBox, note, set_note
+from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 from brdf_viewer.light.studio import places
 
 

@@ -23,7 +23,7 @@ from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.tone.section import TONE_TITLES
-from brdf_viewer.traced.trace_input import first_size
+from brdf_viewer.tracing.trace_input import first_size
 from brdf_viewer.window import ViewerWindow
 
 REST_MS = 60

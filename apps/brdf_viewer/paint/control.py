@@ -33,7 +33,7 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note, title_of
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow

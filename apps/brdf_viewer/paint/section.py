@@ -9,7 +9,7 @@ from brdf_qt.window.section import Section
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from brdf_viewer.fields.inspector import SourceChooser, note, set_note
+from brdf_viewer.inspector.fields import SourceChooser, note, set_note
 from brdf_viewer.paint.patches import PaintPatches
 
 

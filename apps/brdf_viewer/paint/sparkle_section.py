@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
-from brdf_viewer.fields.inspector import ChoiceBox, SliderField, note
+from brdf_viewer.inspector.fields import ChoiceBox, SliderField, note
 
 FRESNEL_TITLES = {"raised": mark("Raised"), "multi_angle": mark("Several angles"), "off": mark("Off")}
 FRESNEL_TIPS = {

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environ
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note, title_of
 from brdf_viewer.light.environment_section import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState

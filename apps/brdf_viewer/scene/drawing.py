@@ -20,10 +20,10 @@ from brdf_suite.realtime.pictures.probe import PixelProbe
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.pictures.traced_light import TracedLight
 from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
-from brdf_viewer.traced.trace_input import first_size
+from brdf_viewer.tracing.trace_input import first_size
 
 if TYPE_CHECKING:
-    from brdf_viewer.traced.process import TracedPicture
+    from brdf_viewer.tracing.process import TracedPicture
 
 Grey = tuple[float, float, float]
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
     from brdf_suite.lighting.statistics import EnvironmentStatistics
     from brdf_suite.realtime.pictures.comparison import ComparedPicture
-    from brdf_viewer.traced.process import TracedPicture
-    from brdf_viewer.traced.request import Renderer
+    from brdf_viewer.tracing.process import TracedPicture
+    from brdf_viewer.tracing.request import Renderer
 
 T = TypeVar("T")
 

@@ -21,7 +21,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.surface.picking import pick
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import set_note
+from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.loading import SURFACE
 from brdf_viewer.scene.viewer_state import ViewerState

@@ -12,7 +12,7 @@ from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import Source, title_of
+from brdf_viewer.inspector.fields import Source, title_of
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 

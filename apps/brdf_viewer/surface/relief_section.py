@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
-from brdf_viewer.fields.inspector import ChoiceBox, SourceChooser, note, set_note, title_of
+from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note, set_note, title_of
 
 PROJECTION_TITLES = {
     "uv": mark("Tiled"),

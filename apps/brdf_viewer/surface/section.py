@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.view_settings import MATERIALS, PARAMETERS, SurfaceLook
-from brdf_viewer.fields.inspector import ChoiceBox, SourceChooser, note
+from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note
 
 MATERIAL_TITLES = {
     "paint": mark("Paint"),

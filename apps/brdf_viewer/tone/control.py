@@ -13,7 +13,7 @@ from brdf_suite.appearance.colour.spaces import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import set_note
+from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.tone.section import describe_clipping
 from brdf_viewer.window import ViewerWindow

@@ -8,7 +8,7 @@ from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.realtime.pictures.display import Unshowable
-from brdf_viewer.fields.inspector import ChoiceBox, note, set_note
+from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 
 TONE_TITLES = {
     "faithful": mark("Faithful, soft highlights"),

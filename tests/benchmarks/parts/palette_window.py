@@ -35,7 +35,7 @@ def main() -> None:
 
 def measure(file: Path) -> dict[str, object]:
     from brdf_color_swatch.assembly import ColorSwatch
-    from brdf_color_swatch.pictures.visible import VisiblePictures
+    from brdf_color_swatch.grid.thumbnails import VisiblePictures
     from brdf_qt.program.application import create_application
     from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
     from PySide6.QtGui import QWheelEvent

@@ -12,7 +12,7 @@ import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.acquire.fit.page import with_error
-from brdf_designer.acquire.reconstruction_session import WORK_FILE
+from brdf_designer.acquire.reconstruction.session import WORK_FILE
 
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.documents.store import load_any_paint

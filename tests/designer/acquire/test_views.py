@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.mask.history import MaskHistory
 from brdf_designer.acquire.mask.view import MaskView
-from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.map_plot import MapPlot
-from brdf_designer.acquire.pictures.marks import Area, Differences, Outline, Points
-from brdf_designer.acquire.pictures.tone import area_of, drawn, image_of, tones_of_codes, tones_of_linear
-from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.plots.lines_plot import Axis, Curve, LinesPlot
+from brdf_designer.acquire.plots.map_plot import MapPlot
+from brdf_designer.acquire.plots.marks import Area, Differences, Outline, Points
+from brdf_designer.acquire.plots.tone import area_of, drawn, image_of, tones_of_codes, tones_of_linear
+from brdf_designer.acquire.plots.view import PictureView
+from brdf_designer.acquire.reconstruction.coverage_page import coverage_map
 from brdf_designer.acquire.states import CoverageState
-from brdf_designer.acquire.table.coverage_page import coverage_map
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, Qt

@@ -11,7 +11,7 @@ import pytest
 from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.export.process import Request, run_export, tolerance_words
 from brdf_designer.export.section import TITLES
-from brdf_designer.standard.control import StandardControl
+from brdf_designer.standard_comparison.control import StandardControl
 
 from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Gloss

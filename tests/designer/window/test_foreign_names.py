@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.export.control import HandoverControl
+from brdf_designer.from_measurement.control import MeasuredControl
 from brdf_designer.history.control import HistoryControl
-from brdf_designer.measured.control import MeasuredControl
-from brdf_designer.standard.control import StandardControl
+from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_qt.documents.open_document import DocumentStore

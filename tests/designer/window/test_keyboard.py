@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from brdf_designer.standard.control import StandardControl
+from brdf_designer.standard_comparison.control import StandardControl
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.exposures.page import ExposuresPage
-from brdf_designer.acquire.pictures.tone import LONGEST_SIDE, Tones, tones_of_codes, tones_of_linear
-from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_designer.acquire.plots.tone import LONGEST_SIDE, Tones, tones_of_codes, tones_of_linear
+from brdf_designer.acquire.reconstruction.session import ReconstructionSession
 from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.states import Problem, Series, Shot
 from brdf_suite.acquisition.photographs.exposure_faults import check_exposures

@@ -9,14 +9,14 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem
 
-from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.marks import Area, draw_mark
-from brdf_designer.acquire.pictures.tone import Tones, area_of, drawn
-from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.plots.lines_plot import CHANNELS, Axis, Curve, LinesPlot
+from brdf_designer.acquire.plots.marks import Area, draw_mark
+from brdf_designer.acquire.plots.tone import Tones, area_of, drawn
+from brdf_designer.acquire.plots.view import PictureView
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import Series, Shot
 from brdf_designer.acquire.step_page import Facts, PositionPage
-from brdf_designer.standard.tables import WholeTable
+from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import split, wrapped
 
 THUMB = 84

@@ -10,7 +10,7 @@ from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.fit.page import FitPage
-from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_designer.acquire.reconstruction.session import ReconstructionSession
 from brdf_designer.session.paint_session import PaintSession
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint

@@ -10,9 +10,9 @@ from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Signal
 
-from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
+from brdf_designer.acquire.plots.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
 from brdf_designer.acquire.step_page import AcquirePage, Facts
-from brdf_designer.standard.tables import WholeTable
+from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import button, combo, wrapped
 from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, FitPlot
 from brdf_suite.fitting.cook_torrance.result import CookTorranceFit

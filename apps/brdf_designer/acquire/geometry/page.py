@@ -9,10 +9,10 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox
 
-from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.marks import Differences, Mark, Outline, Points
-from brdf_designer.acquire.pictures.tone import drawn
-from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.plots.lines_plot import Axis, Curve, LinesPlot
+from brdf_designer.acquire.plots.marks import Differences, Mark, Outline, Points
+from brdf_designer.acquire.plots.tone import drawn
+from brdf_designer.acquire.plots.view import PictureView
 from brdf_designer.acquire.states import GeometryState
 from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.window.widgets import button, split, wrapped

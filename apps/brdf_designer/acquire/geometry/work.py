@@ -9,9 +9,9 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_designer.acquire.pictures.tone import LONGEST_SIDE, tones_of_linear
-from brdf_designer.acquire.reconstruction_session import StepRequest
-from brdf_designer.acquire.response.work import open_session, response_found
+from brdf_designer.acquire.camera_response.work import open_session, response_found
+from brdf_designer.acquire.plots.tone import LONGEST_SIDE, tones_of_linear
+from brdf_designer.acquire.reconstruction.session import StepRequest
 from brdf_designer.acquire.states import Found, GeometryState, Problem
 from brdf_suite.progress import Progress, subrange
 

@@ -17,9 +17,9 @@ from PIL import Image
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.mask.page import MaskPage
-from brdf_designer.acquire.pictures.marks import Outline
-from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
-from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_designer.acquire.plots.marks import Outline
+from brdf_designer.acquire.plots.tone import Tones, tones_of_codes, tones_of_linear
+from brdf_designer.acquire.reconstruction.session import ReconstructionSession
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.arrays import Bools

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QButtonGroup, QSizePolicy
 
 from brdf_designer.acquire.exposures.page import percent
 from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
-from brdf_designer.acquire.pictures.tone import Tones, drawn
+from brdf_designer.acquire.plots.tone import Tones, drawn
 from brdf_designer.acquire.step_page import Facts, PositionPage
 from brdf_designer.window.widgets import button, make_row, wrapped
 from brdf_suite.arrays import Bools

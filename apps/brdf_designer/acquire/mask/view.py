@@ -15,9 +15,9 @@ from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.acquire.mask.history import MaskHistory
-from brdf_designer.acquire.pictures.marks import CASING, INK, Area, Mark
-from brdf_designer.acquire.pictures.tone import area_of
-from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.plots.marks import CASING, INK, Area, Mark
+from brdf_designer.acquire.plots.tone import area_of
+from brdf_designer.acquire.plots.view import PictureView
 from brdf_suite.arrays import Bools
 
 LEAST_RADIUS, MOST_RADIUS = 0.5, 400.0

@@ -13,8 +13,8 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject
 
-from brdf_designer.acquire.pictures.tone import drawn
-from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_designer.acquire.plots.tone import drawn
+from brdf_designer.acquire.reconstruction.session import ReconstructionSession
 from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.states import Problem, Series
 from brdf_suite.acquisition.session.session import SESSION_FILE, Session

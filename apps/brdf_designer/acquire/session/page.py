@@ -13,7 +13,7 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.plots.view import PictureView
 from brdf_designer.acquire.states import Problem
 from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.window.widgets import button, make_row, wrapped

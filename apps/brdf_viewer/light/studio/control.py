@@ -19,7 +19,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.inspector import set_note
+from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.light.studio import edits
 from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
 from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings

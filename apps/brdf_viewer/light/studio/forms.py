@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Shape, Sky, Studio, StudioLamp
-from brdf_viewer.fields.inspector import ChoiceBox
+from brdf_viewer.inspector.fields import ChoiceBox
 from brdf_viewer.light.studio.edits import with_room
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 

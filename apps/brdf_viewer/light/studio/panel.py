@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.studio import MOST_LAMPS, LightDocument, Studio, StudioLamp
-from brdf_viewer.fields.inspector import note, set_note
+from brdf_viewer.inspector.fields import note, set_note
 from brdf_viewer.light.studio.document import TEMPLATES
 from brdf_viewer.light.studio.forms import SHAPE_TITLES, LampForm, SkyForm, SurroundingsForm
 from brdf_viewer.light.studio.places import polar

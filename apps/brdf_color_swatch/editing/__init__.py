@@ -1,0 +1,1 @@
+"""Edits of swatches: the Edit menu, groups, clipboard, drops and order."""

@@ -1,1 +1,0 @@
-"""Commands and panels over the swatches: edit, compare, group, search, link."""

@@ -1,0 +1,1 @@
+"""Search for swatches: by colour, by filters, and two of them compared."""

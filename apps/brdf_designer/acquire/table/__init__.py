@@ -1,1 +1,0 @@
-"""Steps 6 and 7: reconstruction and coverage of the table."""

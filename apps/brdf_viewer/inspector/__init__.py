@@ -1,0 +1,1 @@
+"""Fields of the inspector, and the meanings of their numbers."""
