@@ -98,29 +98,32 @@ def _strata(cells: Cells) -> tuple[Floats, Floats, Floats]:
 def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, Floats, Floats]:
     """Merge strata within reach of a brighter one, while the merged extent stays small."""
     luminous = energy @ LUMINANCE
-    rest = np.argsort(-luminous, kind="stable").tolist()
+    rest = np.argsort(-luminous, kind="stable")
+    rest = rest[luminous[rest] > 0.0]
+    towards = moments / np.maximum(np.linalg.norm(moments, axis=1, keepdims=True), 1e-300)
+    reach = _NEAR + np.sqrt(spread2)
     out: list[tuple[Floats, Floats, float]] = []
-    while rest:
-        first = rest.pop(0)
-        if luminous[first] <= 0.0:
-            break
+    while len(rest):
+        first, rest = rest[0], rest[1:]
         light, moment = energy[first].copy(), moments[first].copy()
         square = float(luminous[first] * spread2[first])
-        for other in list(rest):
-            if luminous[other] <= 0.0:
-                continue
-            own, its = moment / np.linalg.norm(moment), moments[other] / np.linalg.norm(moments[other])
-            if float(np.linalg.norm(own - its)) > _NEAR + float(np.sqrt(spread2[other])):
-                continue
-            both = float(light @ LUMINANCE + luminous[other])
-            between = max(1.0 - float(np.linalg.norm(moment + moments[other])) / both, 0.0)
+        start = 0
+        while start < len(rest):
+            own = moment / np.linalg.norm(moment)
+            others = rest[start:]
+            near = others[np.linalg.norm(towards[others] - own, axis=1) <= reach[others]]
+            both = float(light @ LUMINANCE) + luminous[near]
+            between = np.maximum(1.0 - np.linalg.norm(moment + moments[near], axis=1) / both, 0.0)
             # Both moments are shortened by their own spread already, so this holds all of it but the texels'.
-            if between > _NEAR * _NEAR:
-                continue
+            small = near[between <= _NEAR * _NEAR]
+            if not len(small):
+                break
+            other = small[0]
             light += energy[other]
             moment += moments[other]
             square += float(luminous[other] * spread2[other])
-            rest.remove(other)
+            start = int(np.flatnonzero(rest == other)[0])
+            rest = np.delete(rest, start)
         whole = float(light @ LUMINANCE)
         own_spread = max(1.0 - float(np.linalg.norm(moment)) / whole, square / whole)
         out.append((light, moment, own_spread))

@@ -26,8 +26,8 @@ _SNAP = 0.12
 
 
 def at_points(field: Field) -> PointFunction:
-    """Return a field of (x, y, z) as a function of points (n, 3)."""
-    return lambda points: field(points[:, 0], points[:, 1], points[:, 2])
+    """Return a field of (x, y, z) as a function of points (..., 3)."""
+    return lambda points: field(points[..., 0], points[..., 1], points[..., 2])
 
 
 def surface_distance(region: Field, surface: Field, reach: float) -> PointFunction:
@@ -57,31 +57,51 @@ def cut(soup: Soup, function: PointFunction, snap: bool = False) -> Soup:
     With ``snap``, points next to the zero are moved on to it instead of cutting off slivers; only for
     the first cuts, since a moved point would leave an earlier curve.
     """
-    return _cut(soup, function, snap)[0]
+    return _cut(soup, function, function(soup.points), snap)[0]
 
 
-def cut_all(soup: Soup, functions: Sequence[PointFunction], marks: Bools) -> tuple[Soup, Bools]:
-    """Return the soup cut along all functions, and which point lies on which curve.
+def offset(distance: PointFunction, at: float) -> PointFunction:
+    """Return the function that is zero where ``distance`` is ``at``."""
+    return lambda points: distance(points) - at
 
-    ``marks`` (n, m) has a column for each curve known before; the result has one more per function.
+
+def cut_all(
+    soup: Soup, functions: Sequence[tuple[PointFunction, Sequence[float]]], marks: Bools
+) -> tuple[Soup, Bools]:
+    """Return the soup cut along all curves, and which point lies on which curve.
+
+    Each function is cut where it has each of its values; it is computed once a point. ``marks`` (n, m) has a column
+    for each curve known before; the result has one more per value of a function.
     """
-    known = marks.shape[1]
-    marks = np.concatenate([marks, np.zeros((len(marks), len(functions)), dtype=bool)], axis=1)
-    for number, function in enumerate(functions):
-        old = len(soup.points)
-        soup, on_curve, parents = _cut(soup, function, snap=False)
-        marks[:old, known + number] |= on_curve
-        between = marks[parents[:, 0]] & marks[parents[:, 1]]
-        between[:, known + number] = True
-        marks = np.concatenate([marks, between])
+    column = marks.shape[1]
+    more = sum(len(values) for _, values in functions)
+    marks = np.concatenate([marks, np.zeros((len(marks), more), dtype=bool)], axis=1)
+    for function, values in functions:
+        held = function(soup.points)
+        for at in values:
+            old = len(soup.points)
+            soup, on_curve, parents = _cut(soup, offset(function, at), held - at, snap=False)
+            held = np.concatenate([held, function(soup.points[old:])])
+            marks[:old, column] |= on_curve
+            between = marks[parents[:, 0]] & marks[parents[:, 1]]
+            between[:, column] = True
+            marks = np.concatenate([marks, between])
+            column += 1
     return soup, marks
 
 
-def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray[np.bool_], Integers]:
-    """Return the cut soup, which old points lie on the zero, and the two old ends of each new point's edge."""
-    value = function(soup.points)
+def _cut(
+    soup: Soup, function: PointFunction, value: Floats, snap: bool
+) -> tuple[Soup, NDArray[np.bool_], Integers]:
+    """Return the cut soup, which old points lie on the zero, and the two old ends of each new point's edge.
+
+    ``value`` (n,) is the function's at the points.
+    """
     value[np.abs(value) < _ON_CURVE] = 0.0
-    edge, edge_of_side = unique_edges(soup.triangles)
+    p, q, r = value[soup.triangles.T]
+    touched = (p * q < 0.0) | (q * r < 0.0) | (r * p < 0.0)
+    triangles = soup.triangles[touched]
+    edge, edge_of_side = unique_edges(triangles)
     a, b = edge.T
     crossing = value[a] * value[b] < 0.0
     if snap:
@@ -91,7 +111,12 @@ def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray
     number = np.full(len(edge), -1, dtype=np.int64)
     number[crossing] = len(soup.points) + np.arange(int(crossing.sum()))
     points = np.concatenate([soup.points, middle])
-    return Soup(points, _split(points, soup.triangles, number[edge_of_side])), value == 0.0, edge[crossing]
+    new = number[edge_of_side]
+    some = new.max(axis=1, initial=-1) >= 0
+    kept = ~touched
+    kept[touched] = ~some
+    pieces = [soup.triangles[kept], *_split(points, triangles[some], new[some])]
+    return Soup(points, np.concatenate(pieces)), value == 0.0, edge[crossing]
 
 
 def _roots(function: PointFunction, points: Floats, a: Integers, b: Integers, value: Floats) -> Floats:
@@ -110,12 +135,12 @@ def _roots(function: PointFunction, points: Floats, a: Integers, b: Integers, va
     return middle
 
 
-def _split(points: Floats, triangles: Integers, new: Integers) -> Integers:
-    """Return the triangles with the sides split where ``new`` (k, 3) names a point; one or two sides each."""
-    split = new >= 0
-    out = [triangles[~split.any(axis=1)]]
+def _split(points: Floats, triangles: Integers, new: Integers) -> list[Integers]:
+    """Return the pieces of triangles whose sides are split where ``new`` (k, 3) names a point; one or two each."""
+    out = []
     for turn in range(3):
-        t, m, s = (np.roll(array, -turn, axis=1) for array in (triangles, new, split))
+        t, m = np.roll(triangles, -turn, axis=1), np.roll(new, -turn, axis=1)
+        s = m >= 0
         one = s[:, 0] & ~s[:, 1] & ~s[:, 2]  # the curve passes through the opposite corner
         p, q, r, pq = t[one, 0], t[one, 1], t[one, 2], m[one, 0]
         out += [np.stack([p, pq, r], 1), np.stack([pq, q, r], 1)]
@@ -127,7 +152,7 @@ def _split(points: Floats, triangles: Integers, new: Integers) -> Integers:
         )
         out.append(np.where(short[:, None], np.stack([p, pq, qr], 1), np.stack([p, pq, r], 1)))
         out.append(np.where(short[:, None], np.stack([p, qr, r], 1), np.stack([pq, qr, r], 1)))
-    return np.concatenate(out)
+    return out
 
 
 def _snapped(soup: Soup, value: Floats, a: Integers, b: Integers) -> tuple[Soup, Floats]:

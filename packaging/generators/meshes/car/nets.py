@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,13 +51,12 @@ def gradient(field: Field, points: Floats) -> Floats:
     """Return the gradient (n, 3) by central differences."""
     result = np.empty_like(points)
     for start in range(0, len(points), _BLOCK):
-        part = points[start : start + _BLOCK].T.copy()
+        part: list[Floats] = list(points[start : start + _BLOCK].T.copy())
         for axis in range(3):
-            ends = []
-            for sign in (1.0, -1.0):
-                moved = part.copy()
-                moved[axis] += sign * _STEP
-                ends.append(field(*moved))
+            # Both ends as (2, n) beside two coordinates (n,): what depends on those only is computed once.
+            moved = part.copy()
+            moved[axis] = part[axis] + np.array([[_STEP], [-_STEP]])
+            ends = field(*moved)
             result[start : start + _BLOCK, axis] = (ends[0] - ends[1]) / (2.0 * _STEP)
     return result
 
@@ -147,10 +147,17 @@ def unique_edges(triangles: Integers) -> tuple[Integers, Integers]:
     Side i of a triangle goes from its corner i to corner i + 1.
     """
     following = triangles[:, [1, 2, 0]]
-    size = int(triangles.max()) + 1
+    size = int(triangles.max(initial=0)) + 1
     key = np.minimum(triangles, following) * size + np.maximum(triangles, following)
     found, inverse = np.unique(key, return_inverse=True)
     return np.stack(np.divmod(found, size), axis=1), inverse.reshape(-1, 3).astype(np.int64)
+
+
+def find_any(points: NDArray[np.bool_], triangles: Integers) -> NDArray[np.bool_]:
+    """Return which triangles (k,) have a corner among the chosen points (n,)."""
+    a, b, c = triangles.T
+    result: NDArray[np.bool_] = points[a] | points[b] | points[c]
+    return result
 
 
 def border(triangles: Integers) -> Integers:
@@ -163,17 +170,25 @@ def border(triangles: Integers) -> Integers:
     return result
 
 
-def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_side: Integers) -> Soup:
-    """Return the soup with the chosen edges split at ``middles`` (one per chosen edge), without gaps."""
+def split_edges(
+    soup: Soup, touched: NDArray[np.bool_], edge_of_side: Integers, chosen: NDArray[np.bool_], middles: Floats
+) -> Soup:
+    """Return the soup with the chosen edges split at ``middles`` (one per chosen edge), without gaps.
+
+    Edges are those of the ``touched`` triangles, among which is each one that a chosen edge belongs to.
+    """
     number = np.full(len(chosen), -1, dtype=np.int64)
     number[chosen] = len(soup.points) + np.arange(int(chosen.sum()))
     points = np.concatenate([soup.points, middles])
-    m = number[edge_of_side]
-    split = m >= 0
-    tri = soup.triangles
-    out = [tri[split.sum(axis=1) == 0]]
+    new = number[edge_of_side]
+    some = new.max(axis=1, initial=-1) >= 0
+    kept = ~touched
+    kept[touched] = ~some
+    tri, new = soup.triangles[touched][some], new[some]
+    out = [soup.triangles[kept]]
     for turn in range(3):  # rotate so that each pattern is written once
-        t, mm, s = (np.roll(array, -turn, axis=1) for array in (tri, m, split))
+        t, mm = np.roll(tri, -turn, axis=1), np.roll(new, -turn, axis=1)
+        s = mm >= 0
         one = s[:, 0] & ~s[:, 1] & ~s[:, 2]
         a, b, c, ab = t[one, 0], t[one, 1], t[one, 2], mm[one, 0]
         out += [np.stack([a, ab, c], 1), np.stack([ab, b, c], 1)]
@@ -185,9 +200,9 @@ def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_
         )
         out.append(np.where(short[:, None], np.stack([a, ab, bc], 1), np.stack([a, ab, c], 1)))
         out.append(np.where(short[:, None], np.stack([a, bc, c], 1), np.stack([ab, bc, c], 1)))
-    three = split.all(axis=1)
+    three = (new >= 0).all(axis=1)
     a, b, c = tri[three].T
-    ab, bc, ca = m[three].T
+    ab, bc, ca = new[three].T
     out += [np.stack(part, 1) for part in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
     return replace(soup, points=points, triangles=np.concatenate(out))
 
@@ -210,16 +225,17 @@ def refine(
     length = np.linalg.norm(soup.points[edge[:, 0]] - soup.points[edge[:, 1]], axis=1)
     chosen = (cosine < np.cos(np.radians(angle_deg))) & (length > shortest)
     middles = project(field, soup.points[edge[chosen]].mean(axis=1), steps=3)
+    one, two = soup.points[edge[chosen]].swapaxes(0, 1)
     for function, near in creases:
-        along = np.flatnonzero((np.abs(function(soup.points)) < near)[edge[chosen]].all(axis=1))
+        along = np.flatnonzero((np.abs(function(one)) < near) & (np.abs(function(two)) < near))
         if len(along):
             middles[along] = slide_points(field, middles[along], function)
-    return split_edges(soup, chosen, middles, edge_of_side)
+    return split_edges(soup, np.ones(len(soup.triangles), dtype=bool), edge_of_side, chosen, middles)
 
 
 def slide_points(field: Field, points: Floats, function: Callable[[Floats], Floats]) -> Floats:
     """Return the points moved along the surface, by at most 3 mm, to the zero of a function."""
-    slope = gradient(lambda x, y, z: function(np.stack([x, y, z], axis=1)), points)
+    slope = gradient(lambda x, y, z: function(np.stack(np.broadcast_arrays(x, y, z), axis=-1)), points)
     n = normals(field, points)
     slope -= np.einsum("ij,ij->i", slope, n)[:, None] * n
     step = (function(points) / np.maximum(np.einsum("ij,ij->i", slope, slope), 1e-6))[:, None] * slope
@@ -236,16 +252,18 @@ def refine_near(
 
     Cuts follow a curve only where edges cross it: bands must not be narrower than the triangles.
     """
+    value = np.abs(near(soup.points))
     for _ in range(4):
-        edge, edge_of_side = unique_edges(soup.triangles)
+        touched = find_any(value < reach, soup.triangles)
+        edge, edge_of_side = unique_edges(soup.triangles[touched])
         a, b = soup.points[edge[:, 0]], soup.points[edge[:, 1]]
         length = np.linalg.norm(a - b, axis=1)
-        value = np.abs(near(soup.points))
         chosen = (np.minimum(value[edge[:, 0]], value[edge[:, 1]]) < reach) & (length > longest)
         if not chosen.any():
             break
         middles = project(field, 0.5 * (a + b)[chosen], steps=3)
-        soup = split_edges(soup, chosen, middles, edge_of_side)
+        soup = split_edges(soup, touched, edge_of_side, chosen, middles)
+        value = np.concatenate([value, np.abs(near(middles))])
     return soup
 
 
@@ -255,13 +273,19 @@ def refine_bends(field: Field, soup: Soup, region: Field, reach: float, shortest
     An edge near the border (within ``reach``, m) is too long if the region's gradient turns by more than
     20° along it: a cut through its triangle would cut the corner off.
     """
+    value = np.abs(region(*soup.points.T))
+    corners = soup.points[soup.triangles.T]
+    longest = max(float(np.abs(one - two).sum(axis=1).max()) for one, two in combinations(corners, 2))
     for _ in range(4):
-        edge, edge_of_side = unique_edges(soup.triangles)
+        # Halves of edges, and lines to their middles, are no longer than the longest edge was.
+        touched = find_any(value < max(reach, longest), soup.triangles)
+        edge, edge_of_side = unique_edges(soup.triangles[touched])
         a, b = soup.points[edge[:, 0]], soup.points[edge[:, 1]]
-        value = np.abs(region(soup.points[:, 0], soup.points[:, 1], soup.points[:, 2]))[edge].min(axis=1)
         length = np.linalg.norm(a - b, axis=1)
-        close = np.flatnonzero((value < np.maximum(reach, 0.7 * length)) & (length > shortest))
-        one, two = gradient(region, a[close]), gradient(region, b[close])
+        nearest = np.minimum(value[edge[:, 0]], value[edge[:, 1]])
+        close = np.flatnonzero((nearest < np.maximum(reach, 0.7 * length)) & (length > shortest))
+        ends, number = np.unique(edge[close], return_inverse=True)
+        one, two = gradient(region, soup.points[ends])[number.reshape(-1, 2).T]
         turn = np.einsum("ij,ij->i", one, two)
         turn /= np.maximum(np.linalg.norm(one, axis=1) * np.linalg.norm(two, axis=1), 1e-12)
         chosen = np.zeros(len(edge), dtype=bool)
@@ -269,5 +293,6 @@ def refine_bends(field: Field, soup: Soup, region: Field, reach: float, shortest
         if not chosen.any():
             break
         middles = project(field, 0.5 * (a + b)[chosen], steps=3)
-        soup = split_edges(soup, chosen, middles, edge_of_side)
+        soup = split_edges(soup, touched, edge_of_side, chosen, middles)
+        value = np.concatenate([value, np.abs(region(*middles.T))])
     return soup

@@ -14,7 +14,7 @@ from brdf_suite.arrays import Floats, Integers
 from meshes.car import outlines
 from meshes.car.blends import Field
 from meshes.car.body import ARCH_LIP, LINE, ROCKER, body, fillets
-from meshes.car.cutting import PointFunction, at_points, cut, cut_all, surface_distance
+from meshes.car.cutting import PointFunction, at_points, cut, cut_all, offset, surface_distance
 from meshes.car.nets import (
     Soup,
     border,
@@ -122,12 +122,12 @@ def creases() -> list[tuple[PointFunction, float]]:
 
     Edges of the mesh must follow them, or highlights along them would be ragged.
     """
-    line = _within(lambda p: p[:, 1] - LINE(p[:, 2]), 0.5, -2.15, 1.9)
-    lines = [_offset(line, at) for at in (0.0, 0.005, -0.005, 0.016, -0.016)]
-    rocker = _within(lambda p: p[:, 1] - ROCKER(p[:, 2]), 0.2, -1.2, 1.1)
-    lines += [_offset(rocker, at) for at in (0.0, 0.005, -0.005, 0.02, 0.045, 0.07, 0.10, 0.14, 0.19)]
-    lines += [_offset(at_points(outlines.arch), at) for at in ARCH_LIP]
-    across = [_offset(at_points(field), at) for field in fillets() for at in (0.25, -0.25, 0.75, -0.75)]
+    line = _within(lambda p: p[..., 1] - LINE(p[..., 2]), 0.5, -2.15, 1.9)
+    lines = [offset(line, at) for at in (0.0, 0.005, -0.005, 0.016, -0.016)]
+    rocker = _within(lambda p: p[..., 1] - ROCKER(p[..., 2]), 0.2, -1.2, 1.1)
+    lines += [offset(rocker, at) for at in (0.0, 0.005, -0.005, 0.02, 0.045, 0.07, 0.10, 0.14, 0.19)]
+    lines += [offset(at_points(outlines.arch), at) for at in ARCH_LIP]
+    across = [offset(at_points(field), at) for field in fillets() for at in (0.25, -0.25, 0.75, -0.75)]
     return [(function, 3e-4) for function in lines] + [(function, 0.012) for function in across]
 
 
@@ -143,7 +143,7 @@ def smooth_surface() -> Soup:
     under = at_points(outlines.floor)(soup.points[soup.triangles].mean(axis=1))
     soup = soup.keep(under > -0.03)
     first = np.abs(lines[0](soup.points)) < 3e-4
-    soup, marks = cut_all(soup, lines[1:], first[:, None])
+    soup, marks = cut_all(soup, [(line, (0.0,)) for line in lines[1:]], first[:, None])
     before = project(body, soup.points, steps=2)
     points = before.copy()
     for column, function in enumerate(lines):
@@ -168,28 +168,25 @@ def _within(function: PointFunction, low_y: float, low_z: float, high_z: float) 
     """Return the function on the body side between those bounds; elsewhere not a number, which is never cut."""
 
     def bounded(p: Floats) -> Floats:
-        inside = (p[:, 0] > 0.5) & (p[:, 1] > low_y) & (p[:, 2] > low_z) & (p[:, 2] < high_z)
+        x, y, z = np.moveaxis(p, -1, 0)
+        inside = (x > 0.5) & (y > low_y) & (z > low_z) & (z < high_z)
         return np.where(inside, function(p), np.nan)
 
     return bounded
 
 
-def _curves() -> tuple[list[PointFunction], dict[str, PointFunction]]:
-    """Return what to cut along, and the distance function of each region by name."""
+def _curves() -> tuple[list[tuple[PointFunction, tuple[float, ...]]], dict[str, PointFunction]]:
+    """Return which values of which functions to cut along, and the distance function of each region by name."""
     distances = {name: surface_distance(region, body, _REACH) for name, region in REGIONS.items()}
-    curves = [at_points(outlines.floor), _offset(distances["arch"], 0.0), _offset(distances["arch"], _LIP)]
+    curves: list[tuple[PointFunction, tuple[float, ...]]] = [(at_points(outlines.floor), (0.0,))]
+    curves.append((distances["arch"], (0.0, _LIP)))
     for area in AREAS:
-        distance = distances[area.name]
-        curves.append(at_points(area.region))
-        if area.border:
-            curves.append(_offset(distance, area.border))
-        curves.append(_offset(distance, area.border + _LIP))
+        curves.append((at_points(area.region), (0.0,)))
+        rings = (area.border, area.border + _LIP) if area.border else (_LIP,)
+        curves.append((distances[area.name], rings))
     for name, _ in PANELS:
-        curves += [
-            _offset(distances[name], at) for at in (GAP / 2, -GAP / 2, GAP / 2 + _LIP, -GAP / 2 - _LIP)
-        ]
-    curves += [_offset(distances["split"], at) for at in (0.006, -0.006)]
-    return curves, distances
+        curves.append((distances[name], (GAP / 2, -GAP / 2, GAP / 2 + _LIP, -GAP / 2 - _LIP)))
+    return [*curves, (distances["split"], (0.006, -0.006))], distances
 
 
 def _fine() -> list[tuple[Field, float, float]]:
@@ -242,10 +239,6 @@ def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Integers:
     under = at_points(outlines.floor)(middle) < 0.0
     piece[(value["arch"] < 0.0) | under] = NAMES.index("gone")
     return piece
-
-
-def _offset(distance: PointFunction, at: float) -> PointFunction:
-    return lambda points: distance(points) - at
 
 
 def groove_depth(points: Floats, depth: float) -> Floats:

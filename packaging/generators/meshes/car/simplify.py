@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Integers
-from meshes.car.nets import unique_edges
+from meshes.car.nets import find_any, unique_edges
 
 _ROUNDS = 24
 _TIGHT_RADIUS = 0.15
@@ -42,19 +42,26 @@ def merge_points(
     limit = float(np.cos(np.radians(angle_deg)))
     reach = np.full(len(points), shortest)
     reach[in_tight_bends(points, triangles, curves)] = _TIGHT_EDGE
+    words = np.zeros((len(points), 8 * -(-curves.shape[1] // 64)), dtype=np.uint8)
+    packed = np.packbits(curves, axis=1)
+    words[:, : packed.shape[1]] = packed
+    bits = words.view(np.uint64)
     kept = np.arange(len(triangles))
+    # Points stay: what was found of a corner's move holds while the triangle and the target are the same.
+    checked, wrong = np.full(triangles.shape, -1), np.zeros(triangles.shape, dtype=bool)
     for _ in range(_ROUNDS):
-        target, rank = _candidates(points, normals, triangles, curves, reach, limit)
+        target, rank = _candidates(points, normals, triangles, bits, reach, limit)
         if not (target >= 0).any():
             break
-        target = _without_overlap(points, normals, triangles, target, rank)
+        target = _without_overlap(points, normals, triangles, target, rank, checked, wrong)
         if not (target >= 0).any():
             break
         moved = np.where(target >= 0, target, np.arange(len(points)))
+        checked[find_any(target >= 0, triangles)] = -1
         triangles = moved[triangles]
         a, b, c = triangles.T
         alive = (a != b) & (b != c) & (c != a)
-        triangles, kept = triangles[alive], kept[alive]
+        triangles, kept, checked, wrong = triangles[alive], kept[alive], checked[alive], wrong[alive]
     return triangles, kept
 
 
@@ -87,15 +94,18 @@ def _candidates(
     points: Floats,
     normals: Floats,
     triangles: Integers,
-    curves: NDArray[np.bool_],
+    curves: NDArray[np.uint64],
     reach: Floats,
     limit: float,
 ) -> tuple[Integers, Floats]:
-    """Return for each point the neighbour that it may move to (or -1), and the length of that move."""
+    """Return for each point the neighbour that it may move to (or -1), and the length of that move.
+
+    ``curves`` (n, w) has a bit for each curve that a point lies on.
+    """
     edge, edge_of_side = unique_edges(triangles)
     length = np.linalg.norm(points[edge[:, 0]] - points[edge[:, 1]], axis=1)
-    flat = np.einsum("ij,ij->i", normals[edge[:, 0]], normals[edge[:, 1]]) > limit
-    short = (length < reach[edge].min(axis=1)) & flat
+    short = np.flatnonzero(length < np.minimum(reach[edge[:, 0]], reach[edge[:, 1]]))
+    short = short[np.einsum("ij,ij->i", normals[edge[short, 0]], normals[edge[short, 1]]) > limit]
     sides = np.bincount(edge_of_side.ravel(), minlength=len(edge))
     rim = np.zeros(len(points), dtype=bool)
     rim[edge[sides == 1].ravel()] = True
@@ -116,9 +126,18 @@ def _candidates(
 
 
 def _without_overlap(
-    points: Floats, normals: Floats, triangles: Integers, target: Integers, rank: Floats
+    points: Floats,
+    normals: Floats,
+    triangles: Integers,
+    target: Integers,
+    rank: Floats,
+    checked: Integers,
+    wrong: NDArray[np.bool_],
 ) -> Integers:
-    """Return the targets left when moves that turn a triangle over or touch a shorter move are dropped."""
+    """Return the targets left when moves that turn a triangle over or touch a shorter move are dropped.
+
+    ``wrong`` (k, 3) says which corners must not move to ``checked`` (k, 3); both are brought up to date.
+    """
     target = target.copy()
     order = np.argsort(np.where(target >= 0, rank, np.inf), kind="stable")
     place = np.empty(len(points), dtype=np.int64)
@@ -126,35 +145,35 @@ def _without_overlap(
     bad = np.zeros(len(points), dtype=bool)
     common = np.zeros(len(points), dtype=np.int64)
     for corner in range(3):
-        u = triangles[:, corner]
-        p, q = triangles[:, (corner + 1) % 3], triangles[:, (corner + 2) % 3]
-        moving = target[u] >= 0
-        u, p, q = u[moving], p[moving], q[moving]
+        moving = np.flatnonzero(target[triangles[:, corner]] >= 0)
+        u, p, q = (triangles[moving, (corner + next_) % 3] for next_ in range(3))
         v = target[u]
         gone = (p == v) | (q == v)
         np.add.at(common, u[gone], 1)
-        facing = np.cross(points[p] - points[v], points[q] - points[v])
-        size = np.linalg.norm(facing, axis=1)
-        mean = normals[v] + normals[p] + normals[q]
-        agree = np.einsum("ij,ij->i", facing, mean) / np.maximum(size * np.linalg.norm(mean, axis=1), 1e-30)
-        one, two = (np.linalg.norm(points[end] - points[v], axis=1) for end in (p, q))
-        longest = np.maximum(one, two)
-        wrong = ~gone & ((agree < 0.8) | (size < 1e-7) | (size < 0.03 * longest**2))
-        bad[u[wrong]] = True
+        new = np.flatnonzero((checked[moving, corner] != v) & ~gone)
+        wrong[moving[new], corner] = _turns_over(points, normals, v[new], p[new], q[new])
+        checked[moving[new], corner] = v[new]
+        bad[u[wrong[moving, corner] & ~gone]] = True
     target[bad | (common > 2) | (common < 1)] = -1
     # A move claims the ring round its point; the shortest move wins.
+    triangles = triangles[find_any(target >= 0, triangles)]
+    own = np.where(target[triangles] >= 0, place[triangles], len(points))
     claim = np.full(len(points), len(points), dtype=np.int64)
     for corner in range(3):
-        u = triangles[:, corner]
-        moving = target[u] >= 0
-        for other in range(3):
-            np.minimum.at(claim, triangles[moving, other], place[u[moving]])
-    lost = np.zeros(len(points), dtype=bool)
-    for corner in range(3):
-        u = triangles[:, corner]
-        moving = target[u] >= 0
-        for other in range(3):
-            beaten = claim[triangles[moving, other]] < place[u[moving]]
-            lost[u[moving][beaten]] = True
-    target[lost] = -1
+        np.minimum.at(claim, triangles[:, corner], np.minimum(np.minimum(own[:, 0], own[:, 1]), own[:, 2]))
+    a, b, c = claim[triangles.T]
+    beaten = np.minimum(np.minimum(a, b), c)[:, None] < own
+    target[triangles[beaten]] = -1
     return target
+
+
+def _turns_over(points: Floats, normals: Floats, v: Integers, p: Integers, q: Integers) -> NDArray[np.bool_]:
+    """Return which triangles v, p, q (each (k,)) face away from their normals, or are next to nothing."""
+    facing = np.cross(points[p] - points[v], points[q] - points[v])
+    size = np.linalg.norm(facing, axis=1)
+    mean = normals[v] + normals[p] + normals[q]
+    agree = np.einsum("ij,ij->i", facing, mean) / np.maximum(size * np.linalg.norm(mean, axis=1), 1e-30)
+    one, two = (np.linalg.norm(points[end] - points[v], axis=1) for end in (p, q))
+    longest = np.maximum(one, two)
+    result: NDArray[np.bool_] = (agree < 0.8) | (size < 1e-7) | (size < 0.03 * longest**2)
+    return result
