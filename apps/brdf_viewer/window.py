@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.gl.surface import Drawer, GlSurface
@@ -66,8 +66,7 @@ class ViewerWindow(SuiteWindow):
         self.compare = add(CompareSection())
         self.camera = add(CameraSection())
         self.commands = ViewerCommands(self)
-        self.studio = StudioPanel()
-        self.studio_dock = self.add_panel(mark("Studio"), self.studio, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.studio_dock = self.add_panel(mark("Studio"), QWidget(), Qt.DockWidgetArea.LeftDockWidgetArea)
         self.studio_dock.hide()
         self.close_guards: list[Callable[[], bool]] = []
         for action in self.commands.on_picture:
@@ -81,6 +80,14 @@ class ViewerWindow(SuiteWindow):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()
         self.picture.setFocus()
+
+    @cached_property
+    def studio(self) -> StudioPanel:
+        """The panel of the studio, built at first use: it has a third of the window's widgets."""
+        panel = StudioPanel()
+        self.studio_dock.widget().deleteLater()
+        self.studio_dock.setWidget(panel)
+        return panel
 
     @property
     def drawer(self) -> SceneDrawer | None:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from filelock import FileLock
 
 from brdf_suite.cli.main import main
 from brdf_suite.files.images.environments import write_exr
@@ -27,11 +28,16 @@ def screen() -> None:
 
 
 @pytest.fixture(scope="session")
-def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Photographs of a sphere and of a board."""
-    place = tmp_path_factory.mktemp("simulated") / "session"
-    rig = ["--size", "48x48", "--positions", "4", "--exposures", "3"]
-    assert main(["acquire", str(place), "--simulate", "blue", *rig]) == 0
+def session(cache_folder: Path) -> Path:
+    """Photographs of a sphere and of a board: made once for all workers, which only copy them."""
+    place = cache_folder / "tests" / "session"
+    place.parent.mkdir(parents=True, exist_ok=True)
+    with FileLock(f"{place}.lock"):
+        if not place.exists():
+            made = place.with_name("session in work")
+            rig = ["--size", "48x48", "--positions", "4", "--exposures", "3"]
+            assert main(["acquire", str(made), "--simulate", "blue", *rig]) == 0
+            made.rename(place)
     return place
 
 

@@ -20,6 +20,8 @@ from shiboken6 import isValid
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.lighting.procedural import sky, studio
+from brdf_suite.pipeline import environments
 from brdf_suite.realtime.environment import textures
 from brdf_suite.realtime.pictures.renderer import Renderer
 
@@ -186,6 +188,10 @@ def main() -> int:
     # Nothing is looked at: one sample a pixel is drawn in a quarter of the time, and lights without mip levels sooner.
     Renderer.render.__defaults__ = (0,)
     textures.MIPMAPPED_FROM = 4096
+    # Studios and skies of fewer rows: plain numpy filters each new one of them for seconds.
+    for draw in (studio, sky):
+        draw.__defaults__ = (128, *draw.__defaults__[1:])
+    environments.DRAFT_ROWS = 64
     # Another program would stay open; each is walked through on its own.
     QProcess.startDetached = lambda _program, arguments: (started.append(arguments), (True, 0))[1]
     walk = {"designer": designer, "viewer": viewer, "lobes": lobes, "swatch": swatch}[name](Path(folder))

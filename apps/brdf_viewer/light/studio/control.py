@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ from brdf_viewer.light.studio import edits
 from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
 from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings
 from brdf_viewer.light.studio.live_light import LiveLight
+from brdf_viewer.light.studio.panel import StudioPanel
 from brdf_viewer.light.studio.places import point_at, polar
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
@@ -43,7 +44,6 @@ class StudioControl(ViewerFeature):
     ) -> None:
         super().__init__(state, window)
         self._scene = scene
-        self._panel = window.studio
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
         self.files = StudioFiles(self.store, FORMAT, dialogs, self)
         report = partial(self._report, key="autosave")
@@ -62,7 +62,8 @@ class StudioControl(ViewerFeature):
         window.busy_cancelled.connect(self._cancelled)
         window.close_guards.append(self.may_close)
         self._connect_document()
-        self._connect_panel()
+        window.environment.edit.clicked.connect(self.edit)
+        window.studio_dock.visibilityChanged.connect(lambda visible: visible and self._panel)
         self._add_commands()
         self._contents_changed()
         offer_recovery(
@@ -137,6 +138,7 @@ class StudioControl(ViewerFeature):
         self._show()
 
     def _show_panel(self) -> None:
+        _ = self._panel  # built before the dock is shown, which takes its width
         self._window.studio_dock.show()
         self._window.studio_dock.raise_()
 
@@ -149,12 +151,13 @@ class StudioControl(ViewerFeature):
         self._state.contents_changed.connect(self._contents_changed)
         self._state.view_changed.connect(lambda _old, new: self._show_editable(new))
 
-    def _connect_panel(self) -> None:
-        panel, store = self._panel, self.store
+    @cached_property
+    def _panel(self) -> StudioPanel:
+        """The window's panel, connected; without an open studio it keeps the state in which it is built."""
+        panel, store = self._window.studio, self.store
         panel.new_requested.connect(self.new)
         for signal, slot in (
             (panel.edit.clicked, self.edit),
-            (self._window.environment.edit.clicked, self.edit),
             (panel.save.clicked, self.files.save),
             (panel.save_as.clicked, self.files.save_as),
             (panel.undo.clicked, store.undo),
@@ -185,6 +188,7 @@ class StudioControl(ViewerFeature):
         panel.preview.picked.connect(self._choose)
         panel.preview.dragged.connect(self._drag)
         panel.preview.scaled.connect(self._scale)
+        return panel
 
     def _add_commands(self) -> None:
         window, menu = self._window, self._window.commands.studio
@@ -297,7 +301,8 @@ class StudioControl(ViewerFeature):
         if self._open and present is not None and present.key == str(self.store.path) and self.store.is_clean:
             self._shown = present.value  # read from the file that holds the same
         self._show_editable(self._state.view)
-        self._panel.relight.setVisible(not self.is_lit())
+        if self._open:
+            self._panel.relight.setVisible(not self.is_lit())
 
     def _show_editable(self, view: View) -> None:
         key = view.environment
@@ -309,15 +314,17 @@ class StudioControl(ViewerFeature):
         return present is not None and present.value is self._shown
 
     def _show(self) -> None:
-        self._panel.set_light(self.store.value if self._open else None, self._index)
-        self._panel.relight.setVisible(self._open and self._shown is not None and not self.is_lit())
+        if self._open:
+            self._panel.set_light(self.store.value, self._index)
+            self._panel.relight.setVisible(self._shown is not None and not self.is_lit())
         self._show_state()
 
     def _show_state(self) -> None:
         where = tr("Not saved to a file yet") if self.store.path is None else self.store.path.name
         changed = "" if self.store.is_clean else ", " + tr("changed") if self.store.path is not None else ""
         stack = self.store.stack
-        self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())
+        if self._open:
+            self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())
         for action in (self._save, self._save_as):
             action.setEnabled(self._open)
 
