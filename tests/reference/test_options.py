@@ -85,12 +85,14 @@ def test_a_denoiser_that_is_not_there_is_reported_before_the_work(variant, tmp_p
     assert "NVIDIA" in capsys.readouterr().err
 
 
-def test_progress_can_be_followed_by_a_program(variant, tmp_path: Path, monkeypatch, capsys) -> None:
+def test_progress_can_be_followed_by_a_program(
+    variant, small_light: str, tmp_path: Path, monkeypatch, capsys
+) -> None:
     """Lines of JSON, as of every export, while standard input stays open."""
     reading, writing = os.pipe()
     with os.fdopen(reading) as stream, os.fdopen(writing, "w"):
         monkeypatch.setattr("sys.stdin", stream)
-        assert main([*WORDS, "-o", str(tmp_path / "a.png"), "--follow"]) == 0
+        assert main([*WORDS, "-o", str(tmp_path / "a.png"), "--environment", small_light, "--follow"]) == 0
     steps = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
     assert steps[-1]["fraction"] == 1.0
     assert (tmp_path / "a.png").exists()

@@ -17,7 +17,11 @@ from brdf_suite.tracing.reference.picture import render_reference
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)
-VIEW = View(surface="sphere", environment="booth")
+
+
+@pytest.fixture(scope="module")
+def view(small_light: str) -> View:
+    return View(surface="sphere", environment=small_light)
 
 
 def numbers(rng: np.random.Generator, passes: int):
@@ -67,34 +71,34 @@ def test_an_estimate_in_a_file_is_the_same_again(tmp_path: Path) -> None:
         read_estimate(path, "key")
 
 
-def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path: Path) -> None:
+def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(view: View, tmp_path: Path) -> None:
     whole, parts = tmp_path / "whole.exr", tmp_path / "parts.exr"
-    render_reference("copper", VIEW, SIZE, whole, samples=32)
+    render_reference("copper", view, SIZE, whole, samples=32)
 
     def cancel(fraction: float, what: str) -> None:
         if "samples" in what and int(what.split()[0]) >= 16:
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        render_reference("copper", VIEW, SIZE, parts, samples=32, progress=cancel)
+        render_reference("copper", view, SIZE, parts, samples=32, progress=cancel)
     assert not parts.exists()
     kept = parts.with_name("parts.exr.part.exr")
     assert kept.exists()
-    picture = render_reference("copper", VIEW, SIZE, parts, samples=32)
+    picture = render_reference("copper", view, SIZE, parts, samples=32)
     assert (picture.samples, picture.resumed_samples) == (32, 16)
     assert not kept.exists()
     np.testing.assert_allclose(read_exr(parts).pixels, read_exr(whole).pixels, rtol=2e-5, atol=1e-6)
     # Another scene does not go on from it; nor does one that is to begin anew.
     with pytest.raises(Cancelled):
-        render_reference("copper", VIEW, SIZE, parts, samples=32, progress=cancel)
-    assert render_reference("blue", VIEW, SIZE, parts, samples=16).resumed_samples == 0
+        render_reference("copper", view, SIZE, parts, samples=32, progress=cancel)
+    assert render_reference("blue", view, SIZE, parts, samples=16).resumed_samples == 0
 
 
-def test_progress_rises_and_states_what_is_left(tmp_path: Path) -> None:
+def test_progress_rises_and_states_what_is_left(view: View, tmp_path: Path) -> None:
     reported: list[tuple[float, str]] = []
     picture = render_reference(
         "copper",
-        VIEW,
+        view,
         SIZE,
         tmp_path / "a.png",
         samples=24,
@@ -108,20 +112,22 @@ def test_progress_rises_and_states_what_is_left(tmp_path: Path) -> None:
     assert 0.0 < picture.noise < 2.0
 
 
-def test_a_budget_of_time_ends_it(tmp_path: Path) -> None:
+def test_a_budget_of_time_ends_it(view: View, tmp_path: Path) -> None:
     """Whatever the machine does in that time: at least one pass, and no more than were asked for."""
-    picture = render_reference("copper", VIEW, SIZE, tmp_path / "a.png", seconds=0.01, samples=100_000)
+    picture = render_reference("copper", view, SIZE, tmp_path / "a.png", seconds=0.01, samples=100_000)
     assert 1 <= picture.samples < 100_000
 
 
-def test_names_that_no_picture_can_have_are_refused(tmp_path: Path) -> None:
+def test_names_that_no_picture_can_have_are_refused(view: View, tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"\.png or \.exr"):
-        render_reference("copper", VIEW, SIZE, tmp_path / "a.jpg")
+        render_reference("copper", view, SIZE, tmp_path / "a.jpg")
     with pytest.raises(FileError, match="folder does not exist"):
-        render_reference("copper", VIEW, SIZE, tmp_path / "none" / "a.png")
+        render_reference("copper", view, SIZE, tmp_path / "none" / "a.png")
 
 
-def test_a_renderer_that_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
+def test_a_renderer_that_fails_is_reported_and_what_is_there_is_kept(
+    view: View, tmp_path: Path, monkeypatch
+) -> None:
     from brdf_suite.reference import passes
 
     real, count = passes.trace_pass, 0
@@ -138,10 +144,10 @@ def test_a_renderer_that_fails_is_reported_and_what_is_there_is_kept(tmp_path: P
             passes.mi, "render", lambda *_args, **_more: (_ for _ in ()).throw(RuntimeError("out of memory"))
         )
         with pytest.raises(ReferenceUnavailableError, match="out of memory"):
-            render_reference("copper", VIEW, SIZE, tmp_path / "b.png", samples=8)
+            render_reference("copper", view, SIZE, tmp_path / "b.png", samples=8)
     monkeypatch.setattr(passes, "trace_pass", failing)
     with pytest.raises(ReferenceUnavailableError, match="make the picture smaller"):
-        render_reference("copper", VIEW, SIZE, tmp_path / "a.png", samples=64)
+        render_reference("copper", view, SIZE, tmp_path / "a.png", samples=64)
     assert (tmp_path / "a.png.part.exr").exists()
 
 

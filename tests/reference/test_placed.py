@@ -51,6 +51,25 @@ def placed(at, across, down):
     )
 
 
+def test_another_address_of_an_image_compiles_nothing_anew(variant) -> None:
+    """Numpy puts an array wherever there is room; Dr.Jit reads pairs by other instructions from an odd address."""
+    import drjit as dr
+
+    from brdf_suite.reference.scene.place import look_up, texture
+
+    memory = np.zeros(64, np.float32)
+    first = -memory.ctypes.data % 64 // 4
+    where = vectors(np.random.default_rng(1).random((50, 2)), "Point2f")
+    dr.eval(where)
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        for start in (first, first + 4):
+            dr.eval(look_up(texture(memory[start : start + 32].reshape(4, 4, 2)), where))
+        programs = [kernel["hash"] for kernel in dr.kernel_history([dr.KernelType.JIT])]
+    assert len(programs) == 2
+    assert programs[0] == programs[1]
+
+
 def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
     from brdf_suite.reference.flakes import countable as flakes
 

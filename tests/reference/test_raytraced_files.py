@@ -24,8 +24,12 @@ from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)
-VIEW = View(surface="sphere", environment="booth", surface_look=SurfaceLook(ground=True))
 FOUR = Quality(32, 4, 4)
+
+
+@pytest.fixture(scope="module")
+def view(small_light: str) -> View:
+    return View(surface="sphere", environment=small_light, surface_look=SurfaceLook(ground=True))
 
 
 def cancel_at(samples: int):
@@ -56,21 +60,23 @@ def test_sums_in_a_file_are_the_same_again(tmp_path: Path) -> None:
         read_sums(path, "key")
 
 
-def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path: Path, monkeypatch) -> None:
+def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(
+    view: View, tmp_path: Path, monkeypatch
+) -> None:
     from brdf_suite.tracing.raytraced import picture as raytraced
 
     monkeypatch.setattr(raytraced, "PASS_SECONDS", 0.0)  # a sample a pass
     whole, parts = tmp_path / "whole.exr", tmp_path / "parts.exr"
-    render_raytraced("copper", VIEW, SIZE, whole, quality=FOUR, samples=6)
+    render_raytraced("copper", view, SIZE, whole, quality=FOUR, samples=6)
     kept = tmp_path / "parts.exr.raytraced.part.exr"
     with pytest.raises(Cancelled):
-        render_raytraced("copper", VIEW, SIZE, parts, quality=FOUR, samples=6, progress=cancel_at(3))
+        render_raytraced("copper", view, SIZE, parts, quality=FOUR, samples=6, progress=cancel_at(3))
     assert kept.exists()
     assert not parts.exists()
     reported: list[tuple[float, str]] = []
     made = render_raytraced(
         "copper",
-        VIEW,
+        view,
         SIZE,
         parts,
         quality=FOUR,
@@ -87,13 +93,13 @@ def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path:
     # Another scene, or one that is to begin anew, does not go on from it.
     for paint, fresh in (("blue", False), ("copper", True)):
         with pytest.raises(Cancelled):
-            render_raytraced("copper", VIEW, SIZE, parts, quality=FOUR, progress=cancel_at(2))
-        assert render_raytraced(paint, VIEW, SIZE, parts, quality=FOUR, fresh=fresh).resumed_samples == 0
+            render_raytraced("copper", view, SIZE, parts, quality=FOUR, progress=cancel_at(2))
+        assert render_raytraced(paint, view, SIZE, parts, quality=FOUR, fresh=fresh).resumed_samples == 0
 
 
-def test_a_budget_of_time_ends_it_after_a_pass(tmp_path: Path) -> None:
+def test_a_budget_of_time_ends_it_after_a_pass(view: View, tmp_path: Path) -> None:
     made = render_raytraced(
-        "copper", VIEW, SIZE, tmp_path / "a.png", quality=FOUR, seconds=1e-3, samples=100_000
+        "copper", view, SIZE, tmp_path / "a.png", quality=FOUR, seconds=1e-3, samples=100_000
     )
     assert 1 <= made.samples < 100_000
     with Image.open(made.path) as picture:
@@ -101,14 +107,14 @@ def test_a_budget_of_time_ends_it_after_a_pass(tmp_path: Path) -> None:
         assert "ray-traced with 32 lights" in picture.info["Description"]
 
 
-def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
+def test_what_fails_is_reported_and_what_is_there_is_kept(view: View, tmp_path: Path, monkeypatch) -> None:
     from brdf_suite.reference.raytraced import frames
     from brdf_suite.tracing.raytraced import picture as raytraced
 
     with pytest.raises(FileError, match=r"\.png or \.exr"):
-        render_raytraced("copper", VIEW, SIZE, tmp_path / "a.jpg")
+        render_raytraced("copper", view, SIZE, tmp_path / "a.jpg")
     with pytest.raises(FileError, match="folder does not exist"):
-        render_raytraced("copper", VIEW, SIZE, tmp_path / "none" / "a.png")
+        render_raytraced("copper", view, SIZE, tmp_path / "none" / "a.png")
     monkeypatch.setattr(raytraced, "PASS_SECONDS", 0.0)
     real, calls = frames.trace, []
 
@@ -120,7 +126,7 @@ def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkey
 
     monkeypatch.setattr(frames, "trace", failing)
     with pytest.raises(ReferenceUnavailableError, match=r"no more memory.*smaller picture"):
-        render_raytraced("copper", VIEW, SIZE, tmp_path / "a.png", quality=FOUR)
+        render_raytraced("copper", view, SIZE, tmp_path / "a.png", quality=FOUR)
     assert (tmp_path / "a.png.raytraced.part.exr").exists()
 
     def huge(_size):
@@ -129,14 +135,14 @@ def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkey
     with monkeypatch.context() as patched:
         patched.setattr(raytraced, "Film", huge)
         with pytest.raises(ReferenceUnavailableError, match="not enough memory to trace 24 × 20"):
-            render_raytraced("copper", VIEW, SIZE, tmp_path / "c.png", quality=FOUR)
+            render_raytraced("copper", view, SIZE, tmp_path / "c.png", quality=FOUR)
 
     def wrong(*_args, **_more):
         raise RuntimeError("in a loop") from TypeError("a fault of the program")
 
     monkeypatch.setattr(frames, "trace", wrong)
     with pytest.raises(RuntimeError, match="in a loop"):
-        render_raytraced("copper", VIEW, SIZE, tmp_path / "b.png", quality=FOUR)
+        render_raytraced("copper", view, SIZE, tmp_path / "b.png", quality=FOUR)
 
 
 def test_remaining_time_is_reported_as_a_person_would() -> None:
@@ -145,8 +151,8 @@ def test_remaining_time_is_reported_as_a_person_would() -> None:
 
 
 @pytest.mark.parametrize("renderer", ["raytraced", "reference"])
-def test_a_turntable_goes_on_from_its_finished_frames(tmp_path: Path, renderer) -> None:
-    view = View(environment="sunny", exposure_mode="automatic")
+def test_a_turntable_goes_on_from_its_finished_frames(small_light: str, tmp_path: Path, renderer) -> None:
+    view = View(environment=small_light, exposure_mode="automatic")
     folder, turn, budget = tmp_path / "turn", Turn(3), Budget("fast", 1)
 
     def stop(_share: float, what: str) -> None:
@@ -174,10 +180,11 @@ def test_a_turntable_goes_on_from_its_finished_frames(tmp_path: Path, renderer) 
         write_traced_turntable(renderer, "copper", view, SIZE, folder, turn, budget)
 
 
-def test_the_command(tmp_path: Path, capsys) -> None:
+def test_the_command(small_light: str, tmp_path: Path, capsys) -> None:
     target = tmp_path / "a.png"
     words = ["render", "copper", "-o", str(target), "--renderer", "raytraced", "--size", "24x20"]
-    words += ["--mesh", "sphere"]
+    light = ["--mesh", "sphere", "--environment", small_light]
+    words += light
     assert main([*words, "--quality", "fast", "--json"]) == 0
     facts = json.loads(capsys.readouterr().out)
     assert (facts["lights"], facts["reflections"], facts["samples"]) == (16, 1, 1)
@@ -193,7 +200,7 @@ def test_the_command(tmp_path: Path, capsys) -> None:
     for renderer, option in (("realtime", "--quality"), ("reference", "--quality")):
         assert main(["render", "copper", "-o", str(target), "--renderer", renderer, option, "fast"]) == 1
         assert f"With --renderer {renderer} there is no {option}" in capsys.readouterr().err
-    turntable = ["turntable", "copper", "-o", str(tmp_path / "t"), "--size", "24x20", "--mesh", "sphere"]
+    turntable = ["turntable", "copper", "-o", str(tmp_path / "t"), "--size", "24x20", *light]
     assert main([*turntable, "--fresh"]) == 1
     assert "there is no --fresh" in capsys.readouterr().err
     turned = [*turntable, "--renderer", "raytraced", "--quality", "fast", "--frames", "2", "--json"]

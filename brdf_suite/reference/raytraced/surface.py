@@ -15,6 +15,7 @@ import numpy.typing as npt
 
 from brdf_suite.reference.bsdfs.directions import Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.scene.place import aligned
 
 EPSILON = 1.5e-4
 """Of a place's distance from the origin, and of its ray's length: how far off the surface rays begin."""
@@ -69,17 +70,16 @@ class Surface:
     def __init__(self, arrays: SurfaceArrays) -> None:
         mesh = mi.Mesh("surface", len(arrays.positions), len(arrays.triangles))
         values = mi.traverse(mesh)
-        values["vertex_positions"] = np.ascontiguousarray(arrays.positions).ravel()
-        values["faces"] = np.ascontiguousarray(arrays.triangles).ravel()
+        values["vertex_positions"] = aligned(arrays.positions).ravel()
+        values["faces"] = aligned(arrays.triangles, np.uint32).ravel()
         values.update()
         # Without it some rays slip through between two triangles, and a black dot is left of them.
         watertight = {"embree_use_robust_intersections": True}
         self._scene = mi.load_dict({"type": "scene", "surface": mesh, **watertight})
         self._positions, self._normals, self._uvs = (
-            mi.Float(np.ascontiguousarray(a, np.float32).ravel())
-            for a in (arrays.positions, arrays.normals, arrays.uvs)
+            mi.Float(aligned(a).ravel()) for a in (arrays.positions, arrays.normals, arrays.uvs)
         )
-        self._triangles = mi.UInt32(np.ascontiguousarray(arrays.triangles).ravel())
+        self._triangles = mi.UInt32(aligned(arrays.triangles, np.uint32).ravel())
         self._materials = mi.UInt32(np.ascontiguousarray(arrays.materials))
         dr.eval(self._positions, self._normals, self._uvs, self._triangles, self._materials)
 

@@ -148,10 +148,24 @@ class OrangePeelSlopes:
         return (one + back) * number(0.5**0.5 * self.slope)
 
 
+def aligned(values: npt.ArrayLike, kind: type = np.float32) -> npt.NDArray[Any]:
+    """Return a copy of an array whose memory begins at a multiple of 64 bytes.
+
+    Dr.Jit uses numpy's memory as it is, and reads pairs by other instructions where it is not aligned: the same scene
+    would need another program, seconds to compile, wherever chance puts an array.
+    """
+    array = np.asarray(values, kind)
+    whole = np.empty(array.nbytes + 64, np.uint8)
+    first = -whole.ctypes.data % 64
+    found = whole[first : first + array.nbytes].view(kind).reshape(array.shape)
+    found[...] = array
+    return found
+
+
 def texture(image: npt.NDArray[Any], *, repeat: bool = True) -> Any:
     """Return an image (h, w, c) for :func:`look_up`, which is bilinear; its first row is at v = 0."""
     wrap = dr.WrapMode.Repeat if repeat else dr.WrapMode.Clamp
-    tensor = mi.TensorXf(np.ascontiguousarray(image, np.float32))
+    tensor = mi.TensorXf(aligned(image))
     kind: Any = mi.Texture2f
     return kind(tensor, use_accel=False, filter_mode=dr.FilterMode.Linear, wrap_mode=wrap)
 

@@ -20,12 +20,11 @@ from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.geometry.directions import from_horizon
-from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdfs.plugin import make_bsdf
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
-from brdf_suite.reference.scene.place import texture
+from brdf_suite.reference.scene.place import aligned, texture
 
 DEFAULT_DEPTH = 8
 """Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
@@ -146,9 +145,13 @@ def _set_viewpoint(bsdfs: Mapping[str, Any], eye: PinholeCamera, size: tuple[int
 def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     """Return the map (2h + 1, w, 3) whose look-up by Mitsuba is ours of ``radiance`` (h, w, 3)."""
     rows, columns = radiance.shape[:2]
-    theta = np.arange(2 * rows + 1) * (math.pi / (2 * rows))
-    where = direction(np.clip(theta, 1e-9, math.pi - 1e-9)[:, None], column_angles(columns)[None])
-    return np.ascontiguousarray(sample(radiance, where), np.float32)
+    # Beyond a pole lies the same ring, half a turn further.
+    first, last = (np.roll(radiance[ring], columns // 2, 0)[None] for ring in (0, -1))
+    rings = np.concatenate([first, radiance, last])
+    found = np.empty((2 * rows + 1, columns, 3), np.float32)
+    found[1::2] = radiance
+    found[::2] = 0.5 * (rings[:-1] + rings[1:])
+    return found
 
 
 def _turned(rotation_deg: float) -> Any:
@@ -207,7 +210,7 @@ def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
     arrays = {"positions": part.positions, "normals": part.normals, "texcoords": part.uvs}
     for what, array in arrays.items():
         if array is not None:
-            values[f"vertex_{what}"] = np.ascontiguousarray(array, np.float32).ravel()
-    values["faces"] = np.ascontiguousarray(part.triangles, np.uint32).ravel()
+            values[f"vertex_{what}"] = aligned(array).ravel()
+    values["faces"] = aligned(part.triangles, np.uint32).ravel()
     values.update()
     return mesh
