@@ -148,7 +148,7 @@ class OrangePeelSlopes:
         return (one + back) * number(0.5**0.5 * self.slope)
 
 
-def aligned(values: npt.ArrayLike, kind: type = np.float32) -> npt.NDArray[Any]:
+def aligned(values: npt.ArrayLike, kind: npt.DTypeLike = np.float32) -> npt.NDArray[Any]:
     """Return a copy of an array whose memory begins at a multiple of 64 bytes.
 
     Dr.Jit uses numpy's memory as it is, and reads pairs by other instructions where it is not aligned: the same scene
