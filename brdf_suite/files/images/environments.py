@@ -32,12 +32,12 @@ def repair_non_finite(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32],
     Minus infinity, and what is below -:data:`MAX_RADIANCE`, becomes 0.
     """
     notes: list[str] = []
+    if -MAX_RADIANCE <= float(pixels.min()) and float(pixels.max()) <= MAX_RADIANCE:
+        return pixels, notes  # not so where anything is NaN
     is_nan = np.isnan(pixels)
     too_bright = pixels > MAX_RADIANCE
     too_negative = pixels < -MAX_RADIANCE
     missing = is_nan | too_bright | too_negative
-    if not missing.any():
-        return pixels, notes
     repaired = np.where(missing, np.float32(0.0), pixels)
     ceiling = np.float32(max(float(repaired.max()), 65504.0))
     repaired[too_bright] = ceiling
@@ -65,9 +65,9 @@ def repair_non_finite(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32],
 
 def clip_negative(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32], list[str]]:
     """Return pixels (h, w, 3) with negative radiance set to 0, and a note that states how much that was."""
-    negative = pixels < 0.0
-    if not negative.any():
+    if pixels.min() >= 0.0:
         return pixels, []
+    negative = pixels < 0.0
     count, total = int(negative.any(axis=2).sum()), pixels.shape[0] * pixels.shape[1]
     share = "all of them" if count == total else f"{min(100.0 * count / total, 99.0):.2g} %"
     lowest = float(pixels.min())
@@ -153,7 +153,7 @@ def read_environment_image(path: PathLike) -> ImageData:
     height, width = pixels.shape[:2]
     if min(height, width) < MIN_SIDE:
         raise FileError(path, f"is {width} × {height} pixels, too small for an environment")
-    if np.isnan(pixels).all():
+    if np.isnan(pixels[0, 0]).all() and np.isnan(pixels).all():
         raise FileError(path, "holds no number (NaN) in any pixel; there is nothing to repair it from")
     pixels, repairs = repair_non_finite(pixels)
     # Files hold chromaticities as float32 or as text: four digits decide.

@@ -178,7 +178,10 @@ def _to_float(rgbe: NDArray[np.uint8]) -> NDArray[np.float32]:
     exponents = np.arange(256, dtype=np.float64) - 136.0
     scales = np.exp2(exponents).astype(np.float32)
     scales[0] = 0.0
-    result: NDArray[np.float32] = (rgbe[..., :3] + np.float32(0.5)) * scales[rgbe[..., 3]][..., None]
+    scale = scales[rgbe[..., 3]]
+    result = np.empty((*scale.shape, 3), np.float32)
+    for channel in range(3):  # a product of rows of three numbers takes several times as long
+        np.multiply(rgbe[..., channel] + np.float32(0.5), scale, out=result[..., channel])
     return result
 
 

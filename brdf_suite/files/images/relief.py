@@ -22,8 +22,8 @@ IMAGE_ENDINGS = (".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".tga
 
 LARGEST_SIDE = 4096
 """Texels; a larger image is averaged down by a whole number."""
-_STRIP_PIXELS = 1 << 21
-"""Pixels that are worked on at once: as numbers, all of a large map would take gigabytes."""
+_STRIP_PIXELS = 1 << 16
+"""Pixels that are worked on at once: as numbers, all of a large map would take gigabytes, and few stay in the cache."""
 _STEEPEST = 20.0
 _EXR = b"\x76\x2f\x31\x01"
 _SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}

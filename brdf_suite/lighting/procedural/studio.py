@@ -49,7 +49,7 @@ def studio(
     def radiance(toward: Floats) -> Floats:
         light = room.radiance(toward) if room is not None else np.broadcast_to(plain, toward.shape).copy()
         for lamp, middle, cosine in cones:
-            near = toward @ middle >= cosine
+            near = np.nonzero(toward @ middle >= cosine)
             covered, bright = lamp.seen(toward[near])
             share = covered[:, None]
             light[near] = light[near] * (1.0 - share) + bright[:, None] * share * lamp.colour
