@@ -99,6 +99,13 @@ def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, F
     """Merge strata within reach of a brighter one, while the merged extent stays small."""
     luminous = energy @ LUMINANCE
     rest = np.argsort(-luminous, kind="stable").tolist()
+    towards = moments / np.maximum(np.linalg.norm(moments, axis=1, keepdims=True), 1e-300)
+    reach = _NEAR + np.sqrt(spread2)
+
+    def near(moment: Floats) -> list[bool]:
+        apart = np.linalg.norm(towards - moment / np.linalg.norm(moment), axis=1)
+        return [bool(item) for item in apart <= reach]
+
     out: list[tuple[Floats, Floats, float]] = []
     while rest:
         first = rest.pop(0)
@@ -106,11 +113,9 @@ def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, F
             break
         light, moment = energy[first].copy(), moments[first].copy()
         square = float(luminous[first] * spread2[first])
+        within = near(moment)
         for other in list(rest):
-            if luminous[other] <= 0.0:
-                continue
-            own, its = moment / np.linalg.norm(moment), moments[other] / np.linalg.norm(moments[other])
-            if float(np.linalg.norm(own - its)) > _NEAR + float(np.sqrt(spread2[other])):
+            if luminous[other] <= 0.0 or not within[other]:
                 continue
             both = float(light @ LUMINANCE + luminous[other])
             between = max(1.0 - float(np.linalg.norm(moment + moments[other])) / both, 0.0)
@@ -121,6 +126,7 @@ def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, F
             moment += moments[other]
             square += float(luminous[other] * spread2[other])
             rest.remove(other)
+            within = near(moment)
         whole = float(light @ LUMINANCE)
         own_spread = max(1.0 - float(np.linalg.norm(moment)) / whole, square / whole)
         out.append((light, moment, own_spread))
