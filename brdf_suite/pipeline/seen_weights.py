@@ -19,6 +19,7 @@ import logging
 import threading
 import weakref
 from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -61,14 +62,12 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
     from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     sphere = mirror_harmonics()
-    columns = tuple(_columns(exponents))
+    columns, systems = tuple(_columns(exponents)), _systems(exponents, sphere.lobes)
     turns = _TURNS if differs_with_azimuth(reflectance) else 1
     squares, products, targets, means = [], [], [], []
-    for place in PLACES:
+    for place, system in zip(PLACES, systems, strict=True):
         cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
         wanted = sphere.analyse(_gathered(reflectance, sphere.lights(cosine), cosine, turns))
-        turned, sharpness, amplitude = _look_ups(columns, exponents, place, cosine)
-        system = sphere.lobes(turned, sharpness) * amplitude
         # What is dark at its angle counts as much as what is bright at another.
         brightness = max(float((wanted**2).sum(axis=0).mean()), 1e-300)
         squares.append(system.T @ system / brightness)
@@ -86,6 +85,17 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
     for weights, (of_columns, mean) in zip(found, means, strict=True):
         weights *= mean / np.maximum(of_columns @ weights, 1e-300)
     return _on_the_ramp(found, columns, len(exponents))
+
+
+@lru_cache(maxsize=1)
+def _systems(exponents: tuple[float, ...], lobes: Callable[[Floats, Floats], Floats]) -> list[Floats]:
+    """Return for each of the places the coefficients (k, columns) of all look-ups, which no reflectance changes."""
+    found = []
+    for place in PLACES:
+        cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
+        turned, sharpness, amplitude = _look_ups(tuple(_columns(exponents)), exponents, place, cosine)
+        found.append(lobes(turned, sharpness) * amplitude)
+    return found
 
 
 def _columns(exponents: tuple[float, ...]) -> Iterator[_Column]:

@@ -63,7 +63,7 @@ def dialogs() -> ScriptedDialogs:
 
 
 @pytest.fixture
-def designer(qtbot, dialogs, monkeypatch) -> Designer:
+def own_designer(qtbot, dialogs, monkeypatch) -> Designer:
     """Designer, shown, with its plot there; placeholders stand for the small pictures, which need a process."""
     monkeypatch.setattr(pictures, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: dialogs)
@@ -72,6 +72,12 @@ def designer(qtbot, dialogs, monkeypatch) -> Designer:
     qtbot.waitUntil(lambda: designer.window.plot.is_built)
     yield designer
     designer.close()
+
+
+@pytest.fixture
+def designer(own_designer) -> Designer:
+    """The same; a module whose tests need no Designer of their own puts :func:`program` in its place."""
+    return own_designer
 
 
 @pytest.fixture(scope="module")

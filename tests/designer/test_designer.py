@@ -21,6 +21,18 @@ from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.instruments.glossmeter import total_gloss
 
 
+@pytest.fixture
+def designer(program) -> Designer:
+    """The Designer of the module: a window of its own for each test would take most of the time."""
+    return program
+
+
+@pytest.fixture
+def dialogs(asked) -> object:
+    """What its questions for files are answered with."""
+    return asked
+
+
 def action(designer, path: str):
     return dict(commands(designer.window))[path]
 
@@ -86,12 +98,12 @@ def test_a_typed_number_moves_slider_patch_curve_and_readouts(designer):
     assert "40.0" in window.patches.patches[1].numbers.text()
 
 
-def test_undo_by_keyboard_reaches_the_document_from_a_number_field(designer, qtbot):
-    number = field(designer, 2, 1)
+def test_undo_by_keyboard_reaches_the_document_from_a_number_field(own_designer, qtbot):
+    number = field(own_designer, 2, 1)
     type_in(number, "12")
     number.setFocus()
     QTest.keySequence(number, "Ctrl+Z")
-    assert designer.store.value == load_shipped_paint("blue")
+    assert own_designer.store.value == load_shipped_paint("blue")
     assert number.value() == 8.0
 
 
@@ -266,10 +278,10 @@ def test_save_and_reopen_give_the_identical_paint(designer, dialogs, tmp_path):
 
 
 @pytest.mark.parametrize("answer", list(Answer))
-def test_closing_asks_about_unsaved_changes(designer, dialogs, tmp_path, own_session, answer):
-    type_in(field(designer, 0, 0), "70")
+def test_closing_asks_about_unsaved_changes(own_designer, dialogs, tmp_path, own_session, answer):
+    type_in(field(own_designer, 0, 0), "70")
     dialogs.answer, dialogs.path = answer, tmp_path / "saved"
-    closed = designer.window.close()
+    closed = own_designer.window.close()
     assert dialogs.asked == ["Blue"]
     assert closed == (answer is not Answer.CANCEL)
     assert (tmp_path / "saved.brdfpaint").exists() == (answer is Answer.SAVE)
@@ -343,18 +355,18 @@ def test_make_solid(designer):
     assert designer.window.status.cell("Flop index").text() == "Flop 0.0, achieved 0.0"
 
 
-def test_every_edit_reaches_the_other_programs(designer, qtbot):
+def test_every_edit_reaches_the_other_programs(own_designer, qtbot):
     other = LiveLink("viewer")
     heard = []
     other.received.connect(lambda topic, value: heard.append((topic, value)))
     other.start()
     qtbot.waitUntil(lambda: bool(heard))
-    assert paint_from_json(heard[-1][1]) == designer.store.value
-    assert designer.window.status.cell("Link").text() == "Connected: Viewer"
-    type_in(field(designer, 1, 0), "44")
+    assert paint_from_json(heard[-1][1]) == own_designer.store.value
+    assert own_designer.window.status.cell("Link").text() == "Connected: Viewer"
+    type_in(field(own_designer, 1, 0), "44")
     qtbot.waitUntil(lambda: paint_from_json(heard[-1][1]).lab_at(45.0)[0] == 44.0)
     other.close()
-    qtbot.waitUntil(lambda: designer.window.status.cell("Link").text() == "Not connected")
+    qtbot.waitUntil(lambda: own_designer.window.status.cell("Link").text() == "Not connected")
 
 
 def test_every_control_has_a_name_for_a_screen_reader(designer):

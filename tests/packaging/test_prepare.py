@@ -5,6 +5,7 @@ Real installations run in small projects without network access: their only pack
 
 from __future__ import annotations
 
+import ensurepip
 import importlib
 import os
 import shlex
@@ -150,8 +151,11 @@ def project(checkout: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture(scope="session")
 def pip(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the packages of a new environment: pip, compiled."""
+    """Return the packages of a new environment: pip, from the wheel that Python brings where it brings one."""
     folder = tmp_path_factory.mktemp("pip")
+    for wheel in (Path(ensurepip.__file__).parent / "_bundled").glob("pip-*.whl"):
+        shutil.unpack_archive(wheel, folder, "zip")
+        return folder
     subprocess.run([sys.executable, "-m", "venv", folder], check=True)
     return Path(sysconfig.get_path("purelib", "venv", {"base": str(folder)}))
 

@@ -27,6 +27,7 @@ from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
 from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour, Colours
+from brdf_designer.window.focus_order import Ordered
 from brdf_designer.window.widgets import set_font
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
@@ -257,7 +258,7 @@ class AngleEditor(QWidget):
             field.set_value(value)
 
 
-class AngleEditors(QWidget):
+class AngleEditors(QWidget, Ordered):
     """An :class:`AngleEditor` for each measurement, in the order in which they are shown."""
 
     def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
-from typing import Protocol, runtime_checkable
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.window.section import Section
@@ -12,12 +11,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 
-@runtime_checkable
-class Ordered(Protocol):
-    """A part that knows better than the order in which its widgets were made."""
+class Ordered:
+    """Base of a part that knows better than the order in which its widgets were made."""
 
     def focus_order(self) -> Sequence[QWidget]:
         """Return what Tab stops at, one after the other."""
+        raise NotImplementedError
 
 
 def order_focus(parts: Sequence[QWidget]) -> None:

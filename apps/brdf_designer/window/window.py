@@ -78,9 +78,8 @@ class DesignerWindow(SuiteWindow):
         self.lower_split.setSizes([560, 400])
 
     def complete(self) -> None:
-        """Settle what depends on every part: letters of the menus, order of the focus, size and place of the panels."""
+        """Settle what depends on every part: letters of the menus, size and place of the panels."""
         give_letters(tuple(self.menus.values()))
-        self.order_focus()
         self.restore_layout()
 
     # What the controller shows.

@@ -88,7 +88,7 @@ class MirrorHarmonics:
 
     def analyse(self, values: Floats) -> Floats:
         """Return the coefficients (k, 3) of values (rings, 48, 3), times √C_l; the first is that of the mean."""
-        orders = np.einsum("gpc,pm->mgc", values, self._cosines)
+        orders = np.tensordot(self._cosines, values, axes=(0, 1))
         broad = np.einsum("lmg,mgc->lmc", self._broad, orders, optimize=True)
         sharp = np.einsum(
             "lmg,mgc->lmc", self._sharp, orders[: SHARP_ORDERS + 1, : self._near], optimize=True

@@ -6,7 +6,8 @@ between exponents.)
 
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
 once. A new environment of the same sizes is written into the textures that are there. Maps of sharp lobes can wait
-until a material asks for them: those are most of the bytes, and few paints look all of them up.
+until a material asks for them, and their textures with them: those are most of the bytes, and few paints look all of
+them up.
 """
 
 from __future__ import annotations
@@ -114,13 +115,14 @@ _DIFFUSE_EXPONENT = 1.0
 
 @dataclass(frozen=True)
 class _Map:
-    texture: moderngl.TextureCube
+    place: int
+    size: int
     scale: float
 
     @property
     def level(self) -> float:
         # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
-        return math.log2(self.texture.size[0] / 2)
+        return math.log2(self.size / 2)
 
 
 class EnvironmentTextures:
@@ -129,15 +131,16 @@ class EnvironmentTextures:
     Attributes
     ----------
     on_demand
-        Whether a sharp lobe's map is written only when a material first looks it up, for a picture that is drawn
+        Whether a sharp lobe's map gets its texture only when a material first looks it up, for a picture that is drawn
         once, or for the first one; else :meth:`load` writes all, so that no edit waits for one.
     """
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
         self.on_demand = False
+        self._sizes: list[int] = []
+        self._textures: dict[int, moderngl.TextureCube] = {}
         self._unwritten: dict[int, CubeFaces] = {}
-        self._textures: list[moderngl.TextureCube] = []
         self._stack = LobeStack(objects)
         self._diffuse: _Map | None = None
         self._background: _Map | None = None
@@ -161,17 +164,17 @@ class EnvironmentTextures:
         # The same numbers under another scale are the same texture: scales are uniforms.
         distinct = {id(faces.faces): faces for faces in whole}
         sizes = [faces.size for faces in distinct.values()]
-        if sizes != [texture.size[0] for texture in self._textures]:
+        if sizes != self._sizes:
             self._release_cubes()
-            self._textures = [self._objects.cube(size) for size in sizes]
-        self._unwritten = dict(zip((t.glo for t in self._textures), distinct.values(), strict=True))
+            self._sizes = sizes
+        self._unwritten = dict(enumerate(distinct.values()))
         shared = {id(maps.diffuse.faces), id(maps.background.faces)}
-        for texture, identity in zip(self._textures, distinct, strict=True):
+        for place, identity in enumerate(distinct):
             if identity in shared or not self.on_demand:
-                self._write(texture)
+                self._written(place)
         self._stack.load(sorted(broad.items()))
-        texture_of = dict(zip(distinct, self._textures, strict=True))
-        diffuse, background, *others = (_Map(texture_of[id(faces.faces)], faces.scale) for faces in whole)
+        places = {identity: place for place, identity in enumerate(distinct)}
+        diffuse, background, *others = (_Map(places[id(f.faces)], f.size, f.scale) for f in whole)
         self._diffuse, self._background = diffuse, background
         self._sharp = dict(zip(sharp, others, strict=True))
         self.exponents = maps.exponents
@@ -180,19 +183,20 @@ class EnvironmentTextures:
 
     def write_rest(self) -> None:
         """Write the maps that no material has looked up yet."""
-        for texture in self._textures:
-            self._write(texture)
+        for place in range(len(self._sizes)):
+            self._written(place)
 
     def bind(self) -> None:
         """Bind what all materials share and switch filtering across the edges of faces on."""
         self._objects.context.enable_direct(_SEAMLESS)
         if self._diffuse is not None and self._background is not None:
-            self._diffuse.texture.use(DIFFUSE_UNIT)
-            self._background.texture.use(BACKGROUND_UNIT)
+            background = self._textures[self._background.place]
+            self._textures[self._diffuse.place].use(DIFFUSE_UNIT)
+            background.use(BACKGROUND_UNIT)
             self._stack.use(STACK_UNIT)
             # Whatever a material does not look up must be bound to something of its kind all the same.
             for unit in range(MAX_SHARP):
-                self._background.texture.use(FIRST_SHARP_UNIT + unit)
+                background.use(FIRST_SHARP_UNIT + unit)
 
     def uniforms(self) -> dict[str, object]:
         """Return what all materials share, by the names of environment.glsl, lobe_stack.glsl and lobes.glsl."""
@@ -212,8 +216,7 @@ class EnvironmentTextures:
         lobes = []
         for unit, exponent in enumerate(exponents):
             own = self._sharp[exponent]
-            self._write(own.texture)
-            own.texture.use(FIRST_SHARP_UNIT + unit)
+            self._written(own.place).use(FIRST_SHARP_UNIT + unit)
             lobes.append((own.scale, own.level, exponent))
         lobes += [(0.0, 0.0, 1.0)] * (MAX_SHARP - len(lobes))
         return {"sharp_lobes": tuple(lobes)}
@@ -224,15 +227,17 @@ class EnvironmentTextures:
         self._stack.release()
 
     def _release_cubes(self) -> None:
-        for texture in self._textures:
+        for texture in self._textures.values():
             self._objects.release(texture)
-        self._textures, self._unwritten = [], {}
+        self._sizes, self._textures, self._unwritten = [], {}, {}
 
-    def _write(self, texture: moderngl.TextureCube) -> None:
-        """Write a texture's map, where that has not been done."""
-        faces = self._unwritten.pop(texture.glo, None)
+    def _written(self, place: int) -> moderngl.TextureCube:
+        """Return the texture of a map, made and written where that has not been done."""
+        if place not in self._textures:
+            self._textures[place] = self._objects.cube(self._sizes[place])
+        texture, faces = self._textures[place], self._unwritten.pop(place, None)
         if faces is None:
-            return
+            return texture
         with graphics_errors(self._objects.context, "loading the environment's maps"):
             for face in range(6):
                 texture.write(face, np.ascontiguousarray(faces.faces[face]))
@@ -242,3 +247,4 @@ class EnvironmentTextures:
                 texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
             else:
                 texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        return texture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from brdf_designer.assembly import Designer
 from brdf_designer.colour.quantity_plot import QuantityPlot
 from brdf_designer.session.edits import PickColour
 from brdf_designer.session.state import GivenColour
@@ -17,6 +18,12 @@ from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance.designed.build import build_paint
+
+
+@pytest.fixture
+def designer(program) -> Designer:
+    """The Designer of the module: a window of its own for each test would take most of the time."""
+    return program
 
 
 def type_in(number, text: str) -> None:
@@ -134,10 +141,10 @@ def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(d
     assert designer.store.value == asked_before
 
 
-def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(designer, qtbot) -> None:
-    window = designer.window
+def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(own_designer, qtbot) -> None:
+    window = own_designer.window
     type_in(window.editors.editors[2].fields[0], "80")
-    asked = designer.store.value
+    asked = own_designer.store.value
     patches = window.patches.patches
     assert patches[2].fit.text().startswith("! fit ΔE00")
     given = patches[2].field.given
@@ -145,7 +152,7 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(designe
     assert given != patches[2].field.grab().toImage().pixelColor(30, 30), (
         "what the fit gives is seen beside what is asked"
     )
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
+    qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
     end, height = strip.width() - 30, strip.height() // 2
     above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
@@ -160,12 +167,12 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(designe
     qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
     window.messages.shown()["nearest"].actions[0][1]()
     fitter = PaintFitter(time_limit_s=60.0)
-    assert fitter.fit(designer.store.value).worst_delta_e < 1.0
+    assert fitter.fit(own_designer.store.value).worst_delta_e < 1.0
     fitter.close()
     assert not any(patch.fit.font().bold() for patch in patches)
-    designer.session.undo()
-    designer.session.undo()
-    assert designer.store.value == asked
+    own_designer.session.undo()
+    own_designer.session.undo()
+    assert own_designer.store.value == asked
 
 
 def test_every_control_says_what_it_is_and_what_its_term_means(designer) -> None:
@@ -193,8 +200,8 @@ def test_every_control_says_what_it_is_and_what_its_term_means(designer) -> None
     assert "travel" in window.editors.flop.fields["lightness"].toolTip().lower()
 
 
-def test_a_time_limit_is_shown_at_every_patch(designer) -> None:
-    patches = designer.window.patches
+def test_a_time_limit_is_shown_at_every_patch(own_designer) -> None:
+    patches = own_designer.window.patches
     given = [GivenColour((50.0, 0.0, 0.0), (119, 119, 119), True)] * 3
     patches.show_differences([0.5, 0.0, 2.0], given, time_limited=True, exact_follows=True)
     assert all("time-limited" in patch.fit.accessibleName() for patch in patches.patches)
@@ -220,47 +227,47 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
     assert designer.window.editors.editors[4].fields[2].suffix() == " °"
 
 
-def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
-    patches, fit = designer.window.patches.patches, designer.window.status.cell("Fit")
+def test_a_colour_that_the_lobes_do_not_reach_stands_out(own_designer, qtbot):
+    patches, fit = own_designer.window.patches.patches, own_designer.window.status.cell("Fit")
     assert not any(patch.fit.font().bold() or patch.fit.text().startswith("!") for patch in patches)
-    dict(commands(designer.window))["Paint ▸ Make Solid From ▸ 45°"].trigger()
+    dict(commands(own_designer.window))["Paint ▸ Make Solid From ▸ 45°"].trigger()
     # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
-    type_in(designer.window.editors.editors[1].fields[0], "90")
+    type_in(own_designer.window.editors.editors[1].fields[0], "90")
     assert [patch.fit.font().bold() for patch in patches] == [False, True, False]
     assert patches[1].fit.text().startswith("! fit ΔE00 ")
     assert "no non-negative sum of the lobes" in patches[1].fit.toolTip()
     assert "no non-negative sum" not in patches[0].fit.toolTip()
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
+    qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     assert fit.text().startswith("! Fit")
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
-    designer.session.undo()
+    own_designer.session.undo()
     assert not any(patch.fit.font().bold() for patch in patches)
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
+    qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     assert not fit.font().bold()
 
 
-def test_the_status_bar_shows_target_and_fit(designer, qtbot):
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
-    flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
+def test_the_status_bar_shows_target_and_fit(own_designer, qtbot):
+    qtbot.waitUntil(lambda: own_designer.controller.is_idle)
+    flop, fit = (own_designer.window.status.cell(name) for name in ("Flop index", "Fit"))
     assert flop.text() == "Flop 13.9, achieved 13.9"
     assert fit.text().endswith(", exact")
     rows = fit.toolTip().splitlines()
     assert rows[0] == "15°: target 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
     # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
-    type_in(designer.window.editors.editors[2].fields[0], "55")
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
+    type_in(own_designer.window.editors.editors[2].fields[0], "55")
+    qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     asked, achieved = flop.text().rstrip(" ?").split(", achieved ")
-    lightness = [row.lab_fitted[0] for row in designer.session.fit.readings]
+    lightness = [row.lab_fitted[0] for row in own_designer.session.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
     assert achieved == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
     assert fit.text().startswith("! Fit ΔE00 ≤ ")
-    worst = max(row.delta_e_2000 for row in designer.session.fit.readings)
+    worst = max(row.delta_e_2000 for row in own_designer.session.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
-    given = designer.session.fit.readings[2].lab_fitted
+    given = own_designer.session.fit.readings[2].lab_fitted
     assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
     # Of a paint that cannot be, only what is asked is said.
-    type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")
+    type_in(own_designer.window.coat.panel.fields["gloss.gu_20"], "199")
     assert "achieved" not in flop.text()
     assert fit.text().startswith("(")
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from brdf_designer.assembly import Designer
 from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.export.process import Request, run_export, tolerance_words
 from brdf_designer.export.section import TITLES
@@ -18,6 +19,18 @@ from brdf_suite.documents.paint import Gloss
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.reports.handover import formats, read_paints
+
+
+@pytest.fixture
+def designer(program) -> Designer:
+    """The Designer of the module: a window of its own for each test would take most of the time."""
+    return program
+
+
+@pytest.fixture
+def dialogs(asked) -> object:
+    """What its questions for files are answered with."""
+    return asked
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from brdf_designer.assembly import Designer
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.history.strip import name_lines
 from brdf_qt.documents.open_document import DocumentStore
@@ -15,9 +16,15 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
+def designer(program) -> Designer:
+    """The Designer of the module: a window of its own for each test would take most of the time."""
+    return program
+
+
+@pytest.fixture
 def history(designer, qtbot) -> HistoryControl:
     history = designer.feature(HistoryControl)
-    qtbot.waitUntil(lambda: shown(history) != [])  # filled when the program is idle
+    qtbot.waitUntil(lambda: shown(history) == ["Opened"])  # filled when the program is idle
     return history
 
 
