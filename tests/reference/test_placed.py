@@ -291,6 +291,7 @@ SIZE = (64, 48)
 def pictures(variant, tmp_path_factory):
     """Return radiance of both renderers inside the object, for a view of a sphere in a lamp and soft light."""
     from brdf_suite.output.still import loaded_scene
+    from brdf_suite.reference.passes import trace
     from brdf_suite.tracing.reference.live import LiveReference
 
     live = LiveReference()
@@ -298,11 +299,11 @@ def pictures(variant, tmp_path_factory):
     light = folder / "soft.exr"
     write_exr(light, np.full((16, 32, 3), 0.3, np.float32))
 
-    def both(paint: str, passes: int, **changes):
+    def both(paint: str, samples: int, **changes):
         view = View(environment=str(light), surface="sphere", background="grey", **changes)
         live.show(paint, view, SIZE)
-        for _ in range(passes):
-            estimate = live.step()
+        # Passes of one size: each other size is compiled anew.
+        estimate = trace(live.scene.traced, samples=samples, samples_per_pass=16)
         with loaded_scene(view) as loaded:
             loaded.scene.set_material(fit_material(load_material(paint)))
             drawn = loaded.scene.renderer.linear_image(loaded.composed(view, SIZE), SIZE)
@@ -319,8 +320,8 @@ def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> Non
     both, _ = pictures
     lamps = (Lamp("directional", azimuth_deg=60.0, elevation_deg=40.0, strength=2.0),)
     near = {"camera": Camera(35.0, 10.0, 0.8, None, 200.0), "lamps": lamps}
-    drawn, traced, inside, notices = both("coarse_silver", 6, **near)
-    smooth, mean, _, _ = both("coarse_silver", 6, **near, sparkle=Sparkle("off"))
+    drawn, traced, inside, notices = both("coarse_silver", 48, **near)
+    smooth, mean, _, _ = both("coarse_silver", 48, **near, sparkle=Sparkle("off"))
     sparkles, found = (drawn - smooth)[inside], (traced - mean)[inside]
     assert sparkles.std() > 0.02
     assert np.corrcoef(sparkles, found)[0, 1] > 0.8
@@ -342,7 +343,7 @@ def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> Non
     mask[:, 8:] = 255
     write_png(folder / "mask.png", mask)
     drawn, traced, inside, _ = both(
-        "solid_white", 4, two_tone=TwoTone("solid_black", str(folder / "mask.png"), 150.0, "front")
+        "solid_white", 16, two_tone=TwoTone("solid_black", str(folder / "mask.png"), 150.0, "front")
     )
     assert traced[inside].std() > 0.05
     assert np.corrcoef(drawn[inside], traced[inside])[0, 1] > 0.95
@@ -354,8 +355,8 @@ def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> Non
     normals = -slopes / np.linalg.norm(slopes, axis=-1)[..., None]
     write_png(folder / "normals.png", np.uint8(np.round((normals + 1.0) * 127.5)))
     relief = Relief(str(folder / "normals.png"), 1.0, 60.0)
-    drawn, traced, inside, _ = both("matte_grey", 4, relief=relief, lamps=lamps)
-    plain, _, _, _ = both("matte_grey", 1, lamps=lamps)
+    drawn, traced, inside, _ = both("matte_grey", 16, relief=relief, lamps=lamps)
+    plain, _, _, _ = both("matte_grey", 16, lamps=lamps)
     shapes = (drawn - plain)[inside]
     assert shapes.std() > 0.02
     assert np.corrcoef(shapes, (traced - plain)[inside])[0, 1] > 0.9
@@ -375,7 +376,7 @@ def test_orange_peel_of_the_paint_or_of_the_view_moves_reflections(variant, tmp_
 
     def traced(worn, shown):
         live.show(material_of(worn), shown, (48, 40))
-        for _ in range(5):
+        for _ in range(2):
             estimate = live.step()
         return estimate.radiance[..., 1]
 

@@ -148,16 +148,16 @@ class OrangePeelSlopes:
         return (one + back) * number(0.5**0.5 * self.slope)
 
 
-def aligned(values: npt.ArrayLike, kind: npt.DTypeLike = np.float32) -> npt.NDArray[Any]:
+def aligned(values: npt.ArrayLike, kind: type[np.generic] = np.float32) -> npt.NDArray[Any]:
     """Return a copy of an array whose memory begins at a multiple of 64 bytes.
 
     Dr.Jit uses numpy's memory as it is, and reads pairs by other instructions where it is not aligned: the same scene
     would need another program, seconds to compile, wherever chance puts an array.
     """
-    array = np.asarray(values, kind)
+    array: npt.NDArray[Any] = np.asarray(values, kind)
     whole = np.empty(array.nbytes + 64, np.uint8)
     first = -whole.ctypes.data % 64
-    found = whole[first : first + array.nbytes].view(kind).reshape(array.shape)
+    found: npt.NDArray[Any] = whole[first : first + array.nbytes].view(kind).reshape(array.shape)
     found[...] = array
     return found
 
