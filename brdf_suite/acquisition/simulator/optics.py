@@ -60,6 +60,8 @@ def distort(lens: Lens, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     """Return where an ideal image point is seen, both in focal lengths."""
     r2 = u * u + v * v
     radial = 1.0 + r2 * (lens.k1 + r2 * (lens.k2 + r2 * lens.k3))
+    if lens.p1 == lens.p2 == 0.0:  # as of every simulated lens
+        return u * radial, v * radial
     moved_u = u * radial + 2.0 * lens.p1 * u * v + lens.p2 * (r2 + 2.0 * u * u)
     moved_v = v * radial + lens.p1 * (r2 + 2.0 * v * v) + 2.0 * lens.p2 * u * v
     return moved_u, moved_v
