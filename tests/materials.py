@@ -15,6 +15,7 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.material import load_document, load_material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.reflectance.tensor.tabulate import tabulate
 
 
 def make_materials(folder: Path) -> dict[str, str]:
@@ -27,7 +28,9 @@ def make_materials(folder: Path) -> dict[str, str]:
         "Silver", load_material("table1_polaris_silver").reflectance, FactoringOptions(pairs=4000)
     )
     save_factored(factored, folder / "factored.brdfpaint")
-    write_measured(load_material("satin_blue").reflectance, folder / "satin.bsdf")
+    # Coarse, since every test reads it: one of the full size has 42 MB.
+    satin = tabulate(load_material("satin_blue").reflectance, incidences=24, resolution=64)
+    write_measured(satin, folder / "satin.bsdf")
     write_measured(_scattered(), folder / "samples.astm")
     two = Palette("Two", (Entry(red, id="1"), Entry(silver, id="2")))
     save_palette(two, folder / "two.brdfpalette")

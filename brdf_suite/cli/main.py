@@ -11,7 +11,6 @@ import os
 import sys
 from collections.abc import Container, Sequence
 from importlib import import_module
-from importlib.metadata import version
 
 from brdf_suite.cli import default_action
 from brdf_suite.errors import Cancelled, SuiteError
@@ -98,6 +97,17 @@ class _Rows(argparse.RawDescriptionHelpFormatter):
             self._action_max_length = max(self._action_max_length, width)
 
 
+class _Version(argparse.Action):
+    """Prints the version; what reads it takes as long to import as all else that ``--help`` needs."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        """Print it and end."""
+        from importlib.metadata import version
+
+        print(f"brdf-suite {version('brdf-suite')}")
+        parser.exit()
+
+
 def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
     """Return the parser of the whole command, with the arguments of those commands that are ``wanted``."""
     top = argparse.ArgumentParser(
@@ -106,7 +116,7 @@ def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
         epilog=_EPILOG,
         formatter_class=_Rows,
     )
-    top.add_argument("--version", action="version", version=f"brdf-suite {version('brdf-suite')}")
+    top.add_argument("--version", action=_Version, nargs=0, help="show program's version number and exit")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
     default_action.add(commands)
     for name, (module, summary) in COMMANDS.items():
