@@ -53,7 +53,9 @@ def read_reduced(height: int, width: int, read_rows: ReadRows) -> tuple[NDArray[
         if by > 1:
             cells = block[:, : columns * by].reshape(last - first, by, columns, by, 3)
             with np.errstate(invalid="ignore", over="ignore"):  # repaired and reported with all else
-                block = cells.mean(axis=(1, 3), dtype=np.float32)
+                # Rows first, then columns added one by one: a mean along short axes takes several times as long.
+                summed = cells.sum(axis=1)
+                block = sum(summed[:, :, column] for column in range(by)) / np.float32(by * by)
         result[first:last] = block
     if by == 1:
         return result, ()

@@ -32,7 +32,7 @@ def repair_non_finite(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32],
     Minus infinity, and what is below -:data:`MAX_RADIANCE`, becomes 0.
     """
     notes: list[str] = []
-    if -MAX_RADIANCE <= float(pixels.min()) and float(pixels.max()) <= MAX_RADIANCE:
+    if float(pixels.min()) >= -MAX_RADIANCE and float(pixels.max()) <= MAX_RADIANCE:
         return pixels, notes  # not so where anything is NaN
     is_nan = np.isnan(pixels)
     too_bright = pixels > MAX_RADIANCE
