@@ -37,7 +37,9 @@ def check_reducible(path: PathLike, height: int, width: int, place: str) -> None
     check_made(path, by * width * _BYTES_A_PIXEL, f"{by} rows of {width:,} pixels", place)
 
 
-def read_reduced(height: int, width: int, read_rows: ReadRows) -> tuple[NDArray[np.float32], tuple[str, ...]]:
+def read_reduced(
+    height: int, width: int, read_rows: ReadRows, strip_rows: int = STRIP_ROWS
+) -> tuple[NDArray[np.float32], tuple[str, ...]]:
     """Return an image (h, w, 3) in strips, reduced by :func:`reduction` by the mean of each block, and a note.
 
     Rows and columns that do not fill a block are left out (fewer than the reduction). NaN and infinity go
@@ -46,7 +48,7 @@ def read_reduced(height: int, width: int, read_rows: ReadRows) -> tuple[NDArray[
     by = reduction(height, width)
     rows, columns = height // by, width // by
     result = np.empty((rows, columns, 3), np.float32)
-    strip = max(1, min(STRIP_ROWS, _STRIP_BYTES // (width * _BYTES_A_PIXEL)) // by)
+    strip = max(1, min(strip_rows, _STRIP_BYTES // (width * _BYTES_A_PIXEL)) // by)
     for first in range(0, rows, strip):
         last = min(first + strip, rows)
         block = read_rows(first * by, last * by)
