@@ -57,14 +57,18 @@ def is_closed_outward(positions: NDArray[np.float32], triangles: NDArray[np.inte
     grid = np.rint((positions.astype(np.float64) - low) / step).astype(np.int64)
     size = int(grid.max()) + 1  # 1e5 + 1, so that a place is one number below 2^63
     _, merged = np.unique((grid[:, 0] * size + grid[:, 1]) * size + grid[:, 2], return_inverse=True)
+    triangles = np.asarray(triangles, np.intp)
     corners = merged[triangles]
     count = len(positions)
-    first, second = corners.ravel(), np.roll(corners, -1, axis=1).ravel()
+    first, second = corners.ravel(), corners[:, [1, 2, 0]].ravel()
     real = first != second
     forward, backward = (first * count + second)[real], (second * count + first)[real]
     if not np.array_equal(np.sort(forward), np.sort(backward)):
         return False
     whole, names = connected_components(count, first, second)
-    a, b, c = (positions[triangles].astype(np.float64) - low).transpose(1, 0, 2)
-    volumes = np.bincount(names[corners[:, 0]], np.einsum("ij,ij->i", a, np.cross(b, c)), whole)
-    return bool((volumes[np.unique(names[corners[:, 0]])] > 0.0).all())
+    # Coordinate by coordinate, which takes a fraction of the time of products of rows of three numbers.
+    x, y, z = (column[triangles].T.copy() for column in (positions.astype(np.float64) - low).T.copy())
+    volume = sum(x[i] * (y[i - 2] * z[i - 1] - y[i - 1] * z[i - 2]) for i in range(3))
+    owner = names[corners[:, 0]]
+    volumes = np.bincount(owner, volume, whole)
+    return bool((volumes[np.bincount(owner, minlength=whole) > 0] > 0.0).all())

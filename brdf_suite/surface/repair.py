@@ -147,14 +147,14 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
 def _drawable(raw: RawPart, notes: list[str]) -> Integers:
     """Return the triangles that exist, are finite and have an area."""
     triangles = np.asarray(raw.triangles, dtype=np.int64).reshape(-1, 3)
-    present: Bools = np.all((triangles >= 0) & (triangles < len(raw.positions)), axis=1)
-    if not present.all():
+    if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(raw.positions):
+        present: Bools = np.all((triangles >= 0) & (triangles < len(raw.positions)), axis=1)
         notes.append(f"{raw.name}: left out {_count(~present)} with corners that are not in the file")
         triangles = triangles[present]
     # Beyond 1e12 m single precision has nothing left to draw with.
     sound: Bools = np.all(np.abs(raw.positions) < 1e12, axis=1)
-    finite: Bools = np.all(sound[triangles], axis=1)
-    if not finite.all():
+    if not sound.all() and not sound[triangles].all():
+        finite: Bools = np.all(sound[triangles], axis=1)
         notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
         triangles = triangles[finite]
     a, b, c = (raw.positions[triangles[:, corner]] for corner in range(3))

@@ -213,8 +213,10 @@ def first_hits(triangles: Floats, origins: Floats, direction: Floats) -> tuple[F
 
 def meets_body(origins: Floats, direction: Floats) -> np.ndarray:
     """Return which of a few lines (n, 3) run deeper than 5 mm in the body; few, so that they stay in the cache."""
-    steps = origins[:, None, :] + np.linspace(0.0, 8.0, 801)[:, None] * direction
-    return np.asarray(body(steps[..., 0], steps[..., 1], steps[..., 2]).min(axis=1) < -0.005)
+    steps = np.linspace(0.0, 8.0, 801)
+    # A coordinate that stays is (n, 1): what depends on such alone is computed once a line.
+    x, y, z = (origins[:, [k]] + (steps * direction[k] if direction[k] else 0.0) for k in range(3))
+    return np.asarray(body(x, y, z).min(axis=1) < -0.005)
 
 
 def test_nothing_is_seen_through_the_body(mesh: Mesh) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,17 +20,17 @@ pytestmark = pytest.mark.usefixtures("shared_cache")
 SIZE = (240, 160)
 
 
-@pytest.fixture
-def scene(tmp_path: Path):
-    """A sphere of blue paint, and a function that lights it evenly with a radiance."""
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory: pytest.TempPathFactory):
+    """A sphere of blue paint, and a function that lights it evenly with a radiance; for all tests, without light."""
+    folder = tmp_path_factory.mktemp("lights")
     with OffscreenScene() as scene:
 
         def light(radiance: float) -> None:
-            path = tmp_path / f"{radiance}.exr"
+            path = folder / f"{radiance}.exr"
             write_exr(path, np.full((32, 64, 3), radiance, np.float32))
             scene.set_environment(load_environment(path))
 
-        light(1.0)
         scene.set_surface(load_surface("sphere"))
         scene.set_material(fit_material(load_material("blue")))
         scene.light = light
@@ -67,6 +66,7 @@ def test_pictures_of_the_command_line_are_metered_too(scene) -> None:
 
 
 def test_without_an_object_in_sight_the_exposure_stays(scene) -> None:
+    scene.light(1.0)
     away = View(Camera(distance=1.0, target=(0.0, 500.0, 0.0)), surface="sphere", exposure_mode="automatic")
     assert automatic_ev(scene.renderer, away, SIZE) is None
     assert metered(scene.renderer, replace(away, exposure_ev=0.7), SIZE).exposure_ev == 0.7

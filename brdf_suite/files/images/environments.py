@@ -162,7 +162,8 @@ def read_environment_image(path: PathLike) -> ImageData:
             matrix = rgb_to_working(chromaticities).astype(np.float32)
         except ValueError as error:
             raise FileError(path, f"has unusable primaries: {error}", "attribute chromaticities") from error
-        pixels = pixels @ matrix.T
+        for row in pixels:  # in place: both together may take most of the memory there is
+            row[:] = row @ matrix.T
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
     dark = [] if pixels.any() else ["every pixel is black: nothing is lit by this environment"]

@@ -39,7 +39,7 @@ def read_radiance(
     width, height = sizes[1], sizes[0]
     check_reducible(path, height, width, f"byte {start - len(size_line) - 1}")
     lines = _Lines(path, data, start, height, width, _gain(path, fields))
-    pixels, reduced = read_reduced(height, width, lines.read)
+    pixels, reduced = read_reduced(height, width, lines.read, strip_rows=16)  # few lines stay in the cache
     pixels = _orient(pixels, signs, axes)
     if fields.get("FORMAT") == "32-bit_rle_xyze":
         to_rgb = np.linalg.inv(rgb_to_xyz(REC709)).astype(np.float32)

@@ -195,21 +195,23 @@ class LitRoom:
 
     def radiance(self, toward: Floats) -> Floats:
         """Return the luminance (..., 3) of floor, walls and ceiling in directions from the middle of the scene."""
+        shape = toward.shape
+        toward = toward.reshape(-1, 3)
         with_sign = np.where(toward >= 0.0, self._high, self._low)
         reach = with_sign / np.where(np.abs(toward) < 1e-9, 1e-9, toward)
         distance = np.abs(reach)
         axis = distance.argmin(axis=-1)
-        nearest = np.minimum(np.minimum(distance[..., 0], distance[..., 1]), distance[..., 2])
+        nearest = np.minimum(np.minimum(distance[:, 0], distance[:, 1]), distance[:, 2])
         place = (toward * nearest[..., None] - self._low) / (self._high - self._low)
         channels = self._maps[0].shape[-1]
-        result = np.zeros((*axis.shape, channels))
+        result = np.zeros((len(axis), channels))
         for side in range(3):
             first, second = (side + 1) % 3, (side + 2) % 3
             for upper in (0, 1):
-                here = np.nonzero((axis == side) & ((toward[..., side] >= 0.0) == bool(upper)))
+                here = np.flatnonzero((axis == side) & ((toward[:, side] >= 0.0) == bool(upper)))
                 seen = place[here]
                 result[here] = _bilinear(self._maps[2 * side + upper], seen[:, first], seen[:, second])
-        return np.repeat(result, 3 // channels, axis=-1)
+        return np.repeat(result, 3 // channels, axis=-1).reshape(shape)
 
 
 def _bilinear(values: Floats, u: Floats, v: Floats) -> Floats:

@@ -48,11 +48,12 @@ def studio(
 
     def radiance(toward: Floats) -> Floats:
         light = room.radiance(toward) if room is not None else np.broadcast_to(plain, toward.shape).copy()
+        places, flat = toward.reshape(-1, 3), light.reshape(-1, 3)  # of the same memory
         for lamp, middle, cosine in cones:
-            near = np.nonzero(toward @ middle >= cosine)
-            covered, bright = lamp.seen(toward[near])
+            near = np.flatnonzero(places @ middle >= cosine)
+            covered, bright = lamp.seen(places[near])
             share = covered[:, None]
-            light[near] = light[near] * (1.0 - share) + bright[:, None] * share * lamp.colour
+            flat[near] = flat[near] * (1.0 - share) + bright[:, None] * share * lamp.colour
         return light
 
     note = f"A studio: {description.name}; {len(lamps)} lamps."
