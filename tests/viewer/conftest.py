@@ -6,11 +6,12 @@ import importlib.util
 import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
@@ -254,21 +255,44 @@ def close(controller) -> None:
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
-@pytest.fixture(scope="module")
-def lasting_viewers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Viewer]]:
+def wait_until(callback: Callable[[], object]) -> None:
+    """Wait as ``qtbot`` does, where no test runs."""
+    while not callback():
+        QTest.qWait(10)
+
+
+@pytest.fixture(scope="session")
+def kept_settings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the settings of a lasting Viewer while no test runs."""
+    return tmp_path_factory.mktemp("settings")
+
+
+@pytest.fixture(scope="session")
+def lasting_viewers(kept_settings: Path) -> Iterator[Callable[..., Viewer]]:
     """Return a Viewer as ``start()`` makes it, that a test before may have used: see ``lasting.py``."""
-    folder = tmp_path_factory.mktemp("settings")
 
     def close_apart(controller) -> None:
         with pytest.MonkeyPatch.context() as patch:
-            patch.setenv("BRDF_SUITE_SETTINGS", str(folder))
+            patch.setenv("BRDF_SUITE_SETTINGS", str(kept_settings))
             close(controller)
 
     yield from lasting.lasting_viewers(close_apart)
 
 
+@pytest.fixture(scope="module")
+def at_rest(lasting_viewers, kept_settings: Path, cache_folder: Path) -> Iterator[None]:
+    """Bring the lasting Viewer back after the tests of a module: nothing of it runs on beside those of others."""
+    yield
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("BRDF_SUITE_SETTINGS", str(kept_settings))
+        patch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
+        patch.setattr(Renderer.render, "__defaults__", (0,))
+        coarse_lights(patch)
+        lasting_viewers(None, lambda controller: Viewer(controller, SimpleNamespace(waitUntil=wait_until)))
+
+
 @pytest.fixture
-def viewer(lasting_viewers, qtbot, lights, monkeypatch: pytest.MonkeyPatch) -> Viewer:
+def viewer(lasting_viewers, at_rest, qtbot, lights, monkeypatch: pytest.MonkeyPatch) -> Viewer:
     """A Viewer in the state in which ``start()`` makes it; a test that replaces a part of it starts its own."""
     opened: list = []
     viewer = lasting_viewers(

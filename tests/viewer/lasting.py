@@ -1,4 +1,4 @@
-"""One Viewer for the tests of a module: brought back to its start between them, or replaced where it cannot be.
+"""One Viewer for the tests of a run: brought back to its start between them, or replaced where it cannot be.
 
 To bring a Viewer back takes a fifth of the time of a start. What a user sees of it and what its parts hold is noted
 when it has started, and again before each later test: it is used only where all of that is the same. So no test sees
@@ -258,14 +258,17 @@ def lasting_viewers(close: Callable[[Any], None]) -> Iterator[Callable[..., Any]
     """Yield ``take(start, again)``, which returns a Viewer in its first state.
 
     ``again(controller)`` wraps the one that was used before; ``start()`` starts another where there is none, or where
-    that one could not be brought back.
+    that one could not be brought back. With None for ``start`` no Viewer is returned: that one is brought back, or
+    closed.
     """
     kept: list[LastingViewer] = []
 
-    def take(start: Callable[[], Any], again: Callable[[Any], Any]) -> Any:
+    def take(start: Callable[[], Any] | None, again: Callable[[Any], Any]) -> Any:
         viewer = again(kept[-1].controller) if kept else None
         if viewer is not None and kept[-1].bring_back(viewer):
             close(kept.pop().controller)
+        if start is None:
+            return None
         if not kept:
             viewer = start()
             kept.append(LastingViewer(viewer))

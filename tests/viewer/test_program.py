@@ -113,20 +113,22 @@ def test_a_small_window_keeps_its_picture_and_scrolls_its_inspector(start) -> No
 
 
 @pytest.mark.parametrize("name", ["dark", "booth", "light"])
-def test_every_theme_is_neutral(start, name, qapp) -> None:
-    viewer = start()
+def test_every_theme_is_neutral(viewer, name, qapp) -> None:
     theme.apply(qapp, name, remember=False)
-    QApplication.processEvents()
-    image = viewer.window.environment.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
-    flat = np.frombuffer(image.constBits(), np.uint8).reshape(-1, 4)[:, :3].astype(int)
-    assert np.ptp(flat, axis=1).max() <= 2
-    grey = viewer.window.surround()
-    assert (
-        grey[0]
-        == grey[1]
-        == grey[2]
-        == pytest.approx(theme.grey({"dark": 20, "booth": 50, "light": 85}[name]).redF())
-    )
+    try:
+        QApplication.processEvents()
+        image = viewer.window.environment.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+        flat = np.frombuffer(image.constBits(), np.uint8).reshape(-1, 4)[:, :3].astype(int)
+        assert np.ptp(flat, axis=1).max() <= 2
+        grey = viewer.window.surround()
+        assert (
+            grey[0]
+            == grey[1]
+            == grey[2]
+            == pytest.approx(theme.grey({"dark": 20, "booth": 50, "light": 85}[name]).redF())
+        )
+    finally:
+        theme.apply(qapp, theme.DEFAULT, remember=False)
 
 
 def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp) -> None:

@@ -83,8 +83,7 @@ def test_f1_lists_every_key_and_no_key_is_given_twice(viewer, qtbot) -> None:
 
 
 @pytest.mark.parametrize("name", ["dark", "booth", "light"])
-def test_the_window_is_neutral_in_every_theme(start, qapp, name) -> None:
-    viewer = start()
+def test_the_window_is_neutral_in_every_theme(viewer, qapp, name) -> None:
     theme.apply(qapp, name, remember=False)
     try:
         viewer.controller.compare.choose("solid_white")

@@ -20,6 +20,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp, load_light, save_light
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.pipeline.environments import draw_light
 
@@ -51,14 +53,17 @@ def script() -> Script:
     return Script()
 
 
+def lit_by(path: Path) -> View:
+    """A sphere in the light of a file, without single flakes."""
+    return View(environment=str(path), surface="sphere", sparkle=Sparkle(mode="off"))
+
+
 @pytest.fixture
 def edited(start, script, tmp_path, qtbot):
     """A Viewer whose studio of one lamp is open in the editor."""
     path = tmp_path / "plain.brdfstudio"
     save_light(PLAIN, path)
-    viewer = start(dialogs=script, size=(900, 640))
-    viewer.controller.open_file(str(path))
-    viewer.wait_idle()
+    viewer = start(dialogs=script, size=(900, 640), view=lit_by(path))
     viewer.window.environment.edit.click()
     viewer.path, viewer.control, viewer.panel = path, viewer.controller.studio, viewer.window.studio
     assert viewer.window.studio_dock.isVisible()
@@ -231,9 +236,7 @@ def test_a_room_is_edited_and_keeps_its_lamps(edited) -> None:
 def test_a_sky_is_edited_and_its_sun_dragged(start, script, tmp_path, qtbot) -> None:
     path = tmp_path / "sky.brdfstudio"
     save_light(Sky("s"), path)
-    viewer = start(dialogs=script)
-    viewer.controller.open_file(str(path))
-    viewer.wait_idle()
+    viewer = start(dialogs=script, view=lit_by(path))
     assert viewer.controller.studio.edit()
     panel = viewer.window.studio
     assert panel.list.isHidden() or not panel.list.isVisible()
@@ -321,9 +324,7 @@ def test_keys_of_the_panel_are_the_documents(edited, qtbot) -> None:
 def test_an_image_has_no_lamps_to_edit(start, script, tmp_path) -> None:
     path = tmp_path / "x.exr"
     write_exr(path, np.ones((8, 16, 3), np.float32))
-    viewer = start(dialogs=script)
-    viewer.controller.open_file(str(path))
-    viewer.wait_idle()
+    viewer = start(dialogs=script, view=lit_by(path))
     assert not viewer.controller.studio.edit()
     assert "image" in viewer.messages()["studio"]
 
