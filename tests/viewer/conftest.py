@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import uuid
 from collections.abc import Callable, Iterator
@@ -18,9 +19,11 @@ from shiboken6 import isValid
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline import environments
 from brdf_suite.pipeline.lobe_fit import PaintFitter
+from brdf_suite.pipeline.surface import shape_mesh
 from brdf_suite.realtime.environment import textures as environment_textures
 from brdf_suite.realtime.gl import mesh_buffers
 from brdf_suite.realtime.pictures.renderer import Renderer
+from brdf_suite.surface.mesh import Mesh
 
 
 def _load(file: Path) -> ModuleType:
@@ -92,13 +95,41 @@ def read_before() -> dict[tuple, object]:
     return {}
 
 
+@pytest.fixture(scope="session")
+def coarse_sphere() -> Mesh:
+    """The packaged sphere with a seventh of its triangles, which a small picture shows as round."""
+    form = importlib.import_module("meshes.forms.sphere")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(form, "CELLS", 24)
+        sphere: Mesh = form.sphere()
+    return sphere
+
+
 @pytest.fixture(autouse=True)
-def shared_scene(read_before: dict, lights: dict[str, Path], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Read the light and the surface that Viewers start with once a session, instead of twice a second."""
+def shared_scene(
+    request: pytest.FixtureRequest,
+    read_before: dict,
+    coarse_sphere: Mesh,
+    lights: dict[str, Path],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Read the light and the surface that Viewers start with once a session, instead of twice a second.
+
+    The sphere is a coarse one unless a test draws as the user's Viewer does: see :func:`one_sample`.
+    """
     from brdf_viewer.scene import loading
     from brdf_viewer.surface import control
 
     first_light = str(lights["dim"])
+    load, coarse = loading.load_shaped, not {"four_samples", "filled"} & set(request.fixturenames)
+    if coarse:
+        monkeypatch.setattr(
+            loading,
+            "load_shaped",
+            lambda path, look, *more: (
+                shape_mesh(coarse_sphere, look) if path == "sphere" else load(path, look, *more)
+            ),
+        )
 
     def share(module, name: str, key: Callable[..., object | None]) -> None:
         read = getattr(module, name)
@@ -114,7 +145,7 @@ def shared_scene(read_before: dict, lights: dict[str, Path], monkeypatch: pytest
         monkeypatch.setattr(module, name, read_once)
 
     share(loading, "load_environment", lambda path, *_: path if path == first_light else None)
-    share(loading, "load_shaped", lambda path, look, *_: (path, look) if path == "sphere" else None)
+    share(loading, "load_shaped", lambda path, look, *_: (coarse, look) if path == "sphere" else None)
     spheres = {id(value) for place, value in read_before.items() if place[0] == "load_shaped"}
     share(control, "baked_occlusion", lambda mesh, *_: id(mesh) if id(mesh) in spheres else None)
     meshes = [value for place, value in read_before.items() if place[0] in ("load_shaped", "baked_occlusion")]
