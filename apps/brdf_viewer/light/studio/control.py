@@ -65,6 +65,7 @@ class StudioControl(ViewerFeature):
         window.environment.edit.clicked.connect(self.edit)
         window.studio_dock.visibilityChanged.connect(lambda visible: visible and self._panel)
         self._add_commands()
+        self._show_state()
         self._contents_changed()
         offer_recovery(
             window.messages.show_message,
@@ -104,6 +105,7 @@ class StudioControl(ViewerFeature):
         present = self._state.environment
         if present is not None and present.key == str(path) and present.value.is_final:
             # The picture shows it already; nothing is drawn until it is edited.
+            self._live.stop()  # at a studio that was open before
             self._shown = present.value
             self._panel.preview.set_radiance(present.value.environment.radiance)
             self._show_opened(draw=False)

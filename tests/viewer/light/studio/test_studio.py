@@ -90,6 +90,9 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     viewer = start(dialogs=script)
     view, before = viewer.view, viewer.pixels()
     assert viewer.window.studio_dock.isHidden()
+    saving = [action for action in viewer.window.commands.studio.actions() if "ave Studio" in action.text()]
+    assert len(saving) == 2
+    assert not any(action.isEnabled() for action in saving)  # nothing is open
     assert viewer.controller.studio.new("three")
     panel = viewer.window.studio
     assert panel.list.count() == 3
@@ -307,6 +310,16 @@ def test_another_light_takes_the_picture_and_gives_it_back(edited, lights) -> No
     settle(edited)
     assert edited.panel.relight.isHidden()
     assert edited.view.environment == str(edited.path)
+
+
+def test_a_draft_of_another_studio_does_not_reach_the_light_that_is_edited(edited) -> None:
+    seen = []
+    edited.state.contents_changed.connect(lambda: seen.append(edited.state.environment.value.name))
+    assert edited.control.new("three")
+    edited.window.environment.edit.click()
+    edited.panel.lamp.luminance.setValue(9.0)
+    settle(edited)
+    assert set(seen) == {"Plain"}
 
 
 def test_keys_of_the_panel_are_the_documents(edited, qtbot) -> None:
