@@ -16,8 +16,6 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 
-_TINY = float(np.finfo(float).tiny)
-
 
 def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
     """Return the reflected share F (...), 0 to 1, at ``cos_theta`` (outside, clipped to 0…1) for ``ior`` ≥ 1.
@@ -25,6 +23,8 @@ def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
     >>> round(float(fresnel_dielectric(1.0, 1.5)), 6)
     0.04
     """
+    if ior == 1.0:  # there is no interface; at grazing the formula is 0/0
+        return np.zeros(np.shape(cos_theta))
     if np.ndim(cos_theta) == 0:
         # One light of an edit: plain numbers are ten times as fast as arrays of one, and round alike.
         return np.asarray(_of_number(min(max(float(cos_theta), 0.0), 1.0), ior))  # type: ignore[arg-type] # of no dimension
@@ -32,17 +32,14 @@ def fresnel_dielectric(cos_theta: npt.ArrayLike, ior: float) -> Floats:
     c = np.minimum(np.maximum(np.asarray(cos_theta, float), 0.0), 1.0)
     t = np.sqrt(1.0 - (1.0 - c * c) * (1.0 / (ior * ior)))
     nt, nc = ior * t, ior * c
-    # ior = 1 at grazing is 0/0; there is no interface and nothing is reflected.
-    r_s = (c - nt) / np.maximum(c + nt, _TINY)
-    r_p = (nc - t) / np.maximum(nc + t, _TINY)
+    r_s, r_p = (c - nt) / (c + nt), (nc - t) / (nc + t)
     return np.asarray(0.5 * (r_s * r_s + r_p * r_p))
 
 
 def _of_number(c: float, ior: float) -> float:
     t = math.sqrt(1.0 - (1.0 - c * c) * (1.0 / (ior * ior)))
     nt, nc = ior * t, ior * c
-    r_s = (c - nt) / max(c + nt, _TINY)
-    r_p = (nc - t) / max(nc + t, _TINY)
+    r_s, r_p = (c - nt) / (c + nt), (nc - t) / (nc + t)
     return 0.5 * (r_s * r_s + r_p * r_p)
 
 

@@ -90,7 +90,7 @@ class AspecularBase:
             tilt = np.minimum(squared_tilt_between(wi, wo, self.ior), farthest)
             rho = self._near_specular(self.rule.at_squared_tilt(tilt), gamma)
         else:
-            rho = self.reflectance_factor(gamma)
+            rho = self._near_specular(self.rule(gamma), gamma)
         return np.asarray(rho * scale[..., None])
 
 

@@ -58,7 +58,6 @@ class _Readings:
     illumination_deg: float
     aspecular_deg: Floats
     rho: Floats
-    wi: Floats
     wo: Floats
     notices: tuple[str, ...]
 
@@ -160,7 +159,7 @@ def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
     notices: list[str] = []
     used = [m for m in paint.measurements if m.illumination_deg == light_deg]
     used.sort(key=lambda measurement: (abs(measurement.aspecular_deg), measurement.aspecular_deg))
-    aspecular_deg, wi, wo = _directions(light_deg, tuple(measurement.aspecular_deg for measurement in used))
+    aspecular_deg, _, wo = _directions(light_deg, tuple(measurement.aspecular_deg for measurement in used))
     lab = np.array([measurement.lab for measurement in used])
     rho = lab_to_working(lab)
     if rho.min() < 0.0:
@@ -173,7 +172,7 @@ def _under_light(paint: Paint, light_deg: float, *, several: bool) -> _Readings:
                 f"it is shown with ΔE00 {error[index]:.2f}."
             )
         rho = inside
-    return _Readings(light_deg, aspecular_deg, rho, wi, wo, tuple(notices))
+    return _Readings(light_deg, aspecular_deg, rho, wo, tuple(notices))
 
 
 @lru_cache(maxsize=32)
@@ -235,7 +234,16 @@ def _base_of_light(
 
 def _coat_shares(lights: tuple[_Readings, ...], coat: CoatLobe) -> list[Floats]:
     """π f_r of the coat (n, 1) at the directions of each light's readings."""
-    return [math.pi * coat.eval_grey(readings.wi, readings.wo)[:, None] for readings in lights]
+    return [_coat_share(coat, r.illumination_deg, tuple(r.aspecular_deg.tolist())) for r in lights]
+
+
+@lru_cache(maxsize=32)
+def _coat_share(coat: CoatLobe, light_deg: float, aspecular_deg: tuple[float, ...]) -> Floats:
+    """Return the same for one light, not to be written: every edit begins with the usual coat."""
+    _, wi, wo = _directions(light_deg, aspecular_deg)
+    share = math.pi * coat.eval_grey(wi, wo)[:, None]
+    share.flags.writeable = False
+    return share
 
 
 def _refuse_negative(lights: tuple[_Readings, ...], shares: list[Floats]) -> None:
