@@ -139,19 +139,16 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
     azimuth = np.arctan2(-light[1], -light[0]) if light is not None and np.hypot(*light[:2]) > 1e-9 else 0.0
     rows.append(polyline(_CIRCLE, 1.4, soft))
     if options.hemisphere:
-        rows.append(_hemisphere(faint))
-        # The plane of incidence stands out: the light's side and the mirror's.
-        for side in (azimuth, azimuth + np.pi):
-            rows.append(polyline(spherical(_ARC, np.full_like(_ARC, side)), 1.5, soft))
+        rows += [_hemisphere(faint), _plane_of_incidence(float(azimuth), soft)]
     if options.labels:
-        labels += _angles(azimuth, options)
+        labels += _angles(float(azimuth), options.hemisphere)
     if options.rings:
+        beside = spherical(np.pi / 2, azimuth + np.radians(62.0))
         for radius, text in rings_of(scale):
             flat = _CIRCLE * radius
             rows.append(polyline(flat, 1.0, faint))
             if options.labels:
-                place = radius * spherical(np.pi / 2, azimuth + np.radians(62.0))
-                labels.append(Label(triple(place), text))
+                labels.append(Label(triple(radius * beside), text))
     before = [rows[0][:0]]
     if light is not None and options.arrows:
         before, words = _arrows(light, ink)
@@ -166,6 +163,13 @@ def _hemisphere(colour: Rgba) -> Segments:
     circles = [np.sin(t) * _CIRCLE + (0.0, 0.0, np.cos(t)) for t in np.radians((30.0, 60.0))]
     arcs = [spherical(_ARC, np.full_like(_ARC, phi)) for phi in np.radians(np.arange(0.0, 360.0, 30.0))]
     return np.concatenate([polyline(points, 1.0, colour) for points in (*circles, *arcs)])
+
+
+@lru_cache(4)
+def _plane_of_incidence(azimuth: float, colour: Rgba) -> Segments:
+    """The light's side and the mirror's, which stand out."""
+    arcs = [spherical(_ARC, np.full_like(_ARC, side)) for side in (azimuth, azimuth + np.pi)]
+    return np.concatenate([polyline(points, 1.5, colour) for points in arcs])
 
 
 def rings_of(scale: RadiusScale) -> list[tuple[float, str]]:
@@ -194,10 +198,11 @@ def _round(value: float) -> float:
     return float(np.floor(digits / step + 1e-9) * step * power)
 
 
-def _angles(azimuth: float, options: FrameOptions) -> list[Label]:
+@lru_cache(4)
+def _angles(azimuth: float, hemisphere: bool) -> list[Label]:
     # At azimuth 0 of the incidence the light stands at 180° of the frame.
     at = [(1.09 * spherical(np.pi / 2, np.radians(phi)), (phi + 180) % 360) for phi in range(0, 360, 30)]
-    if options.hemisphere:
+    if hemisphere:
         sides = (azimuth, azimuth + np.pi)
         at += [(1.07 * spherical(np.radians(theta), side), theta) for theta in (30, 60) for side in sides]
     return [Label(triple(place), f"{angle}°") for place, angle in at]

@@ -118,12 +118,15 @@ class LobeView(SpaceView):
             if panel.points is not None:
                 discs.setData(pos=panel.points.places, color=panel.points.colours, size=_POINT_PX)
             discs.rim = ground
+
+    def _fill_frame(self) -> None:
+        """Give the items about the lobes what they show, once for all changes between two frames."""
         frame = self.frame()
         if frame is not self._shown_frame:
             self._grid.set_segments(frame.behind)
             self._arrows.set_segments(frame.before)
             self._shown_frame = frame
-        self._show_handle()
+            self._show_handle()
 
     def _resize(self, items: list[Any], count: int, make: Callable[[], Any]) -> None:
         while len(items) > count:
@@ -223,6 +226,7 @@ class LobeView(SpaceView):
         return part * self.camera.to_screen(width, height)
 
     def draw_picture(self, region: Region, viewport: Region) -> None:
+        self._fill_frame()
         logical = QSize(round(viewport[2] / self.ratio), round(viewport[3] / self.ratio))
         across, down = viewport[2] / logical.width(), viewport[3] / logical.height()
         shared = [self._grid, self._arrows, self._handle]

@@ -40,6 +40,7 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     failed = Signal(str)
     drawn = Signal(float)
+    _drawing = False  # pyqtgraph's constructor asks for a frame already
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,6 +54,11 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self._programs: dict[tuple[Path, str], Any] = {}
         self._has_context = False
         self._failure = ""
+
+    def update(self) -> None:
+        """Request another frame; nothing while one is drawn, whose items are given then what they show."""
+        if not self._drawing:
+            super().update()
 
     def make_items(self) -> None:
         """Add the items with all that they show: once at first, and again for each other context."""
@@ -114,7 +120,11 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         GL.glEnable(GL.GL_MULTISAMPLE)
         GL.glClearColor(*self.opts["bgcolor"])
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
-        self.draw_picture(region, viewport)
+        self._drawing = True
+        try:
+            self.draw_picture(region, viewport)
+        finally:
+            self._drawing = False
         GL.glUseProgram(0)
         GL.glDepthMask(True)
         for state in (
