@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.arrays import Bools, Floats, Integers
 from meshes.car.blends import Field
-from meshes.car.nets import Soup, gradient, normals, unique_edges
+from meshes.car.nets import Soup, gradient, normals, split_edges, unique_edges
 
 PointFunction: TypeAlias = Callable[[Floats], Floats]
 """A function of points (n, 3) -> (n,)."""
@@ -108,15 +108,8 @@ def _cut(
         soup, value = _snapped(soup, value, a[crossing], b[crossing])
         crossing = value[a] * value[b] < 0.0
     middle = _roots(function, soup.points, a[crossing], b[crossing], value)
-    number = np.full(len(edge), -1, dtype=np.int64)
-    number[crossing] = len(soup.points) + np.arange(int(crossing.sum()))
-    points = np.concatenate([soup.points, middle])
-    new = number[edge_of_side]
-    some = new.max(axis=1, initial=-1) >= 0
-    kept = ~touched
-    kept[touched] = ~some
-    pieces = [soup.triangles[kept], *_split(points, triangles[some], new[some])]
-    return Soup(points, np.concatenate(pieces)), value == 0.0, edge[crossing]
+    split = split_edges(soup, touched, edge_of_side, crossing, middle)
+    return split, value == 0.0, edge[crossing]
 
 
 def _roots(function: PointFunction, points: Floats, a: Integers, b: Integers, value: Floats) -> Floats:
@@ -133,26 +126,6 @@ def _roots(function: PointFunction, points: Floats, a: Integers, b: Integers, va
         high = np.where(same[:, None], high, middle)
         f_low, f_high = np.where(same, f, f_low * 0.5), np.where(same, f_high * 0.5, f)
     return middle
-
-
-def _split(points: Floats, triangles: Integers, new: Integers) -> list[Integers]:
-    """Return the pieces of triangles whose sides are split where ``new`` (k, 3) names a point; one or two each."""
-    out = []
-    for turn in range(3):
-        t, m = np.roll(triangles, -turn, axis=1), np.roll(new, -turn, axis=1)
-        s = m >= 0
-        one = s[:, 0] & ~s[:, 1] & ~s[:, 2]  # the curve passes through the opposite corner
-        p, q, r, pq = t[one, 0], t[one, 1], t[one, 2], m[one, 0]
-        out += [np.stack([p, pq, r], 1), np.stack([pq, q, r], 1)]
-        two = s[:, 0] & s[:, 1] & ~s[:, 2]  # it cuts off corner q
-        p, q, r, pq, qr = t[two, 0], t[two, 1], t[two, 2], m[two, 0], m[two, 1]
-        out.append(np.stack([pq, q, qr], 1))
-        short = np.linalg.norm(points[p] - points[qr], axis=1) < np.linalg.norm(
-            points[pq] - points[r], axis=1
-        )
-        out.append(np.where(short[:, None], np.stack([p, pq, qr], 1), np.stack([p, pq, r], 1)))
-        out.append(np.where(short[:, None], np.stack([p, qr, r], 1), np.stack([pq, qr, r], 1)))
-    return out
 
 
 def _snapped(soup: Soup, value: Floats, a: Integers, b: Integers) -> tuple[Soup, Floats]:
