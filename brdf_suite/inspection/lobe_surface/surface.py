@@ -107,7 +107,8 @@ def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
     turned[0] = turned[-1] = grid.psi[1] + (2.0 * np.pi - grid.psi[-2])
     # Next to the mirror direction columns lie closer than single precision resolves: what may be rounding
     # is taken away, which matters only where γ is far below what any picture shows.
-    r_psi -= np.clip(r_psi, -_ROUNDING * radius, _ROUNDING * radius)
+    rounding = _ROUNDING * radius
+    r_psi -= np.clip(r_psi, -rounding, rounding)
     r_psi /= turned
     sine = np.sin(gamma)
     np.divide(r_psi, sine, out=r_psi, where=sine > 0.0)
@@ -118,22 +119,31 @@ def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
     along_leave = radius * sine - r_gamma * cosine
     centre = grid.mirror.astype(np.float32)
     leave, across = grid.leave.astype(np.float32), grid.across.astype(np.float32)
-    normals = np.empty((rows, columns, 3), np.float32)
+    # Each part is an array of its own until the end: numpy is slow along a last axis of three.
+    parts = []
     for axis in range(3):
         part = along_leave * leave[:, axis]
         part += along_centre * centre[axis]
         part -= r_psi * across[:, axis]
-        normals[..., axis] = part
+        parts.append(part)
     # One normal for the mirror direction, where all columns meet: the mean of theirs that are known.
-    known_tips = normals[0, :-1][np.isfinite(normals[0, :-1]).all(axis=-1)]
-    if len(known_tips):
-        normals[0] = known_tips.mean(axis=0)
-    length = np.sqrt(np.einsum("jki,jki->jk", normals, normals))
+    tips = np.stack([part[0, :-1] for part in parts])
+    known_tips = tips[:, np.isfinite(tips).all(axis=0)]
+    if known_tips.size:
+        for part, tip in zip(parts, known_tips.mean(axis=1), strict=True):
+            part[0] = tip
+    length = parts[0] * parts[0]
+    for part in parts[1:]:
+        length += part * part
+    np.sqrt(length, out=length)
     known = length > 1e-20
     if not known.all():  # radius 0 all around, or a hole
-        normals[~known] = centre
+        for part, coordinate in zip(parts, centre, strict=True):
+            part[~known] = coordinate
         length[~known] = 1.0
-    normals /= length[..., None]
+    normals = np.empty((rows, columns, 3), np.float32)
+    for axis, part in enumerate(parts):
+        np.divide(part, length, out=normals[..., axis])
     return normals
 
 
