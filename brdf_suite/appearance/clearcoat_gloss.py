@@ -5,13 +5,18 @@ that of polished black glass of index 1.567, which reads 100:
 
     GU = 100 F(θ; n) / F(θ; 1.567) · A(α),
 
-A being the share of the mirror lobe that still falls into the receptor, 1 for a smooth surface. A Beckmann
-lobe of roughness α turns mirror directions by a Gaussian of variance 2α² in the plane of incidence and
-2α² cos²θ across it; the source has its own width s (a box: s²/12). Over a receptor of half-widths a and b
+A being the share of the mirrored light that still falls into the receptor, 1 for a smooth surface. Source image and
+receptor are rectangles of half-widths s and r. Of light that is turned by an angle x along one side the share
 
-    A = erf(a / (√2 σp)) · erf(b / (√2 σo)),   σp² = 2α² + s1²/12,   σo² = 2α² cos²θ + s2²/12,
+    W(x) = |[-s, s] ∩ [-r - x, r - x]| / 2s
 
-divided by its value at α = 0. The receptors and the source are those of the standards, from expert memory.
+arrives: the convolution of the two rectangles, a trapezoid. A Beckmann lobe of roughness α turns mirror directions by
+a Gaussian of variance σ² = 2α² in the plane of incidence and 2α² cos²θ across it, and A is the product over both
+sides of the Gaussian's integral over W,
+
+    (J(r + s) - J(r - s)) / 2s,   J(t) = t erf(t / √2σ) + σ √(2/π) exp(-t² / 2σ²).
+
+The rectangles are those of ISO 2813 and ASTM D523, from expert memory.
 
 The root finder uses plain floats: for three channels this is many times faster than arrays, and scipy's optimizers
 would cost their import when a program starts.
@@ -87,7 +92,7 @@ BLACK_GLASS_IOR = 1.567
 RECEPTORS_DEG = {20: (1.8, 3.6), 60: (4.4, 11.7), 85: (4.0, 6.0)}
 """Full widths of the receptor in the plane of incidence and across it, degrees, per gloss angle."""
 SOURCE_DEG = (0.75, 2.5)
-"""Full widths of the source's image, in the plane of incidence and across it."""
+"""Full widths of the source's image, in the plane of incidence and across it, narrower than every receptor."""
 
 USUAL_IOR = 1.5
 LOWEST_IOR, HIGHEST_IOR = 1.3, 1.7
@@ -122,20 +127,30 @@ def black_glass(angle_deg: int) -> float:
 
 
 @cache
-def _constants(angle_deg: int) -> tuple[float, float, float, float, float, float]:
-    in_plane, across = (math.radians(width) for width in receptor_deg(angle_deg))
-    s1, s2 = (math.radians(width) ** 2 / 12.0 for width in SOURCE_DEG)
-    a, b = 0.5 * in_plane / math.sqrt(2.0), 0.5 * across / math.sqrt(2.0)
-    smooth = math.erf(a / math.sqrt(s1)) * math.erf(b / math.sqrt(s2))
-    return a, b, s1, s2, 2.0 * math.cos(math.radians(angle_deg)) ** 2, smooth
+def half_widths(angle_deg: int) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the half-widths (receptor, source), radians, in the plane of incidence and across it."""
+    (p, q), (s, t) = ((0.5 * math.radians(w) for w in pair) for pair in (receptor_deg(angle_deg), SOURCE_DEG))
+    return (p, s), (q, t)
 
 
 def receptor_fraction(angle_deg: int, roughness: float) -> float:
-    """Return A, the share of the lobe in the receptor relative to a smooth surface's, 0 to 1."""
-    a, b, s1, s2, across, smooth = _constants(angle_deg)
-    square = roughness * roughness
-    in_plane = math.erf(a / math.sqrt(2.0 * square + s1))
-    return in_plane * math.erf(b / math.sqrt(across * square + s2)) / smooth
+    """Return A, the share of the lobe in the receptor, 0 to 1; 1 for a smooth surface."""
+    in_plane, across = half_widths(angle_deg)
+    turn = math.sqrt(2.0) * roughness
+    return _arriving(*in_plane, turn) * _arriving(*across, turn * math.cos(math.radians(angle_deg)))
+
+
+def _arriving(receptor: float, source: float, deviation: float) -> float:
+    """The share of a source's light in the receptor, half-widths, after a Gaussian turn: one side, all in radians."""
+    if deviation == 0.0:
+        return 1.0
+    scale = math.sqrt(2.0) * deviation
+
+    def integral(x: float) -> float:
+        return x * math.erf(x) + math.exp(-x * x) / math.sqrt(math.pi)
+
+    wide, narrow = integral((receptor + source) / scale), integral((receptor - source) / scale)
+    return 0.5 * scale * (wide - narrow) / source
 
 
 def gloss_units(angle_deg: int, ior: float, roughness: float) -> float:
