@@ -130,3 +130,18 @@ def test_every_kind_of_material_is_opened(program, materials, qtbot) -> None:
         before = program.store.value
         program.open(asked)
         qtbot.waitUntil(lambda before=before: program.store.value is not before)
+
+
+def test_readings_that_no_sample_supports_are_marked(program, control, qtbot, shared_data) -> None:
+    program.window.open_requested.emit(shared_data / "brdf" / "bird_example.json")
+    wait_for(qtbot, control)
+    section = control.section
+    assert "15° (47°), 45° (35°), 110° (74°)" in section.support.text()
+    assert "† No sample of the original within 10°" in section.support.text()
+    assert section.table.item(1, 1).text().endswith("†")
+    program.window.open_requested.emit(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
+    qtbot.waitUntil(
+        lambda: control.start_of_front() is not None and "vch" in control.start_of_front().paint.name
+    )
+    assert section.support.text() == ""
+    assert "†" not in section.table.item(1, 1).text()
