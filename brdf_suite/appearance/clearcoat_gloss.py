@@ -100,6 +100,9 @@ LOWEST_IOR, HIGHEST_IOR = 1.3, 1.7
 LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS = 0.002, 0.5
 """Below the lowest the lobe is narrower than any picture shows; above the highest it is no gloss."""
 
+# Below it the whole lobe is in every receptor, to the last digit.
+_SMOOTH = 1e-6
+_PER_ROOT_PI = 1.0 / math.sqrt(math.pi)
 _INSTRUMENT_TOLERANCE_GU = 0.5
 # Cells of the search along the line of coats that share a 20° reading; it turns at most once.
 _LINE_CELLS = 6
@@ -133,24 +136,26 @@ def half_widths(angle_deg: int) -> tuple[tuple[float, float], tuple[float, float
     return (p, s), (q, t)
 
 
+@cache
+def _edges(angle_deg: int) -> tuple[float, float, float, float, float]:
+    """(r ± s)/√2 over σ/α of both sides, and what their differences of J are divided by."""
+    (p, s), (q, t) = half_widths(angle_deg)
+    turn = 2.0 * math.cos(math.radians(angle_deg))
+    return (p + s) / 2.0, (p - s) / 2.0, (q + t) / turn, (q - t) / turn, s * t / (0.5 * turn)
+
+
 def receptor_fraction(angle_deg: int, roughness: float) -> float:
     """Return A, the share of the lobe in the receptor, 0 to 1; 1 for a smooth surface."""
-    in_plane, across = half_widths(angle_deg)
-    turn = math.sqrt(2.0) * roughness
-    return _arriving(*in_plane, turn) * _arriving(*across, turn * math.cos(math.radians(angle_deg)))
-
-
-def _arriving(receptor: float, source: float, deviation: float) -> float:
-    """The share of a source's light in the receptor, half-widths, after a Gaussian turn: one side, all in radians."""
-    if deviation == 0.0:
+    p1, p0, q1, q0, widths = _edges(angle_deg)
+    if roughness < _SMOOTH:
         return 1.0
-    scale = math.sqrt(2.0) * deviation
+    in_plane = _ramp(p1 / roughness) - _ramp(p0 / roughness)
+    return in_plane * (_ramp(q1 / roughness) - _ramp(q0 / roughness)) * roughness * roughness / widths
 
-    def integral(x: float) -> float:
-        return x * math.erf(x) + math.exp(-x * x) / math.sqrt(math.pi)
 
-    wide, narrow = integral((receptor + source) / scale), integral((receptor - source) / scale)
-    return 0.5 * scale * (wide - narrow) / source
+def _ramp(x: float) -> float:
+    """J of t = √2 σ x in units of √2 σ."""
+    return x * math.erf(x) + math.exp(-x * x) * _PER_ROOT_PI
 
 
 def gloss_units(angle_deg: int, ior: float, roughness: float) -> float:

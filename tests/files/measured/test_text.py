@@ -393,6 +393,7 @@ def test_spectral_samples_go_into_a_tensor_and_keep_their_bands(shared_data: Pat
     np.testing.assert_array_equal(value.wavelengths_nm, first.wavelengths_nm)
     here, there = aspecular_lab(first, 45.0), aspecular_lab(value, 45.0)
     assert np.abs(here - there).max() < 3.0
+    assert "of 216 colours on a test grid lie outside the working space" in value.facts["notes"][0]
 
 
 def test_colours_outside_the_working_space_are_counted(shared_data: Path, tmp_path: Path) -> None:
