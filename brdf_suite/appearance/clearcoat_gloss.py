@@ -5,13 +5,18 @@ that of polished black glass of index 1.567, which reads 100:
 
     GU = 100 F(θ; n) / F(θ; 1.567) · A(α),
 
-A being the share of the mirror lobe that still falls into the receptor, 1 for a smooth surface. A Beckmann
-lobe of roughness α turns mirror directions by a Gaussian of variance 2α² in the plane of incidence and
-2α² cos²θ across it; the source has its own width s (a box: s²/12). Over a receptor of half-widths a and b
+A being the share of the mirrored light that still falls into the receptor, 1 for a smooth surface. Source image and
+receptor are rectangles of half-widths s and r. Of light that is turned by an angle x along one side the share
 
-    A = erf(a / (√2 σp)) · erf(b / (√2 σo)),   σp² = 2α² + s1²/12,   σo² = 2α² cos²θ + s2²/12,
+    W(x) = |[-s, s] ∩ [-r - x, r - x]| / 2s
 
-divided by its value at α = 0. The receptors and the source are those of the standards, from expert memory.
+arrives: the convolution of the two rectangles, a trapezoid. A Beckmann lobe of roughness α turns mirror directions by
+a Gaussian of variance σ² = 2α² in the plane of incidence and 2α² cos²θ across it, and A is the product over both
+sides of the Gaussian's integral over W,
+
+    (J(r + s) - J(r - s)) / 2s,   J(t) = t erf(t / √2σ) + σ √(2/π) exp(-t² / 2σ²).
+
+The rectangles are those of ISO 2813 and ASTM D523, from expert memory.
 
 The root finder uses plain floats: for three channels this is many times faster than arrays, and scipy's optimizers
 would cost their import when a program starts.
@@ -87,7 +92,7 @@ BLACK_GLASS_IOR = 1.567
 RECEPTORS_DEG = {20: (1.8, 3.6), 60: (4.4, 11.7), 85: (4.0, 6.0)}
 """Full widths of the receptor in the plane of incidence and across it, degrees, per gloss angle."""
 SOURCE_DEG = (0.75, 2.5)
-"""Full widths of the source's image, in the plane of incidence and across it."""
+"""Full widths of the source's image, in the plane of incidence and across it, narrower than every receptor."""
 
 USUAL_IOR = 1.5
 LOWEST_IOR, HIGHEST_IOR = 1.3, 1.7
@@ -95,6 +100,9 @@ LOWEST_IOR, HIGHEST_IOR = 1.3, 1.7
 LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS = 0.002, 0.5
 """Below the lowest the lobe is narrower than any picture shows; above the highest it is no gloss."""
 
+# Below it the whole lobe is in every receptor, to the last digit.
+_SMOOTH = 1e-6
+_PER_ROOT_PI = 1.0 / math.sqrt(math.pi)
 _INSTRUMENT_TOLERANCE_GU = 0.5
 # Cells of the search along the line of coats that share a 20° reading; it turns at most once.
 _LINE_CELLS = 6
@@ -122,20 +130,32 @@ def black_glass(angle_deg: int) -> float:
 
 
 @cache
-def _constants(angle_deg: int) -> tuple[float, float, float, float, float, float]:
-    in_plane, across = (math.radians(width) for width in receptor_deg(angle_deg))
-    s1, s2 = (math.radians(width) ** 2 / 12.0 for width in SOURCE_DEG)
-    a, b = 0.5 * in_plane / math.sqrt(2.0), 0.5 * across / math.sqrt(2.0)
-    smooth = math.erf(a / math.sqrt(s1)) * math.erf(b / math.sqrt(s2))
-    return a, b, s1, s2, 2.0 * math.cos(math.radians(angle_deg)) ** 2, smooth
+def half_widths(angle_deg: int) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return the half-widths (receptor, source), radians, in the plane of incidence and across it."""
+    (p, q), (s, t) = ((0.5 * math.radians(w) for w in pair) for pair in (receptor_deg(angle_deg), SOURCE_DEG))
+    return (p, s), (q, t)
+
+
+@cache
+def _edges(angle_deg: int) -> tuple[float, float, float, float, float]:
+    """(r ± s)/√2 over σ/α of both sides, and what their differences of J are divided by."""
+    (p, s), (q, t) = half_widths(angle_deg)
+    turn = 2.0 * math.cos(math.radians(angle_deg))
+    return (p + s) / 2.0, (p - s) / 2.0, (q + t) / turn, (q - t) / turn, s * t / (0.5 * turn)
 
 
 def receptor_fraction(angle_deg: int, roughness: float) -> float:
-    """Return A, the share of the lobe in the receptor relative to a smooth surface's, 0 to 1."""
-    a, b, s1, s2, across, smooth = _constants(angle_deg)
-    square = roughness * roughness
-    in_plane = math.erf(a / math.sqrt(2.0 * square + s1))
-    return in_plane * math.erf(b / math.sqrt(across * square + s2)) / smooth
+    """Return A, the share of the lobe in the receptor, 0 to 1; 1 for a smooth surface."""
+    p1, p0, q1, q0, widths = _edges(angle_deg)
+    if roughness < _SMOOTH:
+        return 1.0
+    in_plane = _ramp(p1 / roughness) - _ramp(p0 / roughness)
+    return in_plane * (_ramp(q1 / roughness) - _ramp(q0 / roughness)) * roughness * roughness / widths
+
+
+def _ramp(x: float) -> float:
+    """J of t = √2 σ x in units of √2 σ."""
+    return x * math.erf(x) + math.exp(-x * x) * _PER_ROOT_PI
 
 
 def gloss_units(angle_deg: int, ior: float, roughness: float) -> float:

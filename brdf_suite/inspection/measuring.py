@@ -53,6 +53,8 @@ def measurement_json(item: Material, report: InstrumentReport, illuminant: str =
         },
         "readings": [_reading_json(reading) for reading in report.readings],
         "gloss": {f"gu_{angle}": value for angle, value in report.gloss.items()},
+        "gloss_nearest_sample_deg": {f"gu_{angle}": deg for angle, deg in report.gloss_sample_deg.items()},
+        "gloss_supported": {f"gu_{angle}": report.gloss_supported(angle) for angle in report.gloss},
         "haze": report.haze,
         "flop_index": None if flop is None or not math.isfinite(flop.value) else flop.value,
         "travel": None if path is None else {k: v for k, v in asdict(path).items() if k != "notice"},
@@ -90,6 +92,8 @@ def _reading_json(reading: Reading) -> dict[str, object]:
         "lch": list(reading.lch),
         "rho": list(reading.rho),
         "reflectance_factor": reading.factor,
+        "nearest_sample_deg": reading.sample_deg,
+        "supported": reading.supported,
         "in_srgb": bool(in_display_gamut(reading.lab)),
         "in_display_p3": bool(in_display_gamut(reading.lab, "Display P3")),
     }
@@ -136,6 +140,8 @@ class Comparison:
                     "aspecular_deg": one.geometry.aspecular_deg,
                     "lab_a": list(one.lab),
                     "lab_b": list(two.lab),
+                    "supported_a": one.supported,
+                    "supported_b": two.supported,
                     **{f"delta_e_{name}": values[k] for name, values in self.differences.items()},
                     "words": [named.text() for named in words[k]],
                 }

@@ -25,7 +25,7 @@ from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.build import build_paint, interpolation_notices
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
-from brdf_suite.reflectance.instruments.spectrophotometer import measure
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, Reading, measure
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -58,26 +58,36 @@ class GlossEstimate:
 
 @dataclass(frozen=True)
 class HeldOutGeometry:
-    """A geometry that the design was not made from: what the original and the design look like there."""
+    """A geometry that the design was not made from: what the original and the design look like there.
+
+    ``sample_deg`` is the angle from it to the original's nearest sample, degrees, as of a reading.
+    """
 
     illumination_deg: float
     aspecular_deg: float
     original: Lab
     design: Lab
     delta_e_2000: float
+    sample_deg: float = 0.0
+
+    @property
+    def supported(self) -> bool:
+        """Whether the original has a sample near enough."""
+        return self.sample_deg <= SUPPORT_DEG
 
 
 @dataclass(frozen=True)
 class MeasuredStart:
     """A designed paint that was read from something measured.
 
-    ``gloss`` says what the glossmeter read, ``gloss_used`` whether the paint has it. ``held_out`` is empty where the
-    design cannot be built; ``notices`` are whole sentences.
+    ``readings`` are the original's. ``gloss`` says what the glossmeter read, ``gloss_used`` whether the paint has it.
+    ``held_out`` is empty where the design cannot be built; ``notices`` are whole sentences.
     """
 
     paint: Paint
     source: str
     geometry_set: GeometrySet
+    readings: tuple[Reading, ...]
     gloss: GlossEstimate
     gloss_used: bool
     held_out: tuple[HeldOutGeometry, ...]
@@ -151,7 +161,9 @@ def measured_start(
     paint, used, rows, further = _nearest_rule(item.reflectance, paint, estimate)
     notices += further
     report(progress, 1.0, "done")
-    return MeasuredStart(paint, item.origin, geometry_set, estimate, used, rows, tuple(notices))
+    return MeasuredStart(
+        paint, item.origin, geometry_set, found.readings, estimate, used, rows, tuple(notices)
+    )
 
 
 def estimated_gloss(reflectance: Reflectance) -> GlossEstimate:
@@ -222,7 +234,8 @@ def _nearest_rule(
     Which gloss a clearcoat can have depends on the base below it, and so on the rule.
     """
     geometries = GeometrySet("held out", "angles that were not used", tuple(_unused(paint)))
-    original = measure(reflectance, geometries).lab
+    readings = measure(reflectance, geometries).readings
+    original = np.array([reading.lab for reading in readings])
     found: dict[str, tuple[Paint, bool, tuple[HeldOutGeometry, ...], list[str]]] = {}
     refused: tuple[Paint, bool, list[str]] | None = None
     for rule in _RULES:
@@ -234,10 +247,15 @@ def _nearest_rule(
             continue
         given = measure(design, geometries).lab
         rows = tuple(
-            HeldOutGeometry(g.illumination_deg, g.aspecular_deg, triple(one), triple(two), float(delta))
-            for g, one, two, delta in zip(
-                geometries.geometries, original, given, delta_e_2000(original, given), strict=True
+            HeldOutGeometry(
+                one.geometry.illumination_deg,
+                one.geometry.aspecular_deg,
+                one.lab,
+                triple(two),
+                float(delta),
+                one.sample_deg,
             )
+            for one, two, delta in zip(readings, given, delta_e_2000(original, given), strict=True)
         )
         found[rule] = (
             candidate,

@@ -36,7 +36,7 @@ from brdf_suite.appearance.geometries import Geometry, GeometrySet
 from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.instruments.spectrophotometer import measure
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, Reading, measure
 from brdf_suite.reflectance.protocol import Reflectance
 
 SAME_DEG = 1e-6
@@ -60,7 +60,7 @@ class Standard:
     paint: Paint | None = None
     reflectance: Reflectance | None = None
     notices: tuple[str, ...] = ()
-    _computed: dict[tuple[float, float], Lab] = field(default_factory=dict, repr=False)
+    _computed: dict[tuple[float, float], Reading] = field(default_factory=dict, repr=False)
 
     def lab_at(self, illumination_deg: float, aspecular_deg: float) -> tuple[Lab, bool] | None:
         """Return L*a*b* at a geometry, degrees, and whether it was computed instead of read.
@@ -76,12 +76,20 @@ class Standard:
             if reflectance is None:
                 return None
             report = measure(reflectance, GeometrySet("one", "one", (Geometry(*key),)))
-            self._computed[key] = report.readings[0].lab
-        return self._computed[key], True
+            self._computed[key] = report.readings[0]
+        return self._computed[key].lab, True
+
+    def sample_deg_at(self, illumination_deg: float, aspecular_deg: float) -> float:
+        """Return the angle from a computed colour of :meth:`lab_at` to its nearest sample, degrees.
+
+        0 where the colour was read, or its reflectance is known everywhere.
+        """
+        found = self._computed.get((illumination_deg, aspecular_deg))
+        return 0.0 if found is None else found.sample_deg
 
     def computed(self) -> dict[tuple[float, float], Lab]:
         """Return what was read of its reflectance so far, by illumination and aspecular angle, degrees."""
-        return dict(self._computed)
+        return {place: reading.lab for place, reading in self._computed.items()}
 
     @cached_property
     def seen(self) -> Reflectance | None:
@@ -109,7 +117,8 @@ class AngleRow:
     """One geometry of a batch against the standard; ``standard`` is ``None`` where that has no colour there.
 
     ``computed``: the standard's colour is from its reflectance and was not read. ``differences`` by name of the
-    formula. ``words`` are empty where no difference is to be seen.
+    formula. ``words`` are empty where no difference is to be seen. ``sample_deg`` is the angle from the standard's
+    computed colour to its nearest sample, degrees.
     """
 
     illumination_deg: float
@@ -120,6 +129,17 @@ class AngleRow:
     differences: Mapping[str, float]
     verdict: AngleVerdict | None
     words: tuple[NamedDifference, ...]
+    sample_deg: float = 0.0
+
+    @property
+    def supported(self) -> bool:
+        """Whether the standard has a sample near enough, where its colour is computed from samples."""
+        return self.sample_deg <= SUPPORT_DEG
+
+    @property
+    def marks(self) -> str:
+        """The signs behind the angle: ``*`` for a computed standard, ``†`` without a sample near it."""
+        return ("*" if self.computed else "") + ("" if self.supported else "†")
 
     @property
     def angle(self) -> str:
@@ -184,6 +204,7 @@ class BatchReport:
                     "lab": list(row.batch),
                     "lab_standard": None if row.standard is None else list(row.standard),
                     "standard_computed": row.computed,
+                    "standard_nearest_sample_deg": row.sample_deg,
                     **{f"delta_e_{name}": value for name, value in row.differences.items()},
                     "verdict": None if row.verdict is None else asdict(row.verdict),
                     "words": [one.text() for one in row.words],
@@ -240,6 +261,7 @@ def judge_batch(
                 {name: of[index] for name, of in values.items() if index in of},
                 verdicts.get(index),
                 words.get(index, ()),
+                standard.sample_deg_at(measurement.illumination_deg, measurement.aspecular_deg),
             )
         )
     flop = _flops(standard, batch)

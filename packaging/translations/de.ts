@@ -1556,6 +1556,14 @@
         <translation>Den Entwurf an jedem Winkel mit dem gemessenen Original vergleichen</translation>
     </message>
     <message>
+        <source>Readings without a sample within {limit:g}° (nearest): {angles}</source>
+        <translation>Messwerte ohne Messpunkt innerhalb von {limit:g}° (nächster): {angles}</translation>
+    </message>
+    <message>
+        <source>† No sample of the original within {limit:g}°</source>
+        <translation>† Kein Messpunkt des Originals innerhalb von {limit:g}°</translation>
+    </message>
+    <message>
         <source>Glossmeter: no reading; {gloss:g} GU at 20° is set, not measured</source>
         <translation>Glanzmesser: kein Wert; {gloss:g} GU bei 20° ist gesetzt, nicht gemessen</translation>
     </message>
@@ -2532,6 +2540,10 @@ angegeben {stated}</translation>
     <message>
         <source>no visible difference</source>
         <translation>kein sichtbarer Unterschied</translation>
+    </message>
+    <message>
+        <source>† The nearest sample of the standard is {angle:.0f}° away.</source>
+        <translation>† Der nächste Messpunkt des Standards ist {angle:.0f}° entfernt.</translation>
     </message>
     <message>
         <source>Flop: darkening of the paint from face to flop, as the index

@@ -99,5 +99,5 @@ def test_travel_needs_its_ends() -> None:
 
 def test_haze_grows_with_a_rough_coat() -> None:
     values = [haze_units(gloss_units(20, 1.53, a), gloss_units(60, 1.53, a)) for a in (0.003, 0.005, 0.01)]
-    # appearance tables: 94 - 89, 94 - 84 and 93 - 60.
-    np.testing.assert_allclose(values, [5, 10, 33], atol=1.0)
+    # 94.1 - 89.6, 94.1 - 84.7 and 93.2 - 59.1 by the standards' apertures.
+    np.testing.assert_allclose(values, [4.5, 9.4, 34.1], atol=0.15)

@@ -46,12 +46,12 @@ def test_a_design_measured_comes_back(angles: str) -> None:
 def test_a_cook_torrance_paint_is_read_with_its_gloss() -> None:
     start = load_start("table1_blue")
     assert start.paint.lab_at(45.0) == pytest.approx((17.31, 5.42, -34.83), abs=0.01)
-    assert start.paint.gloss.gu_20 == pytest.approx(31.6, abs=0.1)
+    assert start.paint.gloss.gu_20 == pytest.approx(31.2, abs=0.1)
     assert start.paint.gloss.gu_60 == pytest.approx(57.3, abs=0.1)
     assert start.mean_delta_e == pytest.approx(0.67, abs=0.05)
     # A matt one whose 60° reading is below its 20° one: no clearcoat does that.
     start = load_start("table1_ford_f8")
-    assert (start.paint.gloss.gu_20, start.paint.gloss.gu_60) == (25.7, None)
+    assert (start.paint.gloss.gu_20, start.paint.gloss.gu_60) == (25.3, None)
     assert any("only the 20° reading" in notice for notice in start.notices)
 
 
@@ -87,7 +87,7 @@ def test_a_tensor_file_and_its_steps(shared_data: Path) -> None:
     start = load_start(
         shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf", progress=lambda f, _what: heard.append(f)
     )
-    assert start.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
+    assert start.paint.gloss.gu_20 == pytest.approx(17.9, abs=0.05)
     assert heard == sorted(heard)
     assert heard[-1] == 1.0
 

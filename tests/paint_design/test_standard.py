@@ -193,3 +193,13 @@ def test_a_paint_passes_against_itself_and_limits_only_widen(labs: list, limit: 
         judge_batch(standard, other, Tolerances({}, value)).passes for value in (limit, limit + 1.0)
     )
     assert wide or not tight
+
+
+def test_a_standard_without_samples_near_the_angle_is_marked(blue: Paint, shared_data: Path) -> None:
+    (single,) = load_standards(shared_data / "brdf" / "bird_example.json")
+    report = judge_batch(single, blue, NO_LIMITS)
+    assert [row.marks for row in report.rows] == ["*†"] * 3
+    assert report.to_json()["angles"][0]["standard_nearest_sample_deg"] == pytest.approx(46.8, abs=0.1)
+    (table,) = load_standards(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
+    assert [row.marks for row in judge_batch(table, blue, NO_LIMITS).rows] == ["*"] * 3
+    assert [row.marks for row in judge_batch(standard_of(blue), blue, NO_LIMITS).rows] == [""] * 3

@@ -236,3 +236,15 @@ def test_a_cancelled_report_leaves_nothing(blue: Paint, tmp_path: Path) -> None:
     with pytest.raises(Cancelled):
         export(format_named("pdf", PLAIN), [item_of_paint(blue)], tmp_path / "a.pdf", progress=stop)
     assert not list(tmp_path.iterdir())
+
+
+def test_readings_without_a_sample_near_them_are_marked_in_reports(shared_data: Path, tmp_path: Path) -> None:
+    sparse = item_of(shared_data / "brdf" / "bird_example.json")
+    made = build_report(sparse, PLAIN)
+    assert all(row.label.endswith("†") for row in made.rows)
+    assert made.remarks[0].startswith("† No sample lies within 10° of the readings at 15° (nearest 47°)")
+    export(format_named("html", PLAIN), [sparse], tmp_path / "sparse.html")
+    assert "15°†" in (tmp_path / "sparse.html").read_text(encoding="utf-8")
+    export(format_named("json"), [sparse], tmp_path / "sparse.json")
+    read = json.loads((tmp_path / "sparse.json").read_text(encoding="utf-8"))["paints"][0]["readings"]
+    assert read[0]["nearest_sample_deg"] == pytest.approx(46.8, abs=0.1)

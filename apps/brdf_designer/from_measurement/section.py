@@ -12,6 +12,7 @@ from brdf_designer.window.widgets import button, combo, wrapped
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG
 
 CXF_ENDING = ".cxf"
 
@@ -33,7 +34,7 @@ class MeasuredSection(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.origin, self.gloss, self.summary, self.notices = (wrapped() for _ in range(4))
+        self.origin, self.support, self.gloss, self.summary, self.notices = (wrapped() for _ in range(5))
         form = Form()
         self.angles = combo((tr(title), name) for name, title in ANGLE_SETS)
         self.angles.activated.connect(
@@ -48,25 +49,52 @@ class MeasuredSection(QWidget):
         tip = tr("Compare the design with the measured original at every angle")
         self.standard = button(tr("Original as Standard"), tip, self.standard_requested.emit)
         fill_column(
-            self, self.origin, form, self.gloss, self.summary, self.table, self.standard, self.notices
+            self,
+            self.origin,
+            form,
+            self.support,
+            self.gloss,
+            self.summary,
+            self.table,
+            self.standard,
+            self.notices,
         )
 
     def show_start(self, start: MeasuredStart) -> None:
         """Show what was read, and the differences at angles that were not."""
         self.origin.setText(start.paint.source)
         self.angles.setCurrentIndex(self.angles.findData(start.geometry_set.name))
+        self.support.setText(_support(start))
+        self.support.setVisible(bool(self.support.text()))
         self.gloss.setText(_gloss(start))
         self.summary.setText(_summary(start))
         angles = sorted({row.aspecular_deg for row in start.held_out})
-        known = {(row.illumination_deg, row.aspecular_deg): row.delta_e_2000 for row in start.held_out}
+        known = {(row.illumination_deg, row.aspecular_deg): row for row in start.held_out}
         self.table.set_row_count(len(angles))
         for number, angle in enumerate(angles):
             self.table.set_text(number, 0, f"{angle:g}°")
             for place, light in enumerate(HELD_OUT_LIGHTS_DEG, 1):
-                value = known.get((light, angle))
-                self.table.set_text(number, place, "–" if value is None else f"{value:.1f}")
+                row = known.get((light, angle))
+                text = "–" if row is None else f"{row.delta_e_2000:.1f}" + ("" if row.supported else "†")
+                self.table.set_text(number, place, text)
         self.table.setVisible(bool(angles))
         self.notices.setText("\n".join(start.notices))
+
+
+def _support(start: MeasuredStart) -> str:
+    """The readings, and the marked differences, that no sample of the original supports."""
+    far = [one for one in start.readings if not one.supported]
+    lines = []
+    if far:
+        angles = ", ".join(f"{one.geometry.label} ({one.sample_deg:.0f}°)" for one in far)
+        lines.append(
+            tr("Readings without a sample within {limit:g}° (nearest): {angles}").format(
+                limit=SUPPORT_DEG, angles=angles
+            )
+        )
+    if not all(row.supported for row in start.held_out):
+        lines.append(tr("† No sample of the original within {limit:g}°").format(limit=SUPPORT_DEG))
+    return "\n".join(lines)
 
 
 def _gloss(start: MeasuredStart) -> str:

@@ -176,7 +176,7 @@ def _row(row: AngleRow) -> ResultRow:
         )
     word = "" if verdict.passes is None else verdict_word(verdict.passes)
     cells = (
-        row.angle + ("*" if row.computed else ""),
+        row.angle + row.marks,
         f"{verdict.difference:.2f}",
         signed(verdict.lightness),
         signed(verdict.chroma),
@@ -198,6 +198,10 @@ def _tip(row: AngleRow, words: str) -> str:
         lines.append(tr("Standard L*a*b* {lab}").format(lab=lab))
     if row.computed:
         lines.append(tr("* Read from the standard's reflectance by the virtual spectrophotometer."))
+    if not row.supported:
+        lines.append(
+            tr("† The nearest sample of the standard is {angle:.0f}° away.").format(angle=row.sample_deg)
+        )
     return "\n".join(lines)
 
 

@@ -15,8 +15,12 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
+
+# A negative channel of a smaller share of the largest one is rounding, not a colour.
+_ROUNDING = 1e-9
 
 WHITE_D65_10 = np.array([94.811, 100.0, 107.304])
 """White of D65 and the 10° observer, XYZ (CIE 15, as the paint trade's instruments use it)."""
@@ -198,3 +202,20 @@ def in_srgb_gamut(lab: npt.ArrayLike, tolerance: float = 1e-6) -> npt.NDArray[np
     """Return whether (...) an sRGB screen can show L*a*b*; ``tolerance`` in linear light."""
     linear = lab_to_working(lab) @ WORKING_TO_SRGB.T
     return np.asarray(np.all((linear >= -tolerance) & (linear <= 1.0 + tolerance), axis=-1))
+
+
+def clipping_notice(f_r: npt.ArrayLike, where: str = "") -> tuple[str, ...]:
+    """Return the notice about reflectances (n, 3), 1/sr, whose negative working-space channels become 0, or nothing.
+
+    It counts them and gives the largest difference that this makes to a colour. ``where`` says which they are, for
+    the user.
+    """
+    given = np.asarray(f_r, np.float64)
+    outside = given[given.min(axis=1) < -_ROUNDING * np.abs(given).max(axis=1)]
+    if not len(outside):
+        return ()
+    lab, clipped = (working_to_lab(np.pi * values) for values in (outside, np.maximum(outside, 0.0)))
+    return (
+        f"{len(outside):,} of {len(given):,} colours{where} lie outside the working space (Rec. 2020); their negative "
+        f"channel became 0, a change of at most ΔE00 {delta_e_2000(lab, clipped).max():.2f}.",
+    )

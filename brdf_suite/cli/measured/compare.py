@@ -12,6 +12,7 @@ from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, ve
 from brdf_suite.inspection.measuring import compare
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.instruments.aperture import aperture
+from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
 
 def add(command: argparse.ArgumentParser) -> None:
@@ -54,7 +55,8 @@ def run(options: argparse.Namespace) -> int:
         )
         row = None if result.verdict is None else result.verdict.angles[k]
         verdict = "" if row is None or row.passes is None else f"  {verdict_text(row)}"
-        print(f"{reading.geometry.name:>10}{numbers}{verdict}")
+        mark = "" if reading.supported and result.second.readings[k].supported else "  *"
+        print(f"{reading.geometry.name:>10}{numbers}{verdict}{mark}")
     print(f"  in words: {result.sentence}")
     gloss = ", ".join(
         f"{value:.1f} and {result.second.gloss[angle]:.1f} at {angle}°"
@@ -68,7 +70,10 @@ def run(options: argparse.Namespace) -> int:
         )
     for light, values in (result.metamerism or {}).items():
         print(f"  metamerism index, D65 to {light}: " + ", ".join(f"{value:.2f}" for value in values))
-    for measurable, name in zip((first, second), names, strict=True):
-        for notice in measurable.notices:
+    for measurable, name, readings in zip(
+        (first, second), names, (result.first.readings, result.second.readings), strict=True
+    ):
+        far = support_notice((reading.geometry, reading.sample_deg) for reading in readings)
+        for notice in (*measurable.notices, *(f"* {text}" for text in far)):
             print(f"note: {name}: {notice}")
     return 1 if failed else 0

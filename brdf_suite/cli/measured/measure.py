@@ -13,7 +13,7 @@ from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.inspection.measuring import measurement_json
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.reflectance.instruments.aperture import aperture
-from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, measure
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport, measure
 from brdf_suite.reflectance.instruments.under_light import readings_under
 
 GEOMETRY_HELP = (
@@ -34,7 +34,9 @@ def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
     command.description = (
         "Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
-        "and glossmeter (20, 60, 85°)."
+        "and glossmeter (20, 60, 85°). Of scattered samples the angle to the nearest one is printed beside each "
+        f"reading; a reading without a sample within {SUPPORT_DEG:g}° has a star, as has a gloss without a sample in "
+        "the receptor."
     )
     command.add_argument("what", metavar="FILE|PAINT", nargs="+", help=ANYTHING)
     add_instrument(command)
@@ -99,16 +101,22 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
     plain = Path(item.origin).name.replace("_", " ").lower()
     named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.origin})"
     print(f"{item.name}{named}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
+    sampled = any(report.gloss_sample_deg.values())
     print(
         f"{'geometry':>10} {'L*':>8} {'a*':>8} {'b*':>8} {'C*':>8} {'h °':>7} {'X':>8} {'Y':>8} {'Z':>8}  factor"
+        + ("  nearest sample" if sampled else "")
     )
     for reading in report.readings:
         # Adding 0 turns the -0 of a grey into 0.
         numbers = "".join(f" {round(value, 2) + 0.0:8.2f}" for value in (*reading.lab, reading.lch[1]))
         tristimulus = "".join(f" {value:8.3f}" for value in reading.xyz)
         hue = f"{reading.lch[2]:7.1f}" if reading.lch[1] >= _GREY else f"{'–':>7}"
-        print(f"{reading.geometry.name:>10}{numbers} {hue}{tristimulus} {reading.factor:7.4f}")
-    gloss = ", ".join(f"{value:.1f} at {angle}°" for angle, value in report.gloss.items())
+        support = f" {reading.sample_deg:14.1f}°{'' if reading.supported else '*'}" if sampled else ""
+        print(f"{reading.geometry.name:>10}{numbers} {hue}{tristimulus} {reading.factor:7.4f}{support}")
+    gloss = ", ".join(
+        f"{value:.1f}{'' if report.gloss_supported(angle) else '*'} at {angle}°"
+        for angle, value in report.gloss.items()
+    )
     print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
     if report.flop is not None:
         print(f"  flop index: {report.flop.value:.2f}")
@@ -136,6 +144,7 @@ def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: st
         head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
     head += [f"factor_{name}" for name in names]
     head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
+    head += [f"nearest_sample_deg_{name}" for name in (*names, "G20", "G60", "G85")]
     writer.writerow(head)
     for item, report in measured:
         row: list[str] = [item.name, item.origin]
@@ -150,4 +159,6 @@ def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: st
         row += (
             ["", "", ""] if path is None else [f"{v:.4f}" for v in (path.length, path.hue_deg, path.chroma)]
         )
+        distances = (*(reading.sample_deg for reading in report.readings), *report.gloss_sample_deg.values())
+        row += [f"{distance:.2f}" for distance in distances]
         writer.writerow(row)

@@ -16,6 +16,7 @@ from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.paint_design.variations import examined, variations
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
 DIRECTIONS = ("lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back")
 
@@ -60,6 +61,7 @@ def run_start(options: argparse.Namespace) -> int:
     facts: dict[str, object] = {
         "gloss_read": {f"gu_{angle}": value for angle, value in start.gloss.readings.items()},
         "gloss_used": start.gloss_used,
+        "nearest_sample_deg": {reading.geometry.name: reading.sample_deg for reading in start.readings},
         "held_out": [
             {
                 "illumination_deg": row.illumination_deg,
@@ -67,6 +69,7 @@ def run_start(options: argparse.Namespace) -> int:
                 "lab_original": list(row.original),
                 "lab_design": list(row.design),
                 "delta_e_2000": row.delta_e_2000,
+                "nearest_sample_deg": row.sample_deg,
             }
             for row in start.held_out
         ],
@@ -74,7 +77,7 @@ def run_start(options: argparse.Namespace) -> int:
         "delta_e_2000_worst": None if start.worst is None else start.worst.delta_e_2000,
         "notices": list(start.notices),
     }
-    lines = []
+    lines = [*support_notice((reading.geometry, reading.sample_deg) for reading in start.readings)]
     if start.worst is not None:
         lines.append(
             f"ΔE00 to the original at {len(start.held_out)} angles that were not read: mean "

@@ -6,12 +6,14 @@ import argparse
 from dataclasses import replace
 
 from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
+from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_all, paint_like
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import default_paint
+from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
 KINDS = "a paint by name or file, a palette, CxF3, CSV or JSON of a hand-over, or a measured file"
 
@@ -81,7 +83,7 @@ def _print(report: BatchReport, standard: Standard, title: str) -> None:
     print(f"{report.name} against {standard.name}: {word}")
     print(f"{'angle':>16} {title:>9} {'ΔL*':>8} {'ΔC*':>8} {'ΔH*':>8}")
     for row in report.rows:
-        print(f"{row.angle + ('*' if row.computed else ''):>16} {_numbers(row)}")
+        print(f"{row.angle + row.marks:>16} {_numbers(row)}")
     print(f"  in words: {report.sentence()}")
     if report.flop is not None:
         print(f"  flop index: {report.flop[0]:.1f} and {report.flop[1]:.1f}")
@@ -91,6 +93,11 @@ def _print(report: BatchReport, standard: Standard, title: str) -> None:
         print(
             "  * the standard was not read there: the virtual spectrophotometer's reading of its reflectance"
         )
+    far = support_notice(
+        (Geometry(row.illumination_deg, row.aspecular_deg), row.sample_deg) for row in report.rows
+    )
+    for notice in far:
+        print(f"  † {notice}")
 
 
 def _numbers(row: AngleRow) -> str:

@@ -7,12 +7,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import PathLike, UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
+from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, nearest_sample_deg
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -64,6 +65,10 @@ class ExportItem:
     def computed(self) -> bool:
         """Whether the readings are the virtual instruments' and not the document's own."""
         return self.material is not None
+
+    def nearest_sample_deg(self, geometry: Geometry) -> float:
+        """Return the angle from a computed reading to the nearest sample, degrees; 0 where there are no samples."""
+        return 0.0 if self.material is None else nearest_sample_deg(self.material.reflectance, geometry)
 
     @cached_property
     def modelled(self) -> Paint:

@@ -2,7 +2,8 @@
 
     {"format": "brdf-suite-paints", "version": 1, "creator": …, "created": …, "paints": [
       {"paint": the document as in a .brdfpaint file,
-       "readings": [{"geometry": "45as15", "illumination_deg", "aspecular_deg", "lab", "lch", "xyz"}, …],
+       "readings": [{"geometry": "45as15", "illumination_deg", "aspecular_deg", "lab", "lch", "xyz",
+                     "nearest_sample_deg": angle to the nearest sample of a scattered file, else 0}, …],
        "illuminant": "D65", "observer_deg": 10,
        "gloss": {"gu_20", "gu_60"}, "flop_index": number or null, "travel": {…} or null,
        "computed": whether the readings are the virtual instruments',
@@ -66,14 +67,16 @@ def _item(item: ExportItem) -> dict[str, object]:
         "observer_deg": paint.observer_deg,
         "readings": [
             {
-                "geometry": Geometry(m.illumination_deg, m.aspecular_deg).name,
+                "geometry": geometry.name,
                 "illumination_deg": m.illumination_deg,
                 "aspecular_deg": m.aspecular_deg,
                 "lab": list(m.lab),
                 "lch": lab_to_lch(m.lab).tolist(),
                 "xyz": lab_to_xyz(m.lab).tolist(),
+                "nearest_sample_deg": item.nearest_sample_deg(geometry),
             }
             for m in paint.measurements
+            for geometry in [Geometry(m.illumination_deg, m.aspecular_deg)]
         ],
         "gloss": {"gu_20": paint.gloss.gu_20, "gu_60": paint.gloss.gu_60},
         "flop_index": compute_flop(paint),

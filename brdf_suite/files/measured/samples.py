@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_XYZ
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_XYZ, clipping_notice
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
@@ -104,7 +104,8 @@ def samples(
 ) -> ScatteredSamples:
     """Return the samples of a file, either spectra (n, k) or working-space values ``rgb`` (n, 3).
 
-    Negative values, the noise of dark readings, become 0; ``facts`` then says how many.
+    Negative values, the noise of dark readings, become 0; ``facts`` then says how many. Colours outside the working
+    space are counted in a notice, with the largest difference that their negative channel makes at 0.
 
     Raises :class:`FileError`: there is no row, or a value is beyond what a reflectance can be.
     """
@@ -120,8 +121,9 @@ def samples(
     negative = int(np.count_nonzero(raw < 0.0))
     if negative:
         known["negative values raised to 0"] = negative
+    notes: list[str] = []
     if spectra is None:
-        values = np.maximum(raw, 0.0)
+        colours = raw
     else:
         assert wavelengths_nm is not None  # spectra never come without
         spectra = np.maximum(spectra, 0.0)
@@ -129,12 +131,15 @@ def samples(
         known["observer_deg"] = observer_deg
         first, last = float(wavelengths_nm[0]), float(wavelengths_nm[-1])
         if first > _VISIBLE_NM[0] or last < _VISIBLE_NM[1]:
-            known["notes"] = (
+            notes.append(
                 f"The spectra reach from {first:g} to {last:g} nm only; beyond, their last value is held, and"
-                " colours are as good as that guess.",
+                " colours are as good as that guess."
             )
-        # Between far bands the interpolation may dip below 0; a reflectance does not.
-        values = np.maximum(spectrum_to_working(spectra, wavelengths_nm, observer_deg), 0.0)
+        colours = spectrum_to_working(spectra, wavelengths_nm, observer_deg)
+    values = np.maximum(colours, 0.0)
+    notes += clipping_notice(colours)
+    if notes:
+        known["notes"] = tuple(notes)
     try:
         return ScatteredSamples(
             wi, wo, values, spectra, wavelengths_nm, isotropic=isotropic, source=str(rows.path), facts=known

@@ -1,13 +1,13 @@
 """Virtual glossmeter: the flux of any reflectance in the standard's receptor at 20, 60 or 85°.
 
 A reading compares flux in the receptor with that of polished black glass (see
-:mod:`brdf_suite.appearance.clearcoat_gloss`):
+:mod:`brdf_suite.appearance.clearcoat_gloss`). Every direction of the source's image sends equal flux:
 
-    GU = 100 / F(θ; 1.567) · ∫ f_r cosθo W dω,
+    GU = 100 / F(θ; 1.567) · ∫∫ f_r cosθo dωo dωs / ∫ dωs,   ωs in the source's rectangle, ωo in the receptor's,
 
-weighted by luminance. W is 1 in the mirror direction and falls off at the receptor's edges: the receptor's box, blurred
-by a source of variance s²/12 in each direction, the very instrument that the formulas for a coat assume; so the two
-agree but for what those formulas leave out (shadowing, the change of Fresnel's factor over the lobe).
+weighted by luminance. With ωo as the mirror direction of ωs turned by (u, v), the source directions whose light
+arrives form a rectangle for each (u, v). Its share of the source is the product of two trapezoids, the convolution of
+source and receptor. f_r varies little over it at the same (u, v), so it is read once, at the rectangle's centre.
 
 The mirror lobe of a clearcoat is a thousand times narrower than the receptor. Both axes, in the plane of incidence and
 across it, are therefore cut into panels that halve towards the mirror direction, with four Gauss points in each:
@@ -23,10 +23,9 @@ import numpy as np
 
 from brdf_suite.appearance.clearcoat_gloss import (
     RECEPTORS_DEG,
-    SOURCE_DEG,
     black_glass,
     gloss_units,
-    receptor_deg,
+    half_widths,
 )
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
@@ -37,10 +36,6 @@ GLOSS_ANGLES_DEG: tuple[int, ...] = tuple(RECEPTORS_DEG)
 
 _FIRST_PANEL = 1e-4
 _POINTS = 4
-# Where the blurred edge of the receptor has fallen to nothing, in standard deviations of the blur.
-_EDGE_REACH = 5.0
-_PANEL_PER_BLUR = 1.5
-_ERF = np.vectorize(math.erf, otypes=[float])
 
 
 def gloss_reading(reflectance: Reflectance, angle_deg: int) -> float:
@@ -51,44 +46,50 @@ def gloss_reading(reflectance: Reflectance, angle_deg: int) -> float:
 
 @cache
 def _receptor(angle_deg: int) -> tuple[Floats, Floats, Floats]:
-    """wi (1, 3), wo (n, 3), and the weight (n,) of f_r in gloss units."""
-    blurs = [math.radians(width) / math.sqrt(12.0) for width in SOURCE_DEG]
-    halves = [0.5 * math.radians(width) for width in receptor_deg(angle_deg)]
-    (u, du), (v, dv) = (_graded(half, blur) for half, blur in zip(halves, blurs, strict=True))
-    window = np.outer(
-        du * _blurred_box(u, halves[0], blurs[0]), dv * _blurred_box(v, halves[1], blurs[1])
-    ).ravel()
+    """wi and wo (n, 3), and the weight (n,) of f_r in gloss units."""
+    (u, su, du), (v, sv, dv) = (_turns(*widths) for widths in half_widths(angle_deg))
     u, v = (grid.ravel() for grid in np.meshgrid(u, v, indexing="ij"))
-    return _seen(angle_deg, u, v, window)
+    su, sv = (grid.ravel() for grid in np.meshgrid(su, sv, indexing="ij"))
+    return _seen(angle_deg, su, sv, su + u, sv + v, np.outer(du, dv).ravel())
 
 
-def _seen(angle_deg: int, u: Floats, v: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
-    """wi (1, 3); wo (n, 3) and weights (n,) in GU of shares (n,) of du dv, (u, v) radians off the mirror direction."""
+def _seen(
+    angle_deg: int, su: Floats, sv: Floats, u: Floats, v: Floats, share: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """wi and wo (n, 3), and weights (n,) in GU of shares (n,) of du dv.
+
+    ``u`` and ``v`` are the view's angles off the mirror direction in the plane of incidence and across it, ``su`` and
+    ``sv`` those of the light's own mirror direction, radians.
+    """
     theta = math.radians(angle_deg)
+    wi = np.stack((-np.cos(sv) * np.sin(theta + su), -np.sin(sv), np.cos(sv) * np.cos(theta + su)), axis=-1)
     wo = np.stack((np.cos(v) * np.sin(theta + u), np.sin(v), np.cos(v) * np.cos(theta + u)), axis=-1)
     # dω = cos v du dv.
-    weights = share * np.cos(v) * np.maximum(wo[:, 2], 0.0) * 100.0 / black_glass(angle_deg)
-    return np.array([[-math.sin(theta), 0.0, math.cos(theta)]]), wo, weights
+    return wi, wo, share * np.cos(v) * np.maximum(wo[:, 2], 0.0) * 100.0 / black_glass(angle_deg)
 
 
-def _blurred_box(x: Floats, half: float, blur: float) -> Floats:
-    """The box of half-width ``half`` blurred by a Gaussian, 1 at 0."""
-    scale = math.sqrt(2.0) * blur
-    return np.asarray((_ERF((half - x) / scale) + _ERF((half + x) / scale)) / (2.0 * math.erf(half / scale)))
+def _turns(receptor: float, source: float) -> tuple[Floats, Floats, Floats]:
+    """Turns (n,) off the mirror direction along one side, the source's mean angle there, and the weights (n,).
 
-
-def _graded(half: float, blur: float) -> tuple[Floats, Floats]:
-    """Nodes and weights on both sides of 0: panels that double outwards until they are as wide as the blur."""
-    widest, end = _PANEL_PER_BLUR * blur, half + _EDGE_REACH * blur
-    edges = [0.0, _FIRST_PANEL]
-    while edges[-1] < widest:
-        edges.append(2.0 * edges[-1])
-    edges += np.linspace(edges[-1], end, 1 + math.ceil((end - edges[-1]) / widest))[1:].tolist()
+    The weight holds the share of the source whose light arrives. Panels double outwards from 0 on both sides; one
+    ends where that share begins to fall, the last where it reaches 0.
+    """
+    inner, outer = receptor - source, receptor + source
+    doubling = _FIRST_PANEL * 2.0 ** np.arange(math.ceil(math.log2(outer / _FIRST_PANEL)))
+    edges = np.sort([0.0, inner, outer, *doubling])
     nodes, shares = np.polynomial.legendre.leggauss(_POINTS)
-    low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
+    low, high = edges[:-1, None], edges[1:, None]
     x = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
     weight = (0.5 * (high - low) * shares).ravel()
-    return np.concatenate((-x[::-1], x)), np.concatenate((weight[::-1], weight))
+    # Of the source [-s, s] the part up to r - x arrives.
+    last = np.minimum(source, receptor - x)
+    weight *= (last + source) / (2.0 * source)
+    mean = 0.5 * (last - source)
+    return (
+        np.concatenate((-x[::-1], x)),
+        np.concatenate((-mean[::-1], mean)),
+        np.concatenate((weight[::-1], weight)),
+    )
 
 
 _ANGLES = (20, 60)
@@ -117,13 +118,15 @@ def total_gloss(base: Reflectance, coat: CoatLobe) -> tuple[float, float]:
 
 @cache
 def _receptors() -> tuple[Floats, Floats, Floats]:
-    """wi (2, 1, 3), wo (2, 9, 3) and weights (2, 9) in GU sr: Gauss-Legendre, 3 by 3 over each receptor."""
+    """wi and wo (2, 9, 3) and weights (2, 9) in GU sr: Gauss-Legendre, 3 by 3 over each receptor and source."""
     nodes, shares = np.polynomial.legendre.leggauss(3)
     u, v = (grid.ravel() for grid in np.meshgrid(nodes, nodes, indexing="ij"))
     share = np.outer(shares, shares).ravel()
     both = []
     for angle in _ANGLES:
-        a, b = (0.5 * math.radians(width) for width in receptor_deg(angle))
-        both.append(_seen(angle, a * u, b * v, share * a * b))
+        (a, s), (b, t) = half_widths(angle)
+        # The convolution with the source keeps the receptor's area and adds the squares of the widths.
+        side, up = np.hypot(a, s) * u, np.hypot(b, t) * v
+        both.append(_seen(angle, 0.0 * u, 0.0 * v, side, up, share * a * b))
     wi, wo, weights = (np.array(part) for part in zip(*both, strict=True))
     return wi, wo, weights

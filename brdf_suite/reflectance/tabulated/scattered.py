@@ -7,6 +7,7 @@ continuous except where neighbours lie equally far, and never leaves the range o
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -113,6 +114,30 @@ class ScatteredSamples(HalfVectorSampled):
         """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
 
         return in_blocks(partial(look_up_above, partial(self._mean, self.values)), wi, wo)
+
+    def nearest_sample_deg(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the angle (...) in degrees from pairs of directions to their nearest samples.
+
+        It is √(Δi² + Δo²) for small angles Δi between the lights and Δo between the views. Samples count as they are
+        used: swapped, and, where isotropic, turned about the normal and mirrored to lie nearest.
+        """
+        light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
+        pairs = zip(light.reshape(-1, 3), view.reshape(-1, 3), strict=True)
+        return np.array([self._nearest_deg(i, o) for i, o in pairs]).reshape(light.shape[:-1])
+
+    def _nearest_deg(self, i: Floats, o: Floats) -> float:
+        # The squared chords of both directions add up to 4 - 2 (i·i' + o·o').
+        alike = -2.0
+        for one, two in ((self.wi, self.wo), (self.wo, self.wi)):
+            if self.isotropic:
+                # Complex numbers x + iy: |Σ a b*| is the greatest Σ (ax bx + ay by) over all turns, |Σ a b| mirrored.
+                a, b = one[:, 0] + 1j * one[:, 1], two[:, 0] + 1j * two[:, 1]
+                p, q = complex(i[0], i[1]), complex(o[0], o[1])
+                level = np.maximum(np.abs(a * p + b * q), np.abs(a * p.conjugate() + b * q.conjugate()))
+            else:
+                level = one[:, :2] @ i[:2] + two[:, :2] @ o[:2]
+            alike = max(alike, float((level + one[:, 2] * i[2] + two[:, 2] * o[2]).max()))
+        return math.degrees(2.0 * math.asin(min(1.0, 0.5 * math.sqrt(max(0.0, 4.0 - 2.0 * alike)))))
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:

@@ -25,7 +25,7 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, clipping_notice
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.documents.parameter import Parameter
@@ -104,7 +104,15 @@ class TensorReflectance(HalfVectorSampled):
             low, high = float(self.wavelengths_nm[0]), float(self.wavelengths_nm[-1])
             facts["colour"] = f"{len(self.wavelengths_nm)} bands, {low:g} to {high:g} nm"
             facts["observer_deg"] = self.observer_deg
+            if self._clipping:
+                facts["notes"] = self._clipping
         return facts
+
+    @cached_property
+    def _clipping(self) -> tuple[str, ...]:
+        theta, phi = np.meshgrid(np.linspace(0.0, 1.4, 12), np.linspace(0.0, math.pi, 9))
+        channels = self.eval_spectra(spherical([[[0.2]], [[0.8]]], 0.0), spherical(theta, phi))
+        return clipping_notice(channels.reshape(-1, channels.shape[-1]) @ self.to_working, " on a test grid")
 
     @cached_property
     def _visible(self) -> GridDensity:

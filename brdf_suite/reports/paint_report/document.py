@@ -35,6 +35,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, support_notice
 from brdf_suite.reflectance.protocol import Reflectance
 
 _HERO, _SMALL = (1040, 640), (520, 640)
@@ -104,7 +105,10 @@ class ReportOptions:
 
 @dataclass(frozen=True)
 class ReportRow:
-    """One reading: what was asked, what the lobes of the fit give, and the standard there."""
+    """One reading: what was asked, what the lobes of the fit give, and the standard there.
+
+    ``sample_deg`` is the angle to the nearest sample, degrees, where it was read from scattered samples.
+    """
 
     geometry: Geometry
     lab: Lab
@@ -114,6 +118,12 @@ class ReportRow:
     fitted: Lab | None
     fit_delta_e: float | None
     standard: AngleRow | None
+    sample_deg: float
+
+    @property
+    def label(self) -> str:
+        """The angle, with a sign where no sample lies near."""
+        return self.geometry.label + ("" if self.sample_deg <= SUPPORT_DEG else "†")
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,7 +210,7 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
         pictures=pictures,
         batch=batch,
         standard_name="" if options.standard is None else options.standard.name,
-        remarks=_remarks(item, fit),
+        remarks=(*_support(rows, options.standard), *_remarks(item, fit)),
     )
 
 
@@ -227,9 +237,10 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Re
     for index, m in enumerate(item.paint.measurements):
         lightness, chroma, hue = lab_to_lch(m.lab).tolist()
         found = fitted.get((m.illumination_deg, m.aspecular_deg))
+        geometry = Geometry(m.illumination_deg, m.aspecular_deg)
         rows.append(
             ReportRow(
-                Geometry(m.illumination_deg, m.aspecular_deg),
+                geometry,
                 m.lab,
                 (lightness, chroma, hue),
                 hex_code(m.lab),
@@ -237,9 +248,20 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Re
                 None if found is None else found[0],
                 None if found is None else found[1],
                 None if batch is None else batch.rows[index],
+                item.nearest_sample_deg(geometry),
             )
         )
     return tuple(rows)
+
+
+def _support(rows: tuple[ReportRow, ...], standard: Standard | None) -> tuple[str, ...]:
+    """Return remarks that explain the sign † behind an angle, and behind a standard's difference."""
+    own = support_notice((row.geometry, row.sample_deg) for row in rows)
+    other = support_notice(
+        (row.geometry, row.standard.sample_deg) for row in rows if row.standard is not None
+    )
+    name = "" if standard is None else standard.name
+    return (*(f"† {text}" for text in own), *(f"† {name}: {text}" for text in other))
 
 
 def _figures(

@@ -128,7 +128,7 @@ def _patches(made: Report) -> str:
         for angle, code in made.strip[:: max(1, len(angles) // 48)]
     )
     patches = "".join(
-        f'<div class="patch"><div style="background:{row.code}"></div><b>{row.geometry.label}</b>'
+        f'<div class="patch"><div style="background:{row.code}"></div><b>{row.label}</b>'
         f"{row.lab[0]:.1f} · {row.lab[1]:.1f} · {row.lab[2]:.1f}"
         + ("" if row.in_gamut else '<br><span class="out">outside sRGB</span>')
         + "</div>"
@@ -152,7 +152,7 @@ def standard_headings(made: Report) -> tuple[str, ...]:
 
 def cells(row: ReportRow) -> list[tuple[str, bool]]:
     """Return the numbers of a row of the table, and whether each is computed."""
-    numbers: list[tuple[str, bool]] = [(row.geometry.label, False)]
+    numbers: list[tuple[str, bool]] = [(row.label, False)]
     numbers += [(f"{value:.2f}", False) for value in (*row.lab, row.lch[1])]
     numbers.append((f"{row.lch[2]:.1f}°" if row.lch[1] >= 0.05 else "–", False))
     numbers.append(("–" if row.fit_delta_e is None else f"{row.fit_delta_e:.2f}", True))
@@ -172,7 +172,10 @@ def standard_cells(row: ReportRow) -> list[tuple[str, bool]]:
         verdict.chroma,
         verdict.hue,
     )
-    texts = [f"{numbers[0]:.2f}", *(f"{value:+.2f}" for value in numbers[1:])]
+    texts = [
+        f"{numbers[0]:.2f}" + ("" if found.supported else "†"),
+        *(f"{value:+.2f}" for value in numbers[1:]),
+    ]
     return [*((text, found.computed) for text in texts), (passes, False)]
 
 

@@ -133,7 +133,7 @@ class _Page:
         for index, row in enumerate(rows):
             x = self.left + index * (width + 6.0)
             pen.rectangle(x, self.y, width, 44.0, row.code)
-            pen.text(x, self.y + 53.0, row.geometry.label, 8.0, bold=True)
+            pen.text(x, self.y + 53.0, row.label, 8.0, bold=True)
             if not row.in_gamut:
                 pen.text(x + width, self.y + 53.0, "outside sRGB", 6.0, anchor="end", colour=SOFT)
         self.y += 66.0

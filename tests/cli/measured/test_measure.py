@@ -366,3 +366,23 @@ def test_compare_prints_the_facts_of_each(asked, shared_data: Path) -> None:
 
 def test_paints_of_one_name_are_distinguished(asked) -> None:
     assert "Blue (table1_blue) against Blue (blue)" in asked("compare", "blue", "table1_blue")[1]
+
+
+def test_readings_without_a_sample_near_them_are_marked(asked, shared_data: Path) -> None:
+    folder = shared_data / "brdf"
+    _status, out, _err = asked("measure", folder / "bird_example.json")
+    rows = [line for line in out.splitlines() if line.split()[0].startswith("45as")]
+    assert [row.split()[-1] for row in rows] == ["69.5°*", "46.8°*", "40.6°*", "35.0°*", "46.8°*", "73.7°*"]
+    assert "* at 20°" in out
+    _status, out, _err = asked("measure", folder / "cayman.brdf")
+    assert "3.6°" in out
+    assert "3.6°*" not in out
+    assert "nearest sample" not in asked("measure", "blue")[1]
+    facts = json.loads(asked("measure", folder / "cayman.brdf", "--json")[1])
+    assert [reading["supported"] for reading in facts["readings"]] == [True] * 6
+    assert facts["gloss_supported"] == {"gu_20": False, "gu_60": True, "gu_85": False}
+    row = next(csv.DictReader(io.StringIO(asked("measure", folder / "cayman.brdf", "--csv")[1])))
+    assert float(row["nearest_sample_deg_45"]) == pytest.approx(5.0, abs=0.01)
+    assert float(row["nearest_sample_deg_G20"]) == pytest.approx(3.74, abs=0.01)
+    _status, out, _err = asked("compare", folder / "bird_example.json", "blue")
+    assert sum(line.endswith("  *") for line in out.splitlines()) == 6

@@ -44,7 +44,7 @@ def test_a_measured_file_by_the_menu(program, control, asked, qtbot, shared_data
     assert not program.store.is_clean
     section = control.section
     assert not control.host.isHidden()
-    assert "18.2 GU 20°" in section.gloss.text()
+    assert "17.9 GU 20°" in section.gloss.text()
     # 25 to 105° under the light of the instrument but for 45°, and further angles under the two others.
     assert section.table.rowCount() == 10
     assert section.table.item(1, 1).text() == f"{control.start_of_front().under(45.0)[0].delta_e_2000:.1f}"
@@ -60,7 +60,7 @@ def test_a_paint_of_lobes_is_opened_and_read_again_at_more_angles(
     wait_for(qtbot, control)
     before = program.session.paint
     assert before.name == "Lobes"
-    assert before.gloss.gu_20 == pytest.approx(31.6, abs=0.1)
+    assert before.gloss.gu_20 == pytest.approx(31.2, abs=0.1)
     assert program.store.path is None
     assert cook_torrance.absolute() in program.files.recent()
     angles = control.section.angles
@@ -130,3 +130,18 @@ def test_every_kind_of_material_is_opened(program, materials, qtbot) -> None:
         before = program.store.value
         program.open(asked)
         qtbot.waitUntil(lambda before=before: program.store.value is not before)
+
+
+def test_readings_that_no_sample_supports_are_marked(program, control, qtbot, shared_data) -> None:
+    program.window.open_requested.emit(shared_data / "brdf" / "bird_example.json")
+    wait_for(qtbot, control)
+    section = control.section
+    assert "15° (47°), 45° (35°), 110° (74°)" in section.support.text()
+    assert "† No sample of the original within 10°" in section.support.text()
+    assert section.table.item(1, 1).text().endswith("†")
+    program.window.open_requested.emit(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
+    qtbot.waitUntil(
+        lambda: control.start_of_front() is not None and "vch" in control.start_of_front().paint.name
+    )
+    assert section.support.text() == ""
+    assert "†" not in section.table.item(1, 1).text()

@@ -175,7 +175,7 @@ def test_a_measured_file_is_a_standard_at_any_angle(program, control, qtbot, sha
     assert column(control.section.results, 0) == ["15°*", "45°*", "110°*"]
     click(control.section.swap)
     assert program.session.paint.lab_at(15.0)[0] == pytest.approx(101.13, abs=0.01)
-    assert program.session.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
+    assert program.session.paint.gloss.gu_20 == pytest.approx(17.9, abs=0.05)
 
 
 def test_what_cannot_be_read_is_reported_and_nothing_changes(program, control, qtbot, tmp_path) -> None:
@@ -269,3 +269,10 @@ def test_patches_follow_the_order_of_the_angles() -> None:
     state = state_of(standard, batch, report)
     assert [row.cells[0] for row in state.rows] == ["15°", "45°", "110°"]
     assert [patch.passes for patch in state.patches] == [True, True, False]
+
+
+def test_angles_without_a_sample_of_the_standard_are_marked(program, control, qtbot, shared_data) -> None:
+    control.load(shared_data / "brdf" / "bird_example.json")
+    qtbot.waitUntil(lambda: control.standard is not None)
+    assert column(control.section.results, 0) == ["15°*†", "45°*†", "110°*†"]
+    assert "nearest sample of the standard is 47° away" in control.section.results.item(0, 0).toolTip()

@@ -393,3 +393,19 @@ def test_spectral_samples_go_into_a_tensor_and_keep_their_bands(shared_data: Pat
     np.testing.assert_array_equal(value.wavelengths_nm, first.wavelengths_nm)
     here, there = aspecular_lab(first, 45.0), aspecular_lab(value, 45.0)
     assert np.abs(here - there).max() < 3.0
+    assert "of 216 colours on a test grid lie outside the working space" in value.facts["notes"][0]
+
+
+def test_colours_outside_the_working_space_are_counted(shared_data: Path, tmp_path: Path) -> None:
+    def notes(name: str) -> str:
+        return " ".join(read_measured(shared_data / "brdf" / name).facts.get("notes", ()))
+
+    assert notes("krylon_blue.brdf").startswith("189 of 1,439 colours lie outside the working space")
+    assert "at most ΔE00 2.87" in notes("krylon_blue.brdf")
+    assert notes("retro-gray-tape.dat") == ""
+    # XYZ of a monochromatic green: its red channel is negative in Rec. 2020.
+    green = alta("ISOTROPIC_TV_TL", "0.1 0.2 0.0633 0.71 0.2987\n", 3, "#PARAM_OUT XYZ_COLOR\n")
+    path = written(tmp_path, "green.alta", green)
+    value = read_measured(path)
+    assert "1 of 1 colours lie outside" in value.facts["notes"][0]
+    assert value.values.min() == 0.0

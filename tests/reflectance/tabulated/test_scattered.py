@@ -123,3 +123,41 @@ def test_asking_for_spectra_that_are_not_there_is_reported() -> None:
     samples = ScatteredSamples(spherical([0.1], 0.0), spherical([0.2], 0.0), np.ones((1, 3)))
     with pytest.raises(ValueRangeError, match="no spectra"):
         samples.eval_spectra(spherical(0.1, 0.0), spherical(0.1, 0.0))
+
+
+FLIP = np.array([1.0, -1.0, 1.0])
+
+
+@pytest.mark.parametrize("isotropic", [True, False])
+def test_the_distance_to_a_sample_is_0_where_it_counts(directions: Pair, isotropic: bool) -> None:
+    wi, wo = (w[:40] for w in directions)
+    samples = ScatteredSamples(wi, wo, colours(wi, wo), isotropic=isotropic)
+    for pair in ((wi, wo), (wo, wi)):
+        np.testing.assert_allclose(samples.nearest_sample_deg(*pair), 0.0, atol=1e-5)
+    for pair in ((turned(wi, 1.1), turned(wo, 1.1)), (wi * FLIP, wo * FLIP)):
+        assert bool(samples.nearest_sample_deg(*pair).max() < 1e-5) is isotropic
+
+
+def test_the_distance_is_the_angle_of_the_direction_that_moves() -> None:
+    wi, wo = spherical([0.6], 0.0), spherical([0.6], np.pi)
+    for isotropic in (True, False):
+        samples = ScatteredSamples(wi, wo, np.ones((1, 3)), isotropic=isotropic)
+        # In the plane of incidence no turn about the normal brings the pair nearer.
+        moved = samples.nearest_sample_deg(wi[0], spherical(0.6 + np.radians([1.0, 7.0, 20.0]), np.pi))
+        np.testing.assert_allclose(moved, [1.0, 7.0, 20.0], rtol=1e-9)
+
+
+def test_the_distance_is_the_least_over_all_turns(directions: Pair) -> None:
+    wi, wo = (w[:6] for w in directions)
+    samples = ScatteredSamples(wi, wo, np.ones((6, 3)))
+    turns = np.radians(np.arange(0.0, 360.0, 0.25))
+    for i, o in zip(*(w[100:110] for w in directions), strict=True):
+        least = min(
+            np.linalg.norm(turned(a * flip, by) - i) ** 2 + np.linalg.norm(turned(b * flip, by) - o) ** 2
+            for one, two in ((wi, wo), (wo, wi))
+            for a, b in zip(one, two, strict=True)
+            for flip in (1.0, FLIP)
+            for by in turns
+        )
+        chord = 2.0 * np.degrees(np.arcsin(min(1.0, 0.5 * np.sqrt(least))))
+        assert samples.nearest_sample_deg(i, o) == pytest.approx(chord, abs=0.02)
