@@ -110,6 +110,15 @@ def facet_albedo(
     return FacetAlbedo(fresnel, of_fresnel, lost, mean, np.asarray(again / (math.pi * max(mean_lost, 1e-12))))
 
 
+def single_scattering_albedo(distribution: Distribution, alpha: float, cosine: npt.ArrayLike) -> Floats:
+    """Return E (...) of facets that reflect all light (F = 1), without multiple scattering, at ``cosine`` (...).
+
+    >>> bool(single_scattering_albedo("ggx", 0.03, 0.9) > 0.998)
+    True
+    """
+    return 1.0 + _between(_at_roughness(distribution, alpha).sum(axis=-1), cosine)
+
+
 @lru_cache(maxsize=256)
 def coat_albedo(ior: float, roughness: float) -> FacetAlbedo:
     """Return E of a clearcoat: Beckmann facets of a clear dielectric of index ``ior``, seen from outside."""
