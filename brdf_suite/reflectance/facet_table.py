@@ -24,6 +24,7 @@ from brdf_suite.reflectance.facet_albedo import (
     Distribution,
 )
 from brdf_suite.reflectance.models.ggx import PARAMETERS, Ggx
+from brdf_suite.reflectance.protocol import Reflectance
 
 # An index so high that every facet reflects all light.
 _MIRROR = 1e9
@@ -53,7 +54,7 @@ def change(
     share = np.repeat(2.0 * rest, around) / (along * around)
     cosine = max(cosine, _LOWEST_COSINE)
     wo = np.array([np.sqrt(1.0 - cosine * cosine), 0.0, cosine])
-    white: CoatLobe | Ggx
+    white: Reflectance
     if distribution == "beckmann":
         h = warps.beckmann_normal(u, alpha)
         density = warps.beckmann_normal_pdf(h, alpha)
