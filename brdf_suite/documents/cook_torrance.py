@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, get_args
 
-from brdf_suite.documents.paint import Flakes
+from brdf_suite.documents.paint import SCATTERINGS, Flakes, Scattering
 from brdf_suite.documents.parameter import (
     Parameter,
     check_choices,
@@ -54,13 +54,15 @@ class CookTorranceLobe:
 
 @dataclass(frozen=True)
 class Clearcoat:
-    """A clear dielectric layer over the paint: index of refraction and Beckmann roughness."""
+    """A clear dielectric layer over the paint: index of refraction, Beckmann roughness, how light scatters."""
 
     ior: float = 1.5
     roughness: float = 0.002
+    scattering: Scattering = "multiple"
 
     def __post_init__(self) -> None:
         set_numbers(self, PARAMETERS, "ior", "roughness", group="clearcoat.")
+        check_choices(self, scattering=SCATTERINGS)
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,9 @@ Interpolation = Literal["flake", "monotone", "polynomial"]
 INTERPOLATIONS: tuple[str, ...] = get_args(Interpolation)
 OutOfPlane = Literal["aspecular", "half_vector"]
 OUT_OF_PLANE: tuple[str, ...] = get_args(OutOfPlane)
+Scattering = Literal["multiple", "single"]
+"""How often light may meet facets of a rough surface: as often as it does, or once, as papers have it."""
+SCATTERINGS: tuple[str, ...] = get_args(Scattering)
 Lab = tuple[float, float, float]
 
 # An instrument of a hundred angles is far beyond any made; more is a damaged file.
@@ -157,7 +160,8 @@ class Paint:
     L*a*b* is CIE 1976 with the white of ``illuminant`` and ``observer_deg``; only D65 and 10° are known so
     far. ``near_specular`` scales what the interpolation gives in the mirror direction, where no instrument
     of three angles looks. ``out_of_plane`` says what a direction outside the readings' plane is compared by: its
-    aspecular angle, or the tilt of the flake that would mirror the light there (the flake rule only).
+    aspecular angle, or the tilt of the flake that would mirror the light there (the flake rule only). ``scattering``
+    says whether light that meets several facets of the coat counts (multiple), or is lost as papers have it (single).
 
     >>> paint = solid_paint("white", (95.0, 0.0, 1.0))
     >>> paint.with_lab(45.0, (94.0, 0.0, 1.0)).lab_at(45.0)
@@ -176,6 +180,7 @@ class Paint:
     source: str = ""
     out_of_plane: OutOfPlane = "aspecular"
     orange_peel: OrangePeel | None = None
+    scattering: Scattering = "multiple"
 
     def __post_init__(self) -> None:
         check_labels(self)
@@ -183,7 +188,8 @@ class Paint:
         if not isinstance(self.gloss, Gloss):
             raise ValueRangeError("gloss", f"expected gloss readings, not {describe(self.gloss)}")
         check_parts(self, flakes=(Flakes, "flakes"), orange_peel=(OrangePeel, "orange peel"))
-        check_choices(self, interpolation=INTERPOLATIONS, out_of_plane=OUT_OF_PLANE, illuminant=("D65",))
+        check_choices(self, interpolation=INTERPOLATIONS, out_of_plane=OUT_OF_PLANE, scattering=SCATTERINGS)
+        check_choices(self, illuminant=("D65",))
         set_numbers(self, PARAMETERS, "near_specular")
         if self.observer_deg != 10 or isinstance(self.observer_deg, bool):
             raise ValueRangeError(

@@ -205,7 +205,7 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 
 VERSIONS: dict[str, int] = {
-    "brdfpaint": 4,
+    "brdfpaint": 5,
     "brdfview": 4,
     "brdfstudio": 1,
     "brdfpalette": 2,
@@ -220,6 +220,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfpaint", 2): dict,
     # Version 4 added the kind "factored".
     ("brdfpaint", 3): dict,
+    # Version 5 added how light scatters in a rough coat, with a default.
+    ("brdfpaint", 4): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.

@@ -22,6 +22,7 @@ from brdf_suite.documents.paint import (
     INTERPOLATIONS,
     OUT_OF_PLANE,
     PARAMETERS,
+    SCATTERINGS,
     Flakes,
     Gloss,
     Measurement,
@@ -35,7 +36,7 @@ from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
 
 _FIELDS = {
     "format", "version", "kind", "name", "measurements", "gloss", "flakes", "interpolation", "near_specular",
-    "illuminant", "observer_deg", "notes", "source", "out_of_plane", "orange_peel",
+    "illuminant", "observer_deg", "notes", "source", "out_of_plane", "orange_peel", "scattering",
 }  # fmt: skip
 _READING = {"illumination_deg", "aspecular_deg", "lab"}
 
@@ -72,6 +73,7 @@ def quick_paint(value: object) -> Paint | None:
         and source.isprintable()
         and get("interpolation", "flake") in INTERPOLATIONS
         and get("out_of_plane", "aspecular") in OUT_OF_PLANE
+        and get("scattering", "multiple") in SCATTERINGS
         and get("illuminant", "D65") == "D65"
         and type(get("observer_deg", 10)) is int
         and get("observer_deg", 10) == 10
@@ -102,6 +104,7 @@ def quick_paint(value: object) -> Paint | None:
         source=source,
         out_of_plane=get("out_of_plane", "aspecular"),
         orange_peel=peel,
+        scattering=get("scattering", "multiple"),
     )
 
 

@@ -16,7 +16,8 @@ from brdf_suite.realtime.factors.values import (
     FactorMap,
     FactorTerm,
 )
-from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
+from brdf_suite.reflectance.facet_albedo import mean_reflected
+from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
     if factored is None or too_many_maps(reflectance):
         return None
     if isinstance(reflectance, Coated):
-        even = mean_fresnel(reflectance.ior)
+        even = mean_reflected(reflectance.ior)  # of a smooth coat, as the shader takes it
         red, green, blue = reflectance.base_albedo.tolist()
         inner = 1.0 - (1.0 - even) / reflectance.ior**2
         coat = FactorCoat(reflectance.ior, reflectance.spread, inner, even, (red, green, blue))

@@ -10,9 +10,15 @@ from time import perf_counter
 import numpy as np
 
 from brdf_suite.files.measured.merl import read_merl, write_merl
+from brdf_suite.geometry.directions import illumination
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.checks import check_model
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.models.ggx import Ggx
+from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.registry import MODELS
@@ -31,10 +37,20 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "table_eval_1e6_s": ("<=", 0.3, "s", "eval of that table on 10⁶ pairs, median of 5"),
     "ct3_eval_1e6_s": ("<=", 0.15, "s", "eval of Cook-Torrance with three lobes on 10⁶ pairs, median of 5"),
     "check": ("<=", 1.005, "", "largest albedo of any model that claims to conserve energy"),
+    "furnace_low": (
+        ">=",
+        0.995,
+        "",
+        "white furnace by evaluation: least albedo of what loses no light, 40 values of α to 0.6, 6 angles to 85°",
+    ),
+    "furnace_high": ("<=", 1.005, "", "the largest of them"),
 }
 
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
+
+FURNACE_ALPHAS = np.geomspace(0.002, 0.6, 40)
+FURNACE_DEG = (0.0, 30.0, 60.0, 75.0, 81.0, 85.0)
 
 PAIRS = 1_000_000
 PAINT = "table1_polaris_silver"
@@ -91,6 +107,31 @@ def largest_albedo(progress: Progress | None) -> float:
     return largest
 
 
+def white_bodies(alpha: float) -> dict[str, Reflectance]:
+    """Return reflectances of roughness ``alpha`` that lose no light."""
+    found: dict[str, Reflectance] = {
+        "GGX, F = 1": Ggx(0.0, 1.0, alpha),
+        "GGX over a white body": Ggx(1.0, (0.04, 0.3, 0.9), alpha),
+        "coat, F = 1": CoatLobe(1e9, alpha),
+    }
+    for ior in (1.3, 1.5, 1.7):
+        found[f"coat of n = {ior:g} over a white body"] = Coated(Lambertian(1.0), ior, alpha)
+    return found
+
+
+def furnaces(progress: Progress | None) -> tuple[float, float]:
+    """Return the least and the largest albedo of white bodies, and note where they are."""
+    views, seen = illumination(np.array(FURNACE_DEG)), []
+    for index, alpha in enumerate(FURNACE_ALPHAS.tolist()):
+        report(progress, index / len(FURNACE_ALPHAS), f"white furnaces at α = {alpha:.3g}")
+        for name, body in white_bodies(alpha).items():
+            for angle, albedo in zip(FURNACE_DEG, directional_albedo(body, views, 32), strict=True):
+                place = f"{name}, α = {alpha:.3g}, {angle:g}°"
+                seen += [(float(value), place) for value in (albedo.min(), albedo.max())]
+    (low, NOTES["furnace_low"]), (high, NOTES["furnace_high"]) = min(seen), max(seen)
+    return low, high
+
+
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Measure and return the figures named in ``BOUNDS``."""
     wi, wo = random_pairs()
@@ -109,11 +150,14 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     report(progress, 0.2, "evaluating")
     table_s = seconds(table, wi, wo)
     cook_torrance_s = seconds(CookTorrance(TABLE_1[PAINT]), wi, wo)
-    albedo = largest_albedo(subrange(progress, 0.4, 1.0))
+    albedo = largest_albedo(subrange(progress, 0.4, 0.8))
+    low, high = furnaces(subrange(progress, 0.8, 1.0))
     report(progress, 1.0, "done")
     return {
         "merl_load_s": median(loads),
         "table_eval_1e6_s": table_s,
         "ct3_eval_1e6_s": cook_torrance_s,
         "check": albedo,
+        "furnace_low": low,
+        "furnace_high": high,
     }

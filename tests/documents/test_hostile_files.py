@@ -45,7 +45,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
     ("keys", "value", "place", "words"),
     [
         (("format",), "brdfview", "format", 'expected "brdfpaint"'),
-        (("version",), 5, "version", "newer than this program"),
+        (("version",), 6, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),
@@ -79,6 +79,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
         ),
         (("interpolation",), "spline", "interpolation", "flake"),
         (("out_of_plane",), "tilt", "out_of_plane", "half_vector"),
+        (("scattering",), "twice", "scattering", "multiple"),
         (("observer_deg",), 2, "observer_deg", "10°"),
         (("surprise",), 1, "the top level", "'surprise' is unknown"),
     ],

@@ -105,7 +105,16 @@ def test_a_paint_of_version_2_has_no_orange_peel() -> None:
     del old["orange_peel"]
     paint = paint_from_json(old)
     assert paint.orange_peel is None
-    assert paint_to_json(paint)["version"] == 4
+    assert paint_to_json(paint)["version"] == 5
+
+
+def test_a_paint_of_version_4_scatters_as_often_as_light_does() -> None:
+    old = {**paint_to_json(solid_paint("Old", (50.0, 1.0, 2.0))), "version": 4}
+    del old["scattering"]
+    assert paint_from_json(old).scattering == "multiple"
+    assert paint_from_json(
+        {**paint_to_json(solid_paint("Old", (50.0, 1.0, 2.0))), "scattering": "single"}
+    ) == dataclasses.replace(solid_paint("Old", (50.0, 1.0, 2.0)), scattering="single")
 
 
 def test_the_slope_of_orange_peel_is_that_of_its_height() -> None:

@@ -282,7 +282,7 @@ def test_the_file_is_what_the_format_says(tmp_path: Path) -> None:
     assert "Weiß" in text, "readable, not escaped"
     assert text.endswith("}\n")
     value = json.loads(text)
-    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 4, "aspecular")
+    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 5, "aspecular")
     assert value["measurements"][2] == {
         "illumination_deg": 45.0,
         "aspecular_deg": 110.0,

@@ -24,9 +24,14 @@ from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_surface, prepare_environment
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights, seen_weights
+from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, look_up_table
+from brdf_suite.realtime.material.ramp import make_ramp
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 from brdf_suite.reflectance.albedo import white_furnace
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.ggx import Ggx
+from brdf_suite.reflectance.models.lambertian import Lambertian
 
 WHITE = CubeFaces(np.ones((6, 32, 32, 3), np.float16))
 
@@ -252,3 +257,29 @@ def test_of_many_edits_the_newest_comes_first_and_those_no_longer_shown_never(
         assert done.acquire(timeout=60.0)
     assert found == [first.exponents[-1], *(weights.exponents[-1] for weights in reversed(shown))]
     queue.close()
+
+
+WHITE_BODIES = {
+    "matt, glossy coat": lambda: Material("white", Coated(Lambertian(1.0), 1.5, 0.002)),
+    "matt, matte coat": lambda: Material("white", Coated(Lambertian(1.0), 1.5, 0.6)),
+    "metal": lambda: Material("white", Ggx(0.0, 1.0, 0.6)),
+    "designed, glossy": lambda: load_material("solid_white"),
+    "designed, satin": lambda: load_material("satin_white"),
+    "designed, matte": lambda: load_material("matte_white"),
+}
+
+
+@pytest.mark.parametrize("name", WHITE_BODIES)
+def test_constant_light_comes_back_in_real_time(name: str) -> None:
+    """Every map of constant light is 1, so a pixel is the sum of its ramp's rows: within 2 % to 85°."""
+    fit = fit_material(WHITE_BODIES[name]())
+    angles = PaintAngles()
+    angles.prepare(fit, View())
+    weights = angles.weights(fit)
+    ramp = make_ramp(weights, "raised", "shifted", Ladder((1.0, 8.0, 64.0)), weights.by_view)
+    angles.close()
+    for degrees in (0.0, 45.0, 70.0, 80.0, 85.0):
+        cosine = float(np.cos(np.radians(degrees)))
+        at = np.sqrt(RAMP_COSINES)
+        found = [np.interp(np.sqrt(cosine), at, row) for row in ramp.rows[:, :, :3].sum(axis=0).T]
+        np.testing.assert_allclose(found, directional(fit.reflectance, cosine), rtol=0.02)

@@ -93,7 +93,17 @@ def test_directions_are_drawn_as_the_density_says(twins, chi_square, name: str, 
 
 
 @pytest.mark.parametrize(
-    "name", ["lambertian", "satin_coat_lobe", "designed", "cook_torrance", "coated", "table"]
+    "name",
+    [
+        "lambertian",
+        "satin_coat_lobe",
+        "matte_coated_white",
+        "designed",
+        "designed_matte",
+        "cook_torrance",
+        "coated",
+        "table",
+    ],
 )
 def test_in_a_white_furnace_the_albedo_comes_back(twins, name: str) -> None:
     """What the samplers' weights add up to is what the core's quadrature gives: a z-test."""

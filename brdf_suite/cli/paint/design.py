@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
 from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.paint import SCATTERINGS, Paint
 from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
@@ -49,6 +50,12 @@ def add(command: argparse.ArgumentParser) -> None:
     between.set_defaults(run=run_between)
     for kind in (start, step, between):
         kind.add_argument("-o", "--output", metavar="OUT", type=Path, help="the .brdfpaint file to write")
+        kind.add_argument(
+            "--scattering",
+            choices=SCATTERINGS,
+            help="whether light that meets several facets of the paint's coat counts (multiple) or is lost, as papers "
+            "have it (single); default: as it was",
+        )
         kind.add_argument("--json", action="store_true", help="print one JSON object")
 
 
@@ -124,6 +131,8 @@ def _check_output(path: Path | None) -> None:
 
 
 def _done(paint: Paint, options: argparse.Namespace, facts: dict[str, object], lines: list[str]) -> int:
+    if options.scattering is not None:
+        paint = replace(paint, scattering=options.scattering)
     if options.output is not None:
         save_paint(paint, options.output)
     if options.json:

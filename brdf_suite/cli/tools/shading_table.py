@@ -1,16 +1,20 @@
-"""``brdf-suite shading-table``: generation of the lobe look-up table of the shader."""
+"""``brdf-suite shading-table``: generation of the shader's lobe look-ups and of the facets' directional albedo."""
 
 from __future__ import annotations
 
 import argparse
+import io
 import json
 from pathlib import Path
+
+import numpy as np
 
 from brdf_suite.cli.output import progress_bar
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.lighting.filter.shading_table import shading_table
+from brdf_suite.reflectance.facet_table import facet_table
 
-_OUTPUT = Path("look_ups.json")
+_OUTPUT, _FACETS = Path("look_ups.json"), Path("facet_albedo.npy")
 
 
 def add(command: argparse.ArgumentParser) -> None:
@@ -18,21 +22,37 @@ def add(command: argparse.ArgumentParser) -> None:
     command.description = (
         "Find direction, exponent and amplitude by which a cosine lobe times the cosine of incidence is "
         "looked up in prefiltered maps, by least squares over the sphere. The suite's own is "
-        "resources/shading/look_ups.json; the same command gives the same file."
+        "resources/shading/look_ups.json; the same command gives the same file. With --facets: the light that rough "
+        "facets reflect, by roughness, angle and Fresnel reflectance, from which multiple scattering follows; the "
+        "suite's own is resources/shading/facet_albedo.npy."
     )
     command.add_argument(
-        "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
+        "-o", "--output", metavar="FILE", type=Path, help=f"default: {_OUTPUT}, or {_FACETS} with --facets"
     )
+    command.add_argument("--facets", action="store_true", help="make the table of rough facets instead")
     command.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Make the table and write it."""
+    if options.facets:
+        return _write_facets(options.output or _FACETS)
     with progress_bar("fitting look-ups", quiet=False) as progress:
         table = shading_table(progress)
     text = json.dumps(table)
     for opening in ('{"toward_normal"', '"targets"', '"coated"', '"gloss"', '"diffuse"', '"cosines"'):
         text = text.replace(opening, "\n" + opening)  # one lobe on a line
-    write_atomically(options.output, f"{text}\n".encode())
-    print(f"{options.output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
+    output = options.output or _OUTPUT
+    write_atomically(output, f"{text}\n".encode())
+    print(f"{output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
+    return 0
+
+
+def _write_facets(output: Path) -> int:
+    with progress_bar("integrating facets", quiet=False) as progress:
+        table = facet_table(progress)
+    data = io.BytesIO()
+    np.save(data, table)
+    write_atomically(output, data.getvalue())
+    print(f"{output}: {' × '.join(map(str, table.shape))} numbers")
     return 0

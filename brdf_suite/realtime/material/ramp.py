@@ -66,6 +66,8 @@ def make_ramp(
     raised = fresnel != "off" and over_angle is None
     shifted = look_up == "shifted"
     under_coat = shifted and fresnel != "off" and weights.coat == "dielectric" and weights.ior > 1.0
+    # Weights for every angle of the view were fitted to the plain look-ups: they have the coat in them already.
+    under_coat = under_coat and (over_angle is None or over_angle is not weights.by_view)
     if over_angle is not None:
         kd, kdd, kg = over_angle.kd, over_angle.kdd, over_angle.kg
     else:

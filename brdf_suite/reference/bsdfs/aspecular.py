@@ -14,10 +14,9 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
-from brdf_suite.reference.bsdfs.terms import Diffuse, Facets, Sampler
+from brdf_suite.reference.bsdfs.terms import Crossing, Diffuse, Facets, Sampler
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.designed.aspecular_base import MEETING, AspecularBase, SeveralLights
@@ -36,6 +35,7 @@ class AspecularBaseTerm:
     base: AspecularBase
     albedo: float
     table: Any = field(init=False)
+    crossing: Crossing = field(init=False)
 
     def __post_init__(self) -> None:
         table = None
@@ -45,6 +45,7 @@ class AspecularBaseTerm:
             table = mi.Float(np.asarray(self.base.rule(gamma), np.float32).ravel())
             dr.eval(table)
         object.__setattr__(self, "table", table)
+        object.__setattr__(self, "crossing", Crossing(self.base.ior, self.base.roughness))
 
     @classmethod
     def of(cls, base: AspecularBase) -> AspecularBaseTerm:
@@ -62,9 +63,9 @@ class AspecularBaseTerm:
         # 2 asin(|R - V|/2) keeps the digits that the cosine has lost near the mirror direction.
         apart = dr.clip(0.5 * dr.norm(d.mirrored(light) - view), 0.0, 1.0)
         gamma = dr.minimum(2.0 * dr.asin(apart), d.number(base.farthest))
-        there = 1.0 - d.fresnel(dr.cos(d.number(base.illumination) - gamma), base.ior)
-        here = math.pi * (1.0 - float(fresnel_dielectric(math.cos(base.illumination), base.ior)))
-        through = (1.0 - d.fresnel(light.z, base.ior)) * (1.0 - d.fresnel(view.z, base.ior))
+        there = self.crossing.entering(dr.cos(d.number(base.illumination) - gamma))
+        here = math.pi * float(base.entering(math.cos(base.illumination)))
+        through = self.crossing.entering(light.z) * self.crossing.entering(view.z)
         return self._factor(gamma, light, view) * (through / (d.number(here) * there))
 
     def _factor(self, gamma: Real, light: Vector, view: Vector) -> Colour:

@@ -9,14 +9,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Protocol
+
+import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.facet_albedo import COSINE_NODES, coat_albedo
+from brdf_suite.reflectance.models.coated import Coated
 
 Triple = tuple[float, float, float]
 
@@ -127,17 +131,66 @@ class LambertianTerm:
         return d.colour([a / math.pi for a in self.albedo])
 
 
-@dataclass(frozen=True)
-class CoatLobeTerm:
-    """The specular lobe of a clearcoat, as :class:`brdf_suite.reflectance.designed.coat_lobe.CoatLobe`."""
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """What a clearcoat lets through, as :func:`brdf_suite.reflectance.facet_albedo.entering`."""
 
     ior: float
     roughness: float
+    change: Any = field(init=False)
+
+    def __post_init__(self) -> None:
+        rough = self.roughness > 0.0
+        change = _on_device(coat_albedo(self.ior, self.roughness).change) if rough else None
+        object.__setattr__(self, "change", change)
+
+    def entering(self, cosine: Real) -> Real:
+        """Return T at a cosine."""
+        smooth = 1.0 - d.fresnel(cosine, self.ior)
+        return smooth if self.change is None else dr.clip(smooth - _between(self.change, cosine), 0.0, 1.0)
+
+
+def _on_device(nodes: Floats) -> Any:
+    """Return a table in the renderer's memory; made before anything is traced, since a kernel cannot write it."""
+    table = mi.Float(np.ascontiguousarray(nodes, np.float32))
+    dr.eval(table)
+    return table
+
+
+def _between(nodes: Any, cosine: Real) -> Real:
+    """Return a table of the albedo over √μ at a cosine, by straight lines."""
+    place = dr.sqrt(dr.clip(cosine, 0.0, 1.0)) * (COSINE_NODES - 1)
+    low = dr.minimum(mi.UInt32(place), COSINE_NODES - 2)
+    first, second = (dr.gather(mi.Float, nodes, low + k) for k in (0, 1))
+    return dr.fma(place - mi.Float(low), second - first, first)
+
+
+@dataclass(frozen=True, eq=False)
+class CoatLobeTerm:
+    """The specular lobe of a clearcoat, the twin of ``lobe``."""
+
+    lobe: CoatLobe
+    lost: Any = field(init=False)
+
+    def __post_init__(self) -> None:
+        albedo = self.lobe.multiple
+        object.__setattr__(self, "lost", None if albedo is None else _on_device(albedo.lost))
+
+    @property
+    def ior(self) -> float:
+        """Index of the coat."""
+        return self.lobe.ior
+
+    @property
+    def roughness(self) -> float:
+        """Beckmann α of the coat."""
+        return self.lobe.roughness
 
     @property
     def samplers(self) -> Sequence[Sampler]:
-        """The microfacets, weighted by their Fresnel reflectance."""
-        return (Facets(1.0, self.roughness, self.ior),)
+        """The microfacets, weighted by their Fresnel reflectance, and what several of them send everywhere."""
+        facets, albedo = Facets(1.0, self.roughness, self.ior), self.lobe.multiple
+        return (facets,) if albedo is None else (facets, Diffuse(float(albedo.multiple_albedo)))
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -145,7 +198,11 @@ class CoatLobeTerm:
         facets = dr.exp(-half.tan2_h * d.number(1.0 / a2)) * dr.square(1.0 + half.tan2_h)
         shadowing = 1.0 / (1.0 + self._lambda(light.z) + self._lambda(view.z))
         scale = d.number(0.25 / (math.pi * a2))
-        return mi.Color3f(scale * facets * shadowing * d.fresnel(half.cos_d, self.ior) / (light.z * view.z))
+        value = scale * facets * shadowing * d.fresnel(half.cos_d, self.ior) / (light.z * view.z)
+        if (albedo := self.lobe.multiple) is not None:
+            further = d.number(float(albedo.multiple))
+            value += further * _between(self.lost, light.z) * _between(self.lost, view.z)
+        return mi.Color3f(value)
 
     def _lambda(self, cosine: Real) -> Real:
         cosine = dr.maximum(cosine, 1e-8)
@@ -246,16 +303,18 @@ class UnderCoat:
 
     model: Coated
     base: Any
+    coat: CoatLobeTerm = field(init=False)
+    crossing: Crossing = field(init=False)
+
+    def __post_init__(self) -> None:
+        lobe = self.model.coat
+        object.__setattr__(self, "coat", CoatLobeTerm(lobe))
+        object.__setattr__(self, "crossing", Crossing(lobe.ior, lobe.crossing_roughness))
 
     @property
     def samplers(self) -> Sequence[Sampler]:
         """Those of the base and of the coat."""
         return (*self.base.samplers, *self.coat.samplers)
-
-    @property
-    def coat(self) -> CoatLobeTerm:
-        """The coat's own lobe."""
-        return CoatLobeTerm(self.model.ior, self.model.roughness)
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
@@ -264,8 +323,8 @@ class UnderCoat:
     def factor(self, light: Vector, view: Vector) -> Colour:
         """Return what the base's f_r is multiplied by, seen through the coat."""
         m = self.model
-        through = (1.0 - d.fresnel(light.z, m.ior)) * (1.0 - d.fresnel(view.z, m.ior))
-        even = mean_fresnel(m.ior)
+        through = self.crossing.entering(light.z) * self.crossing.entering(view.z)
+        even = m.mean_reflected
         one_way = dr.sqrt(dr.maximum(through, 1e-30))
         inner = 1.0 - (1.0 - even) / m.ior**2
         direct = d.number(1.0 - m.spread)

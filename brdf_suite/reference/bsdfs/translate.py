@@ -71,7 +71,7 @@ def divide(reflectance: Reflectance) -> LayerTerms:
     """Return the terms of base and coat, split as the layers of the lobe fit (:func:`~.layers.split_layers`)."""
     if isinstance(reflectance, PaintReflectance):
         coat = reflectance.coat
-        return LayerTerms(_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness), coat.ior)
+        return LayerTerms(_exact(reflectance.base), CoatLobeTerm(coat), coat.ior)
     if isinstance(reflectance, CookTorrance):
         wide, sharp, ior = divide_lobes(reflectance)
         return LayerTerms(_cook_torrance(wide), _cook_torrance(sharp) if sharp.paint.lobes else None, ior)
@@ -88,14 +88,13 @@ def divide(reflectance: Reflectance) -> LayerTerms:
 
 def _exact(reflectance: object) -> Any | None:
     if isinstance(reflectance, PaintReflectance):
-        coat = reflectance.coat
-        return SumTerm((_exact(reflectance.base), CoatLobeTerm(coat.ior, coat.roughness)))
+        return SumTerm((_exact(reflectance.base), CoatLobeTerm(reflectance.coat)))
     if isinstance(reflectance, AspecularBase):
         return AspecularBaseTerm.of(reflectance)
     if isinstance(reflectance, SeveralLights):
         return SeveralLightsTerm.of(reflectance)
     if isinstance(reflectance, coat_lobe.CoatLobe):
-        return CoatLobeTerm(reflectance.ior, reflectance.roughness)
+        return CoatLobeTerm(reflectance)
     if isinstance(reflectance, CookTorrance):
         return _cook_torrance(reflectance)
     if isinstance(reflectance, Coated):

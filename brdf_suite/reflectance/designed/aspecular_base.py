@@ -1,7 +1,8 @@
 """Base of a paint from its aspecular readings, below the clearcoat.
 
-A reading ρ(γ) at the light's polar angle θ0 has passed the coat twice, in with T(θ0) and out with T(θ0 - γ),
-T = 1 - F. At other directions with the same aspecular angle the light passes with other transmissions:
+A reading ρ(γ) at the light's polar angle θ0 has passed the coat twice, in with T(θ0) and out with T(θ0 - γ), T being
+what the coat does not reflect (:func:`~brdf_suite.reflectance.facet_albedo.entering`). At other directions with the
+same aspecular angle the light passes with other transmissions:
 
     f_r(wi, wo) = ρ(γ)/π · T(θi) T(θo) / (T(θ0) T(θ0 - γ)).
 
@@ -24,8 +25,8 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import angle_between, aspecular_angle
-from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.designed.rules import FlakeRule, squared_tilt, squared_tilt_between
+from brdf_suite.reflectance.facet_albedo import entering
 
 Rule = Callable[[Floats], Floats]
 
@@ -48,6 +49,8 @@ class AspecularBase:
         Index of the coat.
     by_half_vector
         Take the flake rule at the flake's tilt instead of at γ. Needs a :class:`FlakeRule`.
+    roughness
+        At which light crosses the coat; 0: a smooth coat, T = 1 - F.
     """
 
     rule: Rule
@@ -57,6 +60,11 @@ class AspecularBase:
     illumination: float
     ior: float
     by_half_vector: bool = False
+    roughness: float = 0.0
+
+    def entering(self, cosine: npt.ArrayLike) -> Floats:
+        """Return T (...), what the coat lets through at cosines (...)."""
+        return entering(cosine, self.ior, self.roughness)
 
     def reflectance_factor(self, gamma: npt.ArrayLike) -> Floats:
         """Return ρ (..., 3), never negative, at γ (...), radians, under the readings' light."""
@@ -79,9 +87,9 @@ class AspecularBase:
         cos_gamma = product[..., 2] - product[..., 0] - product[..., 1]
         gamma = np.minimum(np.arccos(np.minimum(np.maximum(cos_gamma, -1.0), 1.0)), self.farthest)
         cos_view = np.cos(self.illumination - gamma)
-        passed = (1.0 - fresnel_dielectric(cos_i, self.ior)) * (1.0 - fresnel_dielectric(cos_o, self.ior))
-        there = 1.0 - fresnel_dielectric(cos_view, self.ior)
-        here = math.pi * (1.0 - float(fresnel_dielectric(math.cos(self.illumination), self.ior)))
+        passed = self.entering(cos_i) * self.entering(cos_o)
+        there = self.entering(cos_view)
+        here = math.pi * float(self.entering(math.cos(self.illumination)))
         above = (cos_i > 0.0) & (cos_o > 0.0)
         scale = np.where(above, passed, 0.0) / (here * there)
         if self.by_half_vector and isinstance(self.rule, FlakeRule):

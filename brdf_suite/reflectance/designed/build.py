@@ -24,12 +24,12 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, BorrowedRule, Rule, SeveralLights
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.designed.rules import FlakeRule, MonotoneRule, PolynomialRule, squared_tilt
+from brdf_suite.reflectance.facet_albedo import entering
 from brdf_suite.reflectance.factored.model import factored_paint_reflectance
 from brdf_suite.reflectance.instruments.glossmeter import base_gloss, total_gloss
 from brdf_suite.reflectance.models.coated import Coated
@@ -84,7 +84,7 @@ def gloss_of_coat(paint: Paint, ior: float, roughness: float) -> Gloss:
     UnreachableError
         The coat alone reflects more than a colour reading; the message names the reading.
     """
-    coat = CoatLobe(ior, roughness)
+    coat = CoatLobe(ior, roughness, paint.scattering)
     lights = _collect(paint)
     shares = _coat_shares(lights, coat)
     _refuse_negative(lights, shares)
@@ -103,12 +103,12 @@ def build_paint(paint: Paint) -> PaintReflectance:
     """
     lights = _collect(paint)
     gu_20, gu_60 = paint.gloss.gu_20, paint.gloss.gu_60
-    coat = CoatLobe(USUAL_IOR, LOWEST_ROUGHNESS)
+    coat = CoatLobe(USUAL_IOR, LOWEST_ROUGHNESS, paint.scattering)
     base, notices = _base_under(paint, lights, coat, _coat_shares(lights, coat))
     added = base_gloss(base)
     for turn in range(_MOST_TURNS):
         solved, refusal = nearest_coat(gu_20, gu_60, *added)
-        coat = CoatLobe(solved.ior, solved.roughness)
+        coat = CoatLobe(solved.ior, solved.roughness, paint.scattering)
         shares = _coat_shares(lights, coat)
         base, notices = _base_under(paint, lights, coat, shares)
         found = base_gloss(base)
@@ -127,7 +127,7 @@ def build_paint(paint: Paint) -> PaintReflectance:
     if refusal is not None:
         raise UnreachableError(refusal)
     notices_of_lights = tuple(notice for readings in lights for notice in readings.notices)
-    albedo = float(normal_albedo(base).max()) + float(fresnel_dielectric(1.0, base.ior))
+    albedo = float(normal_albedo(base).max()) + 1.0 - float(_entering(1.0, coat))
     if albedo > 1.0:
         notices += (f"This paint would reflect {albedo:.2f} times the light that falls on it.",)
     return PaintReflectance(base, coat, notices_of_lights + notices)
@@ -138,7 +138,8 @@ def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Fact
     if isinstance(paint, Paint):
         return build_paint(paint)
     base = CookTorrance(paint) if isinstance(paint, CookTorrancePaint) else factored_paint_reflectance(paint)
-    return base if paint.clearcoat is None else Coated(base, paint.clearcoat.ior, paint.clearcoat.roughness)
+    coat = paint.clearcoat
+    return base if coat is None else Coated(base, coat.ior, coat.roughness, scattering=coat.scattering)
 
 
 def _collect(paint: Paint) -> tuple[_Readings, ...]:
@@ -208,9 +209,9 @@ def _base_of_light(
     left = np.maximum(readings.rho - share, 0.0)
     by_half_vector = paint.out_of_plane == "half_vector"
     light = math.radians(readings.illumination_deg)
-    gamma, joined, weight = _by_unsigned_angle(readings, left, coat.ior)
+    gamma, joined, weight = _by_unsigned_angle(readings, left, coat)
     tilted = (
-        _through_own_tilts(readings, left, coat.ior)
+        _through_own_tilts(readings, left, coat)
         if by_half_vector and paint.interpolation == "flake"
         else None
     )
@@ -227,9 +228,9 @@ def _base_of_light(
         notices += (
             "The tilt of the half vector belongs to the flake rule; here the aspecular angle is used.",
         )
-    return AspecularBase(
-        rule, float(gamma[0]), float(gamma[-1]), paint.near_specular, light, coat.ior, by_half_vector
-    ), notices
+    nearest, farthest = float(gamma[0]), float(gamma[-1])
+    crossing = (coat.ior, by_half_vector, coat.crossing_roughness)
+    return AspecularBase(rule, nearest, farthest, paint.near_specular, light, *crossing), notices
 
 
 def _coat_shares(lights: tuple[_Readings, ...], coat: CoatLobe) -> list[Floats]:
@@ -264,18 +265,20 @@ def _refuse_negative(lights: tuple[_Readings, ...], shares: list[Floats]) -> Non
         raise error
 
 
-def _share_beyond(readings: _Readings, ior: float) -> Floats:
+def _entering(cosine: npt.ArrayLike, coat: CoatLobe) -> Floats:
+    return entering(cosine, coat.ior, coat.crossing_roughness)
+
+
+def _share_beyond(readings: _Readings, coat: CoatLobe) -> Floats:
     """What the coat lets out (n,) to each view, as a share of that to the view at +|γ|: 1 on the normal's side.
 
     A view beyond the mirror direction is nearer to grazing, so less light leaves the coat to it.
     """
     towards = np.cos(math.radians(readings.illumination_deg) - np.radians(np.abs(readings.aspecular_deg)))
-    return np.asarray(
-        (1.0 - fresnel_dielectric(readings.wo[:, 2], ior)) / (1.0 - fresnel_dielectric(towards, ior))
-    )
+    return np.asarray(_entering(readings.wo[:, 2], coat) / _entering(towards, coat))
 
 
-def _by_unsigned_angle(readings: _Readings, rho: Floats, ior: float) -> tuple[Floats, Floats, Floats]:
+def _by_unsigned_angle(readings: _Readings, rho: Floats, coat: CoatLobe) -> tuple[Floats, Floats, Floats]:
     """Rising |γ|, radians, one ρ (n, 3) each for the view on the normal's side, and its weight (n,).
 
     Of readings r on both sides that ρ is taken which misses the r by least squares, Σ s r / Σ s² with the share s
@@ -285,7 +288,7 @@ def _by_unsigned_angle(readings: _Readings, rho: Floats, ior: float) -> tuple[Fl
     gamma = np.radians(size)
     if readings.aspecular_deg.min() >= 0.0:
         return gamma, rho, np.ones(len(gamma))
-    share = _share_beyond(readings, ior)
+    share = _share_beyond(readings, coat)
     keep = np.concatenate(([True], np.diff(size) > _SAME_ANGLE_DEG))
     group = np.cumsum(keep) - 1
     weight = np.asarray(np.bincount(group, share * share), np.float64)
@@ -294,7 +297,7 @@ def _by_unsigned_angle(readings: _Readings, rho: Floats, ior: float) -> tuple[Fl
     return gamma[keep], total / weight[:, None], weight
 
 
-def _through_own_tilts(readings: _Readings, rho: Floats, ior: float) -> FlakeRule | None:
+def _through_own_tilts(readings: _Readings, rho: Floats, coat: CoatLobe) -> FlakeRule | None:
     """The flake rule through readings on both sides, each at the tilt of the flakes that it sees, or None.
 
     The two sides see flakes of different tilts, which matters where the rule is taken at the tilt.
@@ -302,11 +305,11 @@ def _through_own_tilts(readings: _Readings, rho: Floats, ior: float) -> FlakeRul
     if len(rho) < 3 or readings.aspecular_deg.min() >= 0.0:
         return None
     light = math.radians(readings.illumination_deg)
-    x = squared_tilt(np.radians(readings.aspecular_deg), light, ior)
+    x = squared_tilt(np.radians(readings.aspecular_deg), light, coat.ior)
     order = np.argsort(x)
-    share = _share_beyond(readings, ior)
+    share = _share_beyond(readings, coat)
     referred = rho / share[:, None]
-    return FlakeRule.through_tilts(x[order], referred[order], light, ior, (share * share)[order])
+    return FlakeRule.through_tilts(x[order], referred[order], light, coat.ior, (share * share)[order])
 
 
 def _rule(

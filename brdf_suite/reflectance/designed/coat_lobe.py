@@ -1,9 +1,10 @@
 """Mirror lobe of a clearcoat: a Beckmann microfacet surface of a clear dielectric.
 
-    f_r = D(h) G(wi, wo) F(wi·h) / (4 cosθi cosθo),    D = exp(-tan²θh / α²) / (π α² cos⁴θh),
+    f_r = D(h) G(wi, wo) F(wi·h) / (4 cosθi cosθo) + f_ms,    D = exp(-tan²θh / α²) / (π α² cos⁴θh),
 
 F by Fresnel's equations, G = 1 / (1 + Λ(wi) + Λ(wo)) the height-correlated shadowing of Smith with Λ by the
-rational fit of Walter et al. 2007 (within .0035 of the exact one). Reciprocal and not coloured.
+rational fit of Walter et al. 2007 (within .0035 of the exact one), f_ms what comes back after several facets
+(:mod:`~brdf_suite.reflectance.facet_albedo`; ``scattering`` "single" leaves it out). Reciprocal and not coloured.
 """
 
 from __future__ import annotations
@@ -18,8 +19,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.paint import Scattering
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.facet_albedo import FacetAlbedo, coat_albedo
 from brdf_suite.reflectance.models import mixture
 
 _TINY = 1e-300
@@ -38,6 +41,7 @@ class CoatLobe(mixture.MixtureSampled):
 
     ior: float
     roughness: float
+    scattering: Scattering = "multiple"
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
     reciprocal: ClassVar[bool] = True
     energy_conserving: ClassVar[bool] = True
@@ -65,7 +69,22 @@ class CoatLobe(mixture.MixtureSampled):
         shadowing = 1.0 / (1.0 + self._lambda(cos_i) + self._lambda(cos_o))
         fresnel = fresnel_dielectric(cos_d, self.ior)
         value = facets * shadowing * fresnel / np.maximum(4.0 * cos_i * cos_o, _TINY)
+        if (albedo := self.multiple) is not None:
+            value = value + albedo.further(cos_i, cos_o)
         return np.where(above, value, 0.0)
+
+    @property
+    def multiple(self) -> FacetAlbedo | None:
+        """The albedo with multiple scattering; None where that is left out or negligible."""
+        if self.scattering == "single":
+            return None
+        albedo = coat_albedo(self.ior, self.roughness)
+        return albedo if albedo.is_multiple else None
+
+    @property
+    def crossing_roughness(self) -> float:
+        """The roughness for ``facet_albedo.entering``, by which light crosses the coat; 0 in the single form."""
+        return 0.0 if self.scattering == "single" else self.roughness
 
     def _lambda(self, cos_theta: Floats) -> Floats:
         """Λ of Smith: with a = 1 / (α tanθ), (1 - 1.259a + .396a²) / (3.535a + 2.181a²) below 1.6, else 0."""
@@ -80,4 +99,8 @@ class CoatLobe(mixture.MixtureSampled):
 
     @property
     def _parts(self) -> list[mixture.MixturePart]:
-        return [mixture.beckmann(1.0, self.roughness)]
+        albedo = self.multiple
+        if albedo is None:
+            return [mixture.beckmann(1.0, self.roughness)]
+        further = float(albedo.multiple_albedo / albedo.mean)
+        return [mixture.beckmann(1.0 - further, self.roughness), mixture.diffuse(further)]

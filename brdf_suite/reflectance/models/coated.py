@@ -2,13 +2,16 @@
 
     f_r = coat + base · T(θi) T(θo) / T̄ · (1 - K) / (1 - K E_b)
 
-T = 1 - F is what the coat lets through. Light that the base sends up is reflected back down by the inside of
-the coat with the share K, falls on the base of albedo E_b again, and so on: a geometric series.
+T is what the coat lets through: all that it does not reflect, 1 - F of a smooth one, and of a rough one 1 - E with
+the albedo E of its facets (:mod:`~brdf_suite.reflectance.facet_albedo`; ``scattering`` "single" takes 1 - F always).
+Light that the base sends up is reflected back down by the inside of the coat with the share K, falls on the base of
+albedo E_b again, and so on: a geometric series.
 
-A matt base (``spread`` 1) sends up light in all directions, of which K = K_r = 1 - (1 - E_F)/n² stays inside,
-E_F being the coat's mean F for even light; T̄ = 1 - E_F, so that (1 - K)/T̄ = 1/n² is the widening of the solid
-angle at the surface. A mirror below (``spread`` 0) sends up one direction, K = 1 - √(T(θi) T(θo)), which there
-is F, and T̄ = 1 - K: the sum over all bounces of a mirror pair, T²/(1 - F E_b). Between them K and T̄ are mixed.
+A matt base (``spread`` 1) sends up light in all directions, of which K = K_r = 1 - (1 - E_F)/n² stays inside, E_F
+being the share of even light that the coat reflects; T̄ = 1 - E_F, so that (1 - K)/T̄ = 1/n² is the widening of the
+solid angle at the surface. A mirror below (``spread`` 0) sends up one direction, K = 1 - √(T(θi) T(θo)), which of a
+smooth coat is F there, and T̄ = 1 - K: the sum over all bounces of a mirror pair, T²/(1 - F E_b). Between them K and
+T̄ are mixed.
 So a white base of either kind reflects all light; nothing is made and nothing lost (without T̄, which some
 renderers leave out, a white matt base under n = 1.5 would lose 9 % of what enters). In between it is a model, and
 ``energy_conserving`` says where it is sure.
@@ -21,7 +24,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from types import MappingProxyType
 from typing import ClassVar
 
@@ -29,12 +32,14 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter, set_numbers
+from brdf_suite.documents.paint import SCATTERINGS, Scattering
+from brdf_suite.documents.parameter import Parameter, check_choices, set_numbers
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
 from brdf_suite.reflectance.designed import coat_lobe
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.facet_albedo import entering, mean_reflected
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance
 from brdf_suite.reflectance.protocol import Reflectance
@@ -57,10 +62,12 @@ class Coated(mixture.MixtureSampled):
     ior: float = 1.5
     roughness: float = 0.005
     spread: float = 1.0
+    scattering: Scattering = "multiple"
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
 
     def __post_init__(self) -> None:
         set_numbers(self, PARAMETERS, "ior", "roughness", "spread")
+        check_choices(self, scattering=SCATTERINGS)
 
     @property
     def reciprocal(self) -> bool:
@@ -78,15 +85,23 @@ class Coated(mixture.MixtureSampled):
         if not getattr(self.base, "energy_conserving", False):
             return False
         theta = np.radians(_BOUND_DEG)
-        fresnel = fresnel_dielectric(np.cos(theta), self.ior)
+        passed = self.entering(np.cos(theta))
         largest = directional_albedo(self.base, spherical(theta, math.pi), 32).max(axis=0)
-        through = (1.0 - fresnel) * (1.0 - float(fresnel_dielectric(1.0, self.ior)))
-        return bool(np.all(fresnel[:, None] + self._series(through) * largest <= 1.0))
+        return bool(np.all(1.0 - passed[:, None] + self._series(passed * passed[0]) * largest <= 1.0))
 
-    @property
+    @cached_property
     def coat(self) -> CoatLobe:
         """The coat's own lobe."""
-        return CoatLobe(self.ior, self.roughness)
+        return CoatLobe(self.ior, self.roughness, self.scattering)
+
+    def entering(self, cosine: npt.ArrayLike) -> Floats:
+        """Return T (...), what the coat lets through at cosines (...)."""
+        return entering(cosine, self.ior, self.coat.crossing_roughness)
+
+    @property
+    def mean_reflected(self) -> float:
+        """E_F, the share of even light that the coat reflects."""
+        return mean_reflected(self.ior, self.coat.crossing_roughness)
 
     @cached_property
     def base_albedo(self) -> Floats:
@@ -102,14 +117,11 @@ class Coated(mixture.MixtureSampled):
     def base_factor(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return (..., 3) what the base's f_r is multiplied by, seen through the coat; 0 at the horizon."""
         wi, wo = np.asarray(wi, float), np.asarray(wo, float)
-        through = (1.0 - fresnel_dielectric(wi[..., 2], self.ior)) * (
-            1.0 - fresnel_dielectric(wo[..., 2], self.ior)
-        )
-        return self._series(through)
+        return self._series(self.entering(wi[..., 2]) * self.entering(wo[..., 2]))
 
     def _series(self, through: Floats) -> Floats:
         """Return the factor on the base (..., 3) for the product T(θi) T(θo) (...)."""
-        even = mean_fresnel(self.ior)
+        even = self.mean_reflected
         one_way = np.sqrt(np.maximum(through, 1e-30))
         inner = 1.0 - (1.0 - even) / self.ior**2
         stays = (1.0 - self.spread) * (1.0 - one_way) + self.spread * inner
@@ -126,7 +138,9 @@ class Coated(mixture.MixtureSampled):
         if draw is not None and density is not None:
             # Two numbers are left for the base, which wants three: the second is spread over two.
             own = mixture.MixturePart(max(base, 0.05), lambda wo, u: draw(wo, _three(u)), density)
-        return [own, mixture.beckmann(coat, self.roughness)]
+        # What several facets send back goes everywhere, whatever the base does.
+        further = [mixture.diffuse(0.02)] if self.coat.multiple is not None else []
+        return [own, mixture.beckmann(coat, self.roughness), *further]
 
 
 def _three(u: Floats) -> Floats:
@@ -135,16 +149,3 @@ def _three(u: Floats) -> Floats:
     scaled = u[:, 1] * cells
     choice = np.floor(scaled)
     return np.stack((u[:, 0], scaled - choice, (choice + 0.5) / cells), axis=-1)
-
-
-@cache
-def mean_fresnel(ior: float) -> float:
-    """Return E_F, the share of even light that a smooth surface of index ``ior`` reflects: 2 ∫ F cosθ sinθ dθ.
-
-    >>> round(mean_fresnel(1.5), 3)
-    0.092
-    """
-    nodes, shares = np.polynomial.legendre.leggauss(64)
-    # With cosθ = x², the steep end at grazing gets most of the points.
-    x = 0.5 * (nodes + 1.0)
-    return math.fsum((0.5 * shares * 4.0 * x**3 * fresnel_dielectric(x * x, ior)).tolist())

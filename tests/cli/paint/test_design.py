@@ -92,3 +92,12 @@ def test_a_step_and_a_mixture(asked, tmp_path: Path) -> None:
     status, _out, err = asked("design", "between", "blue", "red", "-o", tmp_path / "mix.json")
     assert status == 1
     assert ".brdfpaint" in err
+
+
+def test_a_design_keeps_the_scattering_or_takes_the_one_that_is_asked_for(asked, tmp_path: Path) -> None:
+    single, again = tmp_path / "single.brdfpaint", tmp_path / "again.brdfpaint"
+    mix = ("design", "between", "blue", "blue", "--share", "0")
+    assert asked(*mix, "--scattering", "single", "-o", single)[0] == 0
+    assert load_paint(single).scattering == "single"
+    assert asked("design", "between", single, single, "--share", "0", "-o", again)[0] == 0
+    assert load_paint(again).scattering == "single"

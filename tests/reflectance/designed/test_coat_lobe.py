@@ -40,7 +40,7 @@ def test_facets_shade_each_other_as_smith_says() -> None:
     a = 1.0 / (alpha * math.tan(theta))
     shade = 0.5 * (math.erf(a) - 1.0) + math.exp(-a * a) / (2.0 * a * math.sqrt(math.pi))
     wi = illumination(70.0)
-    found = CoatLobe(1.5, alpha).eval_grey(wi, mirror(wi))
+    found = CoatLobe(1.5, alpha, "single").eval_grey(wi, mirror(wi))
     plain = fresnel_at(70.0, 1.5) / (4.0 * math.pi * alpha**2 * math.cos(theta) ** 2)
     assert float(found) == pytest.approx(plain / (1.0 + 2.0 * shade), rel=0.004)
     assert float(found) < 0.9 * plain

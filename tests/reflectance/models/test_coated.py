@@ -11,7 +11,8 @@ from brdf_suite.geometry.directions import illumination
 from brdf_suite.geometry.fresnel import fresnel_at, fresnel_dielectric
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.checks import check_reflectance
-from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
+from brdf_suite.reflectance.facet_albedo import mean_reflected
+from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.ggx import Ggx
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -22,11 +23,11 @@ ANGLES = np.array([0.0, 30.0, 60.0, 80.0])
 
 def test_the_mean_of_fresnel_is_the_known_one() -> None:
     """0.0918 for n = 1.5 (Saunderson; rendering tables give .092), so K_r = 1 - .9082/2.25 = .5964."""
-    assert mean_fresnel(1.5) == pytest.approx(0.0918, abs=5e-5)
-    assert 1.0 - (1.0 - mean_fresnel(1.5)) / 2.25 == pytest.approx(0.596, abs=5e-4)
+    assert mean_reflected(1.5) == pytest.approx(0.0918, abs=5e-5)
+    assert 1.0 - (1.0 - mean_reflected(1.5)) / 2.25 == pytest.approx(0.596, abs=5e-4)
     theta = (np.arange(200_000) + 0.5) / 200_000 * 0.5 * math.pi
     plain = np.sum(fresnel_dielectric(np.cos(theta), 1.33) * np.sin(2.0 * theta)) * 0.5 * math.pi / 200_000
-    assert mean_fresnel(1.33) == pytest.approx(plain, abs=1e-7)
+    assert mean_reflected(1.33) == pytest.approx(plain, abs=1e-7)
 
 
 @pytest.mark.parametrize("ior", [1.3, 1.5, 1.8])
@@ -80,24 +81,29 @@ def test_a_mirror_below_is_two_mirrors() -> None:
 
 
 @pytest.mark.parametrize("spread", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize("scattering", ["multiple", "single"])
 @pytest.mark.parametrize(
     "base",
     [Lambertian(0.8), Ggx(0.0, 0.7, 0.05), Ggx(0.5, 0.2, 0.5), CookTorrance(TABLE_1["table1_bmw_339"])],
 )
-def test_coated_paints_conserve_energy_and_are_reciprocal(base, spread: float) -> None:
-    model = Coated(base, 1.6, 0.01, spread)
+def test_coated_paints_conserve_energy_and_are_reciprocal(base, scattering, spread: float) -> None:
+    model = Coated(base, 1.6, 0.01, spread, scattering)
     # Over a matt base the bound always suffices here; over mirrors it need not.
     assert model.energy_conserving or spread < 1.0
     report = check_reflectance(model, "coated")
     assert report.passed, report.findings
-    # A matt base treated as a mirror is the worst of the mixtures: 2.6 % too much towards grazing.
-    assert max(report.albedo.max(), report.furnace.max()) < (1.001 if spread == 1.0 else 1.03)
+    # A matt base treated as a mirror is the worst of the mixtures: 6.5 % too much at 89°. In the form of single
+    # scattering the coat's loss hides more than half of it.
+    mixed = 1.03 if scattering == "single" else 1.07
+    assert max(report.albedo.max(), report.furnace.max()) < (1.001 if spread == 1.0 else mixed)
     assert next(f for f in report.findings if f.check == "reciprocity").size == 0.0
 
 
-def test_a_white_metal_is_not_claimed_and_its_excess_is_small() -> None:
-    for spread, most in ((0.0, 0.05), (1.0, 0.05)):
-        model = Coated(Ggx(0.0, 1.0, 0.05), 1.6, 0.01, spread)
+@pytest.mark.parametrize(("scattering", "treated_as_matt"), [("single", 0.05), ("multiple", 0.055)])
+def test_a_white_metal_is_not_claimed_and_its_excess_is_small(scattering, treated_as_matt: float) -> None:
+    """A mirror that reflects all light, taken for matt: F + T²/T̄ = 1.054 along the normal."""
+    for spread, most in ((0.0, 0.05), (1.0, treated_as_matt)):
+        model = Coated(Ggx(0.0, 1.0, 0.05, scattering), 1.6, 0.01, spread, scattering)
         assert not model.energy_conserving
         assert directional_albedo(model, illumination(np.array([0.0, 45.0, 75.0]))).max() < 1.0 + most
 

@@ -104,12 +104,13 @@ def test_the_coat_of_the_coated_phong_reflects_fresnels_share(angle: float) -> N
 
 
 def test_ggx_by_hand() -> None:
-    """Mirror pair at 45°, α = .5: D = 1/(π α²) = 4/π; the shadowing term ½/(2 cosθ √(α² + (1-α²) cos²θ))
+    """Single form, mirror pair at 45°, α = .5: D = 1/(π α²) = 4/π; the shadowing term ½/(2 cosθ √(α² + (1-α²) cos²θ))
     = ½/(2 · .70711 √(.25 + .375)) = .44721; F = .5 + .5 (1 - .70711)⁵ = .50108."""
     fresnel = 0.5 + 0.5 * (1.0 - math.sqrt(0.5)) ** 5
     expected = 4.0 / math.pi * 0.5 / (2.0 * math.sqrt(0.5) * math.sqrt(0.625)) * fresnel
     assert expected == pytest.approx(4.0 / math.pi * 0.447214 * 0.501078, rel=1e-5)
-    np.testing.assert_allclose(Ggx(0.0, 0.5, 0.5).eval(AT_45, mirror(AT_45)), expected, rtol=1e-12)
+    found = Ggx(0.0, 0.5, 0.5, "single").eval(AT_45, mirror(AT_45))
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
 @settings(max_examples=settings.default.max_examples // 2)
