@@ -20,6 +20,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.parts import FitPart
+from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
@@ -222,8 +223,6 @@ class LobeSession(QObject):
 
         The same object until the reflectance is another. Data that nothing divides are shown whole.
         """
-        from brdf_suite.reflectance.designed.layers import split_layers  # much to import for a start
-
         whole = subject.reflectance
         if self.options.gloss:
             return whole

@@ -92,7 +92,6 @@ class FitDialog(QDialog):
         self.message.setObjectName("fit_note")
         kinds = QDialogButtonBox.StandardButton
         self.buttons = QDialogButtonBox(kinds.Ok | kinds.Cancel | kinds.RestoreDefaults)
-        without_icons(self.buttons)
         row, form = QWidget(), Form()
         fill_row(row, self.basis, self.browse)
         form.add_row(
@@ -112,6 +111,7 @@ class FitDialog(QDialog):
         box.addWidget(form)
         box.addStretch()
         box.addWidget(self.buttons)
+        without_icons(self)
         self.browse.clicked.connect(self._browse)
         self.buttons.accepted.connect(self._accept)
         self.buttons.rejected.connect(self.close)
