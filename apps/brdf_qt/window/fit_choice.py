@@ -192,9 +192,10 @@ class FitCommand(QObject):
 
     def choose(self, choice: FitChoice) -> None:
         """Keep a choice whose basis can be read, for all programs, and report its settings."""
+        chosen = choice.settings()
         settings("shared").setValue(_STORED, json.dumps(asdict(choice)))
         self._window.dismiss_message(_MESSAGE)
-        self.changed.emit(choice.settings())
+        self.changed.emit(chosen)
 
 
 def _choices(titles: Mapping[Weighting, str] | Mapping[Diffuse, str]) -> QuietComboBox:

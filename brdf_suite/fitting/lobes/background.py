@@ -3,7 +3,8 @@
 The model belongs to the holder of the lock: the caller inside its limit, or this thread for one slice. Between
 slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are
 tasks of an executor of one thread, each of which asks for the next: an executor that is shut down, or an
-interpreter that ends, refuses the next one, and the thread ends after at most one slice.
+interpreter that ends, refuses the next one, and the thread ends after at most one slice, or one channel that is solved
+afresh.
 
 A caller may wait for the rest of its limit. It gets the optimum before anything is made of it; what is made of an
 optimum is for those who come later, and not made where the caller was in time.
@@ -74,7 +75,8 @@ class BackgroundSolver:
         self._new_future: Callable[[], Future[Any]] = Future
         self._loaded: NormalizedTargets | None = None
         self._iterations = 0
-        self._tries = self._slices = 0
+        self._tries = 0
+        self._next_slice_s = self._slice_s
         self._newest: Future[Any] | None = None
         self._thread_id: int | None = None
         self._executor = ThreadPoolExecutor(1, "brdf-fit", initializer=self._begin)
@@ -173,10 +175,11 @@ class BackgroundSolver:
                 return None
             if request is not self._loaded:
                 self.solver.load(request.targets, request.factors)
-                self._loaded, self._iterations, self._tries, self._slices = request, 0, 0, 0
-            outcome = self.solver.run(min(self._slice_s * SLICE_GROWTH**self._slices, LONGEST_SLICE_S))
+                self._loaded, self._iterations, self._tries = request, 0, 0
+                self._next_slice_s = self._slice_s
+            outcome = self.solver.run(self._next_slice_s)
             self._iterations += self.solver.iterations
-            self._slices += 1
+            self._next_slice_s = max(self._slice_s, min(SLICE_GROWTH * self._next_slice_s, LONGEST_SLICE_S))
             if outcome is SolverOutcome.OPTIMAL:
                 self._loaded = None
                 held = self.solver.solution()
