@@ -14,6 +14,7 @@ from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
+from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
@@ -104,13 +105,16 @@ class Designer(Program):
             self.window,
         )
         self.link = LiveLink("designer", parent=self.window)
-        self.fitter = PaintFitter()
+        note = tr("Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.")
+        self.fit = FitCommand(self.window, note)
+        self.fitter = PaintFitter(self.fit.settings)
         self.session = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.window.build(self.session, names)
         self.controller = Controller(self.window, self.session, self.window)
         self._has_closed_documents = False
         self._join()
         self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
+        self.fit.add_to_menu()
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())

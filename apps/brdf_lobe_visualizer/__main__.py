@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from brdf_qt.program.run import program_parser, run_program
 
 from brdf_lobe_visualizer.assembly import LobeVisualizer
-from brdf_lobe_visualizer.script import add_options, apply_subjects, apply_view
+from brdf_lobe_visualizer.script import add_fit, add_options, apply_subjects, apply_view, parse_fit
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -34,11 +34,12 @@ def parser() -> argparse.ArgumentParser:
         "model; any number",
     )
     add_options(parser)
+    add_fit(parser)
     return parser
 
 
 def _make(options: argparse.Namespace) -> LobeVisualizer:
-    program = LobeVisualizer(asked=options.reflectances)
+    program = LobeVisualizer(asked=options.reflectances, fit=parse_fit(options))
     apply_view(program, options)
     program.reached.connect(
         lambda milestone: apply_subjects(program, options) if milestone == "shown" else None

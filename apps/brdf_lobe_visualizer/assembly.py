@@ -10,6 +10,7 @@ from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.fit_choice import FitChoice, FitCommand
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
@@ -28,6 +29,7 @@ from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.fitting.lobes.settings import FitSettings
 
 _LOOK_EVERY_MS = 50
 _FOLDER_KEY = "folder/open"
@@ -50,7 +52,8 @@ class LobeVisualizer(Program):
     """The running Lobe Visualizer.
 
     ``parts`` are what makes views, plots and sections: all, unless others are given; ``asked``: names and files that
-    the start opens, or the default paint where there are none.
+    the start opens, or the default paint where there are none; ``fit``: how lobes are fitted in this run, by default as
+    was last chosen. :class:`SuiteError` where its basis cannot be read.
 
     Milestones: ``shown``, the reflectances are; ``complete``, fits and figures too.
     """
@@ -65,9 +68,13 @@ class LobeVisualizer(Program):
         asked: Sequence[str] = (),
         ask_files: AskFiles | None = None,
         ask_path: AskPath | None = None,
+        fit: FitChoice | None = None,
     ) -> None:
         super().__init__(LobeWindow())
         self.session = LobeSession(self.window, self.window)
+        note = tr("Takes effect here at once, in Viewer and Designer at their next start.")
+        self.fit = FitCommand(self.window, note, fit)
+        self.session.fitting = self.fit.settings
         self.sources = Sources(self.session, self.window)
         self.fits = Fits(self.session, self.window)
         self.legend = LegendControl(self.session, self.window)
@@ -86,6 +93,7 @@ class LobeVisualizer(Program):
         self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.features += (self.numbers, self.link)
+        self.fit.add_to_menu()
         self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
         self.window.complete()
@@ -153,6 +161,7 @@ class LobeVisualizer(Program):
         self.legend.legend.open_requested.connect(self.ask_files)
         self.legend.legend.list_requested.connect(self.show_list)
         self.link.received.connect(self.followed.receive)
+        self.fit.changed.connect(self._refit)
         self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
         self.followed.arrived.connect(self.drop_default)
         sources.opened.connect(self._opened)
@@ -170,6 +179,10 @@ class LobeVisualizer(Program):
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)
+
+    def _refit(self, fitting: FitSettings) -> None:
+        self.followed.forget_fitter()
+        self.fits.set_fitting(fitting)
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:

@@ -38,7 +38,8 @@ class Options:
     """The options; the defaults are what a reset goes back to.
 
     ``lobes_off`` holds ``(part, index)`` of the lobes of a fit that are switched off, the index into its exponents;
-    the diffuse part has the index 0.
+    the diffuse part has the index 0. Without ``gloss`` the coat is left out of targets and fits, where a reflectance
+    has one that can be left out.
     """
 
     channel: Channel = "colour"
@@ -46,6 +47,7 @@ class Options:
     cosine: Cosine = "light"
     shown: Shown = "target"
     lobes_off: frozenset[tuple[FitPart, int]] = frozenset()
+    gloss: bool = True
 
 
 class OptionState(QObject, Generic[T]):

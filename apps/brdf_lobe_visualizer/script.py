@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
+
+from brdf_qt.window.fit_choice import FitChoice
 
 from brdf_lobe_visualizer.options import CHANNELS, COSINES, RADII, SHOWN, Shown
+from brdf_suite.fitting.lobes.basis import MOST_LOBES
+from brdf_suite.fitting.lobes.program import Weighting
+from brdf_suite.fitting.lobes.settings import Diffuse
 
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.assembly import LobeVisualizer
@@ -22,6 +27,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     view.add_argument("--cosine", choices=COSINES, help=cosine)
     what = "target, fit, both (target,fit), side-by-side or difference"
     view.add_argument("--show", type=shown, metavar="WHAT", help=what)
+    view.add_argument("--no-gloss", action="store_true", help="leave the gloss out of targets and fits")
     view.add_argument("--reference", type=int, metavar="N", help="index of the reference, from 1")
     view.add_argument("--front", type=int, metavar="N", help="index of the selected reflectance, from 1")
     view.add_argument("--plots", metavar="KEY,KEY", help="visible plots; all others are hidden")
@@ -29,6 +35,27 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     view.add_argument("--no-inspector", action="store_true", help="hide the inspector")
     option = "option of a view or panel; repeatable"
     view.add_argument("--set", action="append", default=[], type=_pair, metavar="KEY=VALUE", help=option)
+
+
+def add_fit(parser: argparse.ArgumentParser) -> None:
+    """Declare the options read by :func:`parse_fit`."""
+    fit = parser.add_argument_group("the fit of this run")
+    fit.add_argument("--basis", default="", metavar="FILE", help="exponents: a file of brdf-suite basis")
+    most = f"number of lobes, 1 to {MOST_LOBES}, of those that the basis was searched for"
+    fit.add_argument("--lobe-count", type=int, choices=range(1, MOST_LOBES + 1), metavar="N", help=most)
+    words = tuple(word.replace(" ", "-") for word in get_args(Weighting))
+    fit.add_argument("--weighting", choices=words, help="weights of the samples")
+    where = "diffuse term: fitted with the lobes, or measured off the mirror direction"
+    fit.add_argument("--diffuse", choices=get_args(Diffuse), help=where)
+
+
+def parse_fit(options: argparse.Namespace) -> FitChoice | None:
+    """Return the choice for this run; None where no option makes one."""
+    if not (options.basis or options.lobe_count or options.weighting or options.diffuse):
+        return None
+    given = options.weighting
+    weighting: Weighting = "solid angle" if given == "solid-angle" else given or "absolute"
+    return FitChoice(options.basis, options.lobe_count or 0, weighting, options.diffuse or "joint")
 
 
 def incidence(text: str) -> tuple[float, float]:
@@ -64,6 +91,8 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
     wanted = {name: getattr(options, name) for name in ("radius", "channel", "cosine")}
     if options.show is not None:
         wanted["shown"] = options.show
+    if options.no_gloss:
+        wanted["gloss"] = False
     session.set_options(**{name: value for name, value in wanted.items() if value is not None})
     if options.incidence is not None:
         session.set_incidence(*options.incidence)

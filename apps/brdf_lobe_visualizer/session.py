@@ -17,8 +17,11 @@ from PySide6.QtCore import QObject, Signal
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_suite.arrays import Floats
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.parts import FitPart
+from brdf_suite.reflectance.designed.layers import split_layers
+from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
     from brdf_qt.window.main_window import SuiteWindow
@@ -74,6 +77,9 @@ class LobeSession(QObject):
         :func:`brdf_suite.geometry.directions.illumination`.
         """
         self.options = Options()
+        self.fitting = FitSettings()
+        """How lobes are fitted to the subjects."""
+        self._bases: dict[str, tuple[Reflectance, Reflectance]] = {}
 
     @property
     def visible(self) -> tuple[PlottedMaterial, ...]:
@@ -103,6 +109,7 @@ class LobeSession(QObject):
             self._front = self.subjects[0].key if self.subjects else ""
         if self._reference_key not in keys:
             self._reference_key = ""
+        self._bases = {key: kept for key, kept in self._bases.items() if key in keys}
         self._hidden &= keys
         self._solo &= keys
         self.subjects_changed.emit()
@@ -191,7 +198,7 @@ class LobeSession(QObject):
         self.set_incidence(*INCIDENCE_DEG)
 
     def set_options(self, **fields: Any) -> None:
-        """Set options by name: ``channel``, ``radius``, ``cosine``, ``shown``, ``lobes_off``."""
+        """Set options by name: ``channel``, ``radius``, ``cosine``, ``shown``, ``lobes_off``, ``gloss``."""
         options = replace(self.options, **fields)
         if options != self.options:
             self.options = options
@@ -211,13 +218,35 @@ class LobeSession(QObject):
         off = self.options.lobes_off
         self.set_options(lobes_off=off - {(part, index)} if on else off | {(part, index)})
 
+    def target_of(self, subject: PlottedMaterial) -> Reflectance:
+        """Return what is shown of a subject's reflectance: all of it, or its base, where the gloss is left out.
+
+        The same object until the reflectance is another. Data that nothing divides are shown whole.
+        """
+        whole = subject.reflectance
+        if self.options.gloss:
+            return whole
+        kept = self._bases.get(subject.key)
+        if kept is None or kept[0] is not whole:
+            layers = split_layers(whole)
+            kept = self._bases[subject.key] = (whole, whole if layers is None else layers.base)
+        return kept[1]
+
+    def lobes_off(self, subject: PlottedMaterial) -> frozenset[tuple[FitPart, int]]:
+        """Return the lobes of a subject's fit that are not shown: those switched off, and a gloss that is left out."""
+        off = self.options.lobes_off
+        if subject.fit is None or self.target_of(subject) is subject.reflectance:
+            return off
+        return off | {("gloss", index) for index in range(len(subject.fit.weights.exponents))}
+
     def weights_of(self, subject: PlottedMaterial) -> LobeWeights | None:
-        """Return the weights of a subject's fit with the lobes that are switched off at 0; None without a fit."""
-        if subject.fit is None or not self.options.lobes_off:
+        """Return the weights of a subject's fit, 0 for lobes that are not shown; None without a fit."""
+        off = self.lobes_off(subject)
+        if subject.fit is None or not off:
             return None if subject.fit is None else subject.fit.weights
         weights = subject.fit.weights
         kd, kdd, kg = weights.kd.copy(), weights.kdd.copy(), weights.kg.copy()
-        for part, index in self.options.lobes_off:
+        for part, index in off:
             rows = {"diffuse": kd[None], "directional": kdd, "gloss": kg}[part]
             if index < len(rows):
                 rows[index] = 0.0

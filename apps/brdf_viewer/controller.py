@@ -11,6 +11,7 @@ from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
+from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -96,6 +97,9 @@ class ViewerController(Program):
     ) -> None:
         super().__init__(ViewerWindow(self._make_drawer))
         self.state = ViewerState(view, self)
+        note = tr("Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.")
+        self.fit = FitCommand(self.window, note)
+        self.state.fitting, self.state.fit_words = self.fit.settings, self.fit.choice.words()
         self.link = LiveLink("viewer", parent=self)
         self._tasks = TaskRunner(self)
         self._ask = ask
@@ -122,6 +126,7 @@ class ViewerController(Program):
         self.readout = Readout(*parts)
         self.figures = FiguresOverlay(*parts, self._meter, self.readout)
         self.features = [*self.window.findChildren(ViewerFeature), self.link]
+        self.fit.add_to_menu()
         self._connect()
         self._show_view(None, view)
         self.start()

@@ -13,6 +13,7 @@ import numpy as np
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleWeights
+from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.fit_errors import JUDGED_GAMMAS_DEG
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S
@@ -86,7 +87,11 @@ def judged_gammas(illumination_deg: float) -> tuple[float, ...]:
 
 
 def fit_at_angles(
-    name_or_path: str | os.PathLike[str], count: int = 16, *, time_limit_s: float = PATIENT_TIME_LIMIT_S
+    name_or_path: str | os.PathLike[str],
+    count: int = 16,
+    basis: LobeBasis | None = None,
+    *,
+    time_limit_s: float = PATIENT_TIME_LIMIT_S,
 ) -> AnglePaintFit:
     """Fit one paint, designed or Cook-Torrance, at ``count`` incidences; ``name_or_path`` is what the user called it.
 
@@ -111,7 +116,7 @@ def fit_at_angles(
                 else "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
         facets = not layers.base_under_coat
-        fitter = AngleFitter(grid=grid, facets=facets, time_limit_s=time_limit_s)
+        fitter = AngleFitter(basis, grid=grid, facets=facets, time_limit_s=time_limit_s)
         try:
             fit = fitter.fit(layers)
         finally:

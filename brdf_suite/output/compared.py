@@ -7,6 +7,7 @@ from pathlib import Path
 
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report
@@ -27,9 +28,11 @@ def is_picture(name_or_path: str | os.PathLike[str]) -> bool:
 
 
 def load_compared(
-    name_or_path: str | os.PathLike[str], progress: Progress | None = None
+    name_or_path: str | os.PathLike[str],
+    progress: Progress | None = None,
+    settings: FitSettings | None = None,
 ) -> LobeFit | ComparedPicture:
-    """Return the fit of a paint or of a measured file, or a picture.
+    """Return the fit of a paint or of a measured file, as ``settings`` say, or a picture.
 
     Raises
     ------
@@ -41,7 +44,7 @@ def load_compared(
     if is_picture(name_or_path):
         report(progress, 0.0, "reading the picture")
         return read_compared_picture(name_or_path)
-    return fit_material(load_material(name_or_path), progress=progress)
+    return fit_material(load_material(name_or_path), settings, progress=progress)
 
 
 def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:

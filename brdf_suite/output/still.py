@@ -13,6 +13,7 @@ from time import perf_counter
 import numpy as np
 
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
@@ -120,11 +121,13 @@ def loaded_scene(
     *,
     columns: int | None = None,
     largest_face: int | None = None,
+    fitting: FitSettings | None = None,
 ) -> Iterator[LoadedScene]:
     """Load surface and environment of a view into a windowless scene, which goes with the block.
 
-    Where only small pictures are drawn, ``columns`` is how wide the light needs to be before it is filtered, and
-    ``largest_face``, in texels, how fine its maps after that.
+    The light is filtered for the exponents of ``fitting``, and a second paint fitted as it says; the paints that are
+    shown must be fitted so too. Where only small pictures are drawn, ``columns`` is how wide the light needs to be
+    before it is filtered, and ``largest_face``, in texels, how fine its maps after that.
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
@@ -132,13 +135,19 @@ def loaded_scene(
         start = perf_counter()
         name = find_environment(view.environment)[0]
         light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
-        prepared = load_environment(view.environment, light, layout=view.environment_layout, columns=columns)
+        prepared = load_environment(
+            view.environment,
+            light,
+            layout=view.environment_layout,
+            columns=columns,
+            basis=None if fitting is None else fitting.basis,
+        )
         if largest_face is not None:
             prepared = with_smaller_maps(prepared, largest_face)
         maps_s = perf_counter() - start
         scene.set_environment(prepared)
         scene.prepare(view)
-        scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
+        scene.set_surface_images(load_surface_images(ImageRequest.of(view), settings=fitting))
         mesh, baked = bake_or_explain(mesh, view.surface_look, subrange(progress, 0.6, 1.0))
         scene.set_surface(mesh, baked)
         yield LoadedScene(scene, prepared, mesh, maps_s)
@@ -151,9 +160,12 @@ def render_to_file(
     path: Path,
     settings: PictureSettings | None = None,
     *,
+    fitting: FitSettings | None = None,
     progress: Progress | None = None,
 ) -> StillPicture:
     """Render a paint (by name or file) or a measured file in a view and write it as PNG or EXR, atomically.
+
+    ``fitting`` says how its lobes are fitted; left out: with the default basis and settings.
 
     Raises
     ------
@@ -171,8 +183,8 @@ def render_to_file(
     settings = settings or PictureSettings()
     settings.of_file(path)
     check_target(path)
-    fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
-    with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
+    fit = fit_material(under_illuminant(load_material(paint), view.light_colour), fitting)
+    with loaded_scene(view, subrange(progress, 0.0, 0.8), fitting=fitting) as loaded:
         loaded.scene.set_material(fit)
         start = perf_counter()
         # The metadata give the exposure that was measured, where it is automatic.

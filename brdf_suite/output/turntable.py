@@ -14,6 +14,7 @@ import numpy as np
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.output.still import LoadedScene, loaded_scene
 from brdf_suite.output.turning import turned
@@ -78,9 +79,12 @@ def write_turntable(
     turn: Turn | None = None,
     settings: PictureSettings | None = None,
     *,
+    fitting: FitSettings | None = None,
     progress: Progress | None = None,
 ) -> TurntableFiles:
     """Draw one turn of a paint (by name or file) and write it: .mp4 or .webm, or a new folder of PNG pictures.
+
+    ``fitting`` as for :func:`~brdf_suite.output.still.render_to_file`.
 
     Automatic exposure is measured once, for the first frame, so that the light does not pump. What was begun and not
     finished is taken away.
@@ -105,8 +109,8 @@ def write_turntable(
     else:
         check_folder(path)
         settings.of_file(path / "frame.png")
-    fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
-    with loaded_scene(view, subrange(progress, 0.0, 0.2)) as loaded:
+    fit = fit_material(under_illuminant(load_material(paint), view.light_colour), fitting)
+    with loaded_scene(view, subrange(progress, 0.0, 0.2), fitting=fitting) as loaded:
         loaded.scene.set_material(fit)
         shown = framed_all_round(view, loaded.scene.renderer.bounds, size)
         shown = replace(metered(loaded.scene.renderer, shown, size), clipping_marks=False, gamut_marks=False)

@@ -12,7 +12,7 @@ two. What only :func:`fit_material` needs is therefore imported in it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from time import perf_counter
@@ -27,8 +27,8 @@ from brdf_suite.documents.atomic import with_lists
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, HeldOut
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -47,6 +47,11 @@ if TYPE_CHECKING:
 DEFAULT_TIME_LIMIT_S = 0.004
 PATIENT_TIME_LIMIT_S = 1.0
 """For work without a screen: no frame waits for the fit, and a busy machine must not make the answer worse."""
+
+EXPONENTS_ALONE = (
+    "It has no separate coat, so of the settings of the fit the exponents alone apply: the diffuse term is fitted with "
+    "the lobes, and the weights of the samples are those of measured data."
+)
 
 #: ``split_layers`` is what has a coat and a base but is neither of the two kinds of paint.
 Kind = Literal["designed", "cook_torrance", "layered", "measured"]
@@ -79,6 +84,8 @@ class LobeFit:
     exact
         Where the time limit came first, it gets the fit with the optimum, unless the fitter's next paint comes before
         it; :meth:`with_exact` makes it a fit of this material.
+    settings
+        Those of the fit.
     """
 
     material: Material
@@ -95,6 +102,7 @@ class LobeFit:
     incidences_deg: tuple[float, ...] = ()
     samples: int = 0
     exact: Future[LayersFit] | None = None
+    settings: FitSettings = field(default_factory=FitSettings)
 
     @property
     def name(self) -> str:
@@ -163,6 +171,8 @@ class LobeFit:
             "name": self.name,
             "kind": self.kind,
             "exponents": weights.exponents.tolist(),
+            "weighting": self.settings.weighting,
+            "diffuse": self.settings.diffuse,
             "kd": weights.kd.tolist(),
             "kdd": weights.kdd.tolist(),
             "kg": weights.kg.tolist(),
@@ -198,8 +208,8 @@ class PaintFitter:
 
     Parameters
     ----------
-    basis
-        Lobe exponents; default: the suite's own.
+    settings
+        How it fits; default: the suite's own basis, a joint diffuse term and absolute weights.
     time_limit_s
         Hard limit of one fit, in seconds.
 
@@ -207,13 +217,18 @@ class PaintFitter:
     is what fits.
     """
 
-    def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = DEFAULT_TIME_LIMIT_S) -> None:
-        self.lobe_fitter = LobeFitter(basis, time_limit_s=time_limit_s)
+    def __init__(
+        self, settings: FitSettings | None = None, *, time_limit_s: float = DEFAULT_TIME_LIMIT_S
+    ) -> None:
+        chosen = settings or FitSettings()
+        self.lobe_fitter = LobeFitter(
+            chosen.basis, time_limit_s=time_limit_s, weighting=chosen.weighting, diffuse=chosen.diffuse
+        )
 
     @property
-    def basis(self) -> LobeBasis:
-        """The exponents that weights are fitted for."""
-        return self.lobe_fitter.basis
+    def settings(self) -> FitSettings:
+        """How it fits."""
+        return self.lobe_fitter.settings
 
     def close(self) -> None:
         """Drop what is still worked at; a fit whose optimum is to come will not get it."""
@@ -264,12 +279,13 @@ class PaintFitter:
             readings=readings,
             incidences_deg=(float(np.degrees(weights.theta_fit_rad)),),
             exact=fit.exact,
+            settings=self.settings,
         )
 
 
 def fit_material(
     material: Material,
-    basis: LobeBasis | None = None,
+    settings: FitSettings | None = None,
     *,
     errors: bool = False,
     progress: Progress | None = None,
@@ -278,8 +294,8 @@ def fit_material(
 
     Parameters
     ----------
-    basis
-        The lobes' exponents; the default set if left out.
+    settings
+        How it is fitted, as for :class:`PaintFitter`; without layers the exponents alone apply, and a notice says so.
     errors
         Whether ``held_out`` is worked out, which takes longer than the fit.
 
@@ -296,18 +312,20 @@ def fit_material(
     from brdf_suite.reflectance.designed.layers import has_cook_torrance_base, split_layers
 
     report(progress, 0.0, "fitting")
+    chosen = settings or FitSettings()
     layers = split_layers(material.reflectance)
     try:
         if layers is None:
             fitting = subrange(progress, 0.0, 0.3 if errors else 1.0)
-            found = _undivided_fit(material, *fit_and_compare(material.reflectance, basis, fitting))
+            fitted = fit_and_compare(material.reflectance, chosen.basis, fitting)
+            found = _undivided_fit(material, chosen, *fitted)
         else:
             kind: Kind = "layered"
             if isinstance(material.reflectance, PaintReflectance):
                 kind = "designed"
             elif has_cook_torrance_base(material.reflectance):
                 kind = "cook_torrance"
-            fitter = PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S)
+            fitter = PaintFitter(chosen, time_limit_s=PATIENT_TIME_LIMIT_S)
             try:
                 found = fitter.fit_layers(material, layers, kind)
             finally:
@@ -321,7 +339,8 @@ def fit_material(
         found = replace(found, notices=(*found.notices, TOO_MANY))
     if errors:
         judging = subrange(progress, 0.3, 1.0)
-        found = replace(found, held_out=held_out_errors(material.reflectance, found.weights, basis, judging))
+        judged = held_out_errors(material.reflectance, found.weights, chosen.basis, judging)
+        found = replace(found, held_out=judged)
     report(progress, 1.0, "done")
     return found
 
@@ -329,17 +348,21 @@ def fit_material(
 def refit_under(fit: LobeFit, colour: LightColour, progress: Progress | None = None) -> LobeFit:
     """Return the fit of the same material as it looks in a light to an adapted eye; the very fit where nothing differs.
 
-    Raises as :func:`fit_material`.
+    Its settings are those of ``fit``. Raises as :func:`fit_material`.
     """
     material = under_illuminant(fit.material, colour)
     if material is fit.material:
         return fit
-    return replace(fit_material(material, progress=progress), notices=fit.notices)
+    return replace(fit_material(material, fit.settings, progress=progress), notices=fit.notices)
 
 
-def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleError, ...]) -> LobeFit:
+def _undivided_fit(
+    material: Material, settings: FitSettings, fit: UndividedFit, angles: tuple[AngleError, ...]
+) -> LobeFit:
     # That samples are interpolated is true of reading them, not of fitting them.
     known = tuple(notice for notice in material.notices if notice != SCATTERED)
+    if not settings.is_joint_and_absolute:
+        known += (EXPONENTS_ALONE,)
     return LobeFit(
         material=material,
         kind="measured",
@@ -351,6 +374,7 @@ def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleErr
         split_determined=fit.split_determined,
         incidences_deg=tuple(float(np.degrees(angle)) for angle in fit.incidences_rad),
         samples=fit.samples,
+        settings=settings,
     )
 
 

@@ -238,10 +238,11 @@ def prepare_light(
     partial: Partial | None = None,
     *,
     draft: bool = False,
+    basis: LobeBasis | None = None,
 ) -> PreparedEnvironment:
     """Draw and filter a light that is in no file yet, past the cache: its versions would drive out what is used.
 
-    A draft never says that it is final; ``partial`` as for :func:`load_environment`.
+    A draft never says that it is final; ``basis`` and ``partial`` as for :func:`load_environment`.
     """
     made = draw_light(light, subrange(progress, 0.0, _DRAWING_SHARE), draft=draft)
 
@@ -251,7 +252,7 @@ def prepare_light(
 
     environment = Environment(light.name, made.radiance, (made.comment.rstrip("."),))
     prepared = prepare_environment(
-        light.name, environment, prefilter, subrange(progress, _DRAWING_SHARE, 1.0), partial=hand_out
+        light.name, environment, prefilter, subrange(progress, _DRAWING_SHARE, 1.0), basis, hand_out
     )
     return replace(prepared, draft=draft)
 

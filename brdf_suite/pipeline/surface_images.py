@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, LightColour
 from brdf_suite.files.images.relief import read_mask, read_normal_map, read_tangent_map
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.progress import Progress, report
@@ -52,8 +53,10 @@ class SurfaceImages:
     tangent_map: TangentMap | None = None
 
 
-def load_surface_images(request: ImageRequest, progress: Progress | None = None) -> SurfaceImages:
-    """Read images and fit the second paint.
+def load_surface_images(
+    request: ImageRequest, progress: Progress | None = None, *, settings: FitSettings | None = None
+) -> SurfaceImages:
+    """Read images and fit the second paint, as ``settings`` say, which are those of the first.
 
     Raises
     ------
@@ -70,7 +73,7 @@ def load_surface_images(request: ImageRequest, progress: Progress | None = None)
     if request.second_paint is not None:
         report(progress, 0.5, "fitting the second paint")
         material = under_illuminant(load_material(request.second_paint), LightColour(request.lamp))
-        second = fit_material(material)
+        second = fit_material(material, settings)
     report(progress, 1.0, "images")
     return SurfaceImages(request, normal_map, mask, second, tangents)
 

@@ -736,6 +736,10 @@
         <translation>Lack</translation>
     </message>
     <message>
+        <source>Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.</source>
+        <translation>Gilt in Viewer und Designer ab deren nächstem Start, in Lobe Visualizer sofort.</translation>
+    </message>
+    <message>
         <source>The open paint is unchanged.</source>
         <translation>Der offene Lack ist unverändert.</translation>
     </message>
@@ -3732,6 +3736,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Einfall, Kanal, Radius, Kosinus und Keulen auf die Vorgaben zurücksetzen</translation>
     </message>
     <message>
+        <source>Takes effect here at once, in Viewer and Designer at their next start.</source>
+        <translation>Gilt hier sofort, in Viewer und Designer ab deren nächstem Start.</translation>
+    </message>
+    <message>
         <source>List</source>
         <translation>Liste</translation>
     </message>
@@ -3780,8 +3788,84 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Zu den Beispiellacken und ihrer Suche zurückkehren</translation>
     </message>
     <message>
+        <source>Absolute</source>
+        <translation>Absolut</translation>
+    </message>
+    <message>
+        <source>Relative to the reflectance</source>
+        <translation>Relativ zum Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>By solid angle</source>
+        <translation>Nach Raumwinkel</translation>
+    </message>
+    <message>
+        <source>Fitted with the lobes</source>
+        <translation>Mit den Keulen angepasst</translation>
+    </message>
+    <message>
+        <source>Measured off the mirror direction</source>
+        <translation>Abseits der Spiegelrichtung gemessen</translation>
+    </message>
+    <message>
+        <source>Lobe Fit</source>
+        <translation>Keulenanpassung</translation>
+    </message>
+    <message>
+        <source>Default of the basis</source>
+        <translation>Vorgabe der Basis</translation>
+    </message>
+    <message>
         <source>Basis</source>
         <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Exponents of the lobes: the suite&apos;s own, or a file of brdf-suite basis</source>
+        <translation>Exponenten der Keulen: die mitgelieferten oder eine Datei von brdf-suite basis</translation>
+    </message>
+    <message>
+        <source>One of the counts that the basis was searched for</source>
+        <translation>Eine der Anzahlen, für die die Basis gesucht wurde</translation>
+    </message>
+    <message>
+        <source>Sample weights</source>
+        <translation>Gewichte der Messpunkte</translation>
+    </message>
+    <message>
+        <source>Paints with layers: how much each sample counts</source>
+        <translation>Lacke mit Schichten: wie viel jeder Messpunkt zählt</translation>
+    </message>
+    <message>
+        <source>Diffuse term</source>
+        <translation>Diffuser Anteil</translation>
+    </message>
+    <message>
+        <source>Paints with layers: where the diffuse term comes from</source>
+        <translation>Lacke mit Schichten: woher der diffuse Anteil kommt</translation>
+    </message>
+    <message>
+        <source>The suite&apos;s own</source>
+        <translation>Mitgelieferte</translation>
+    </message>
+    <message>
+        <source>Open a Basis</source>
+        <translation>Basis öffnen</translation>
+    </message>
+    <message>
+        <source>Bases (*.json)</source>
+        <translation>Basen (*.json)</translation>
+    </message>
+    <message>
+        <source>The suite&apos;s own lobes are used. Choose another basis with Edit ▸ Lobe Fit.</source>
+        <translation>Die mitgelieferten Keulen werden verwendet. Wählen Sie eine andere Basis mit Bearbeiten ▸ Keulenanpassung.</translation>
+    </message>
+    <message>
+        <source>Choose the exponents and the number of lobes, and how they are fitted</source>
+        <translation>Exponenten und Anzahl der Keulen wählen, und wie sie angepasst werden</translation>
+    </message>
+    <message>
+        <source>Lobe Fit…</source>
+        <translation>Keulenanpassung…</translation>
     </message>
     <message>
         <source>Show the Basis</source>
@@ -4862,6 +4946,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Switch all lobes on and restore the default display</source>
         <translation>Alle Keulen einschalten und die Vorgabe der Anzeige wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Show the gloss of targets and fits; without it the base alone, where a paint has layers</source>
+        <translation>Glanz von Zielen und Anpassungen zeigen; ohne ihn die Schicht darunter allein, wo ein Lack Schichten hat</translation>
     </message>
     <message>
         <source>Switch all lobes of this part on or off</source>

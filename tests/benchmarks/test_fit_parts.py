@@ -42,12 +42,21 @@ def test_the_limit(monkeypatch: pytest.MonkeyPatch) -> None:
         "COMPARED_STEPS": 2,
         "PAINTS": 1,
         "TARGETS": 2,
+        # Any machine comes to an end within these.
+        "OPTIMA": 2,
+        "IDLE_S": 200.0,
+        "BUSY_S": 200.0,
+        "BUSY": 1,
+        "INTERIMS": 3,
     }.items():
         assert hasattr(part, name)
         monkeypatch.setattr(part, name, value)
     figures = finite(part.run(None), part)
     assert figures["objective_rel_gap"] < 1e-5
     assert figures["linprog_ratio"] > 1.0
+    assert figures["optimum_delivered"] == 1.0
+    assert 0.0 < figures["interim_base_share"] < 1.0
+    assert 0.0 < figures["interim_coat_share"] < 1.0
 
 
 def test_the_angles(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,11 +15,14 @@ from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import Cancelled, FileError, FittingError, UnreachableError
 from brdf_suite.files.measured import FORMATS, write_measured
 from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.fitter import LobeFitter
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.fit_errors import held_out_errors
-from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
+from brdf_suite.pipeline.lobe_fit import EXPONENTS_ALONE, PaintFitter, fit_material
 from brdf_suite.pipeline.material import Material, load_material, load_shipped_paint
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.lambertian import Lambertian
@@ -183,9 +186,35 @@ def test_few_samples_have_no_held_out_error(shared_data: Path) -> None:
 
 
 def test_another_basis() -> None:
-    basis = LobeBasis((2.0, 20.0, 2_000.0))
+    settings = FitSettings(LobeBasis((2.0, 20.0, 2_000.0)))
     for name in ("blue", "table1_white"):
-        assert fit_material(load_material(name), basis).weights.exponents.tolist() == [2.0, 20.0, 2_000.0]
+        found = fit_material(load_material(name), settings)
+        assert found.weights.exponents.tolist() == [2.0, 20.0, 2_000.0]
+        assert found.settings == settings
+
+
+def test_weighting_and_diffuse_term_are_those_of_the_settings() -> None:
+    settings = FitSettings(LobeBasis((2.0, 20.0, 2_000.0)), "solid angle", "measured")
+    fitter = LobeFitter(settings.basis, weighting="solid angle", diffuse="measured", time_limit_s=1.0)
+    material = load_material("blue")
+    expected = fitter.fit(split_layers(material.reflectance)).weights
+    fitter.close()
+    found = fit_material(material, settings)
+    np.testing.assert_allclose(found.weights.kdd, expected.kdd, rtol=1e-9)
+    np.testing.assert_allclose(found.weights.kg, expected.kg, rtol=1e-9)
+    for other in (replace(settings, diffuse="joint"), replace(settings, weighting="absolute")):
+        assert not np.allclose(fit_material(material, other).weights.kdd, expected.kdd, rtol=1e-3, atol=0.0)
+
+
+def test_data_without_layers_take_the_exponents_alone_and_say_so(shared_data: Path) -> None:
+    basis = LobeBasis((2.0, 20.0, 2_000.0))
+    material = load_material(shared_data / "brdf" / "bird_example.json")
+    plain, chosen = (
+        fit_material(material, FitSettings(basis, weighting)) for weighting in ("absolute", "relative")
+    )
+    np.testing.assert_array_equal(plain.weights.kdd, chosen.weights.kdd)
+    assert EXPONENTS_ALONE not in plain.notices
+    assert EXPONENTS_ALONE in chosen.notices
 
 
 @pytest.mark.parametrize("bad", [np.nan, -1.0])

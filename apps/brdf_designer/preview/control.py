@@ -118,7 +118,8 @@ class PreviewControl(Feature, QObject):
         if self.panel.surface is None or not self.action.isChecked() or self._asked == self.light:
             return
         self._asked = self.light
-        self._tasks.submit("scene", load_scene, self.light, self._show_scene, self._report_failure)
+        request = (self.light, self._session.fitting.basis)
+        self._tasks.submit("scene", load_scene, request, self._show_scene, self._report_failure)
 
     def _show_scene(self, scene: PreviewScene) -> None:
         old = self._contents.scene

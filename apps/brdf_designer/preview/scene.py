@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from brdf_suite.documents.view import View
 
 if TYPE_CHECKING:
+    from brdf_suite.fitting.lobes.basis import LobeBasis
     from brdf_suite.pipeline.scene import PreparedEnvironment
     from brdf_suite.progress import Progress
     from brdf_suite.surface.mesh import Mesh
@@ -30,8 +31,8 @@ class PreviewScene:
         return View(environment=self.light.name, surface=SURFACE, background="blurred")
 
 
-def load_scene(light: str, progress: Progress | None = None) -> PreviewScene:
-    """Load the scene with the shipped light of that name.
+def load_scene(request: tuple[str, LobeBasis], progress: Progress | None = None) -> PreviewScene:
+    """Load the scene with the shipped light of a name, filtered for a basis.
 
     Raises
     ------
@@ -43,6 +44,7 @@ def load_scene(light: str, progress: Progress | None = None) -> PreviewScene:
     # Deferred: only a window that shows the picture pays for these, and on a thread.
     from brdf_suite.pipeline.scene import load_environment, load_surface
 
-    prepared = load_environment(light, progress, columns=LIGHT_WIDTH)
+    light, basis = request
+    prepared = load_environment(light, progress, columns=LIGHT_WIDTH, basis=basis)
     _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return PreviewScene(prepared, load_surface(SURFACE))

@@ -130,6 +130,8 @@ class PaintSession(QObject):
         self._gesture: _Gesture | None = None
         self._shown_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
+        self.fitting = fitter.settings
+        """How lobes are fitted in this run."""
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._take_exact)
         # The same fit again: it no longer says that an exact one follows.

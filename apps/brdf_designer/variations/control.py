@@ -139,7 +139,7 @@ class VariationsControl(Feature, QObject):
 
     def _examine(self, request: _Request, progress: Progress) -> tuple[_Request, tuple[Variation, ...]]:
         if self._fitter is None:
-            self._fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
+            self._fitter = PaintFitter(self._session.fitting, time_limit_s=PATIENT_TIME_LIMIT_S)
         found = []
         for number, one in enumerate(variations(request.paint, request.step)):
             report(progress, number / 8.0, one.word)

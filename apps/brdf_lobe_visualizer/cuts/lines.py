@@ -89,7 +89,8 @@ class SliceLines:
         compared = self._session.reference
         against = None
         if options.shown == "difference" and compared is not None:
-            against = self._evaluated(compared, "target", compared.reflectance, cuts, options.cosine)
+            target = self._session.target_of(compared)
+            against = self._evaluated(compared, "target", target, cuts, options.cosine)
         keys = {subject.key for subject in self._session.subjects}
         self._kept = {at: kept for at, kept in self._kept.items() if at[0] in keys}
         return [
@@ -100,12 +101,13 @@ class SliceLines:
     def _values(
         self, subject: PlottedMaterial, cuts: tuple[Slice, ...], options: Options
     ) -> tuple[list[Floats], list[Floats] | None]:
-        target = self._evaluated(subject, "target", subject.reflectance, cuts, options.cosine)
+        whole = self._session.target_of(subject)
+        target = self._evaluated(subject, "target", whole, cuts, options.cosine)
         weights = self._session.weights_of(subject) if options.shown != "target" else None
         if weights is None:
             return target, None
         # With lobes switched off the weights are made anew each time; compare what they are made of.
-        mark = (subject.fit and subject.fit.weights, options.lobes_off)
+        mark = (subject.fit and subject.fit.weights, self._session.lobes_off(subject))
         return target, self._evaluated(subject, "fit", weights, cuts, options.cosine, mark)
 
     def _evaluated(

@@ -213,9 +213,11 @@ class Slices(Feature, QObject):
 
         return Request(
             title=subject.title,
-            reflectance=subject.reflectance,
+            reflectance=session.target_of(subject),
             weights=session.weights_of(subject),
-            other=None if other is None or other.key == subject.key else (other.title, other.reflectance),
+            other=None
+            if other is None or other.key == subject.key
+            else (other.title, session.target_of(other)),
             difference=shown == "difference",
             measured=subject.measured,
             samples=subject.samples if options.samples else None,

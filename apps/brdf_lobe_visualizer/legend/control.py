@@ -56,6 +56,7 @@ class LegendErrors(Feature, QObject):
         self._pause = make_timer(self, self._look, _PAUSE_MS)
         session.subjects_changed.connect(self._touch)
         session.visibility_changed.connect(self._touch)
+        session.options_changed.connect(self._touch)
 
     @property
     def is_idle(self) -> bool:
@@ -84,7 +85,7 @@ class LegendErrors(Feature, QObject):
     def _look(self) -> None:
         reference = self._session.reference
         wanted = {
-            s.key: (reference.reflectance, s.reflectance)
+            s.key: (self._session.target_of(reference), self._session.target_of(s))
             for s in self._session.subjects
             if reference is not None and s.key != reference.key
         }

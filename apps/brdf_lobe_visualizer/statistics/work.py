@@ -133,8 +133,10 @@ class FiguresWork(QObject):
         weights = self._session.weights_of(subject)
         turned = not subject.isotropic or (other is not None and not other.isotropic)
         azimuth = self._session.incidence[1] if turned else 0.0
-        against = None if other is None else other.reflectance
-        return _Inputs(subject.reflectance, weights, against, azimuth, subject.isotropic, self.angles)
+        against = None if other is None else self._session.target_of(other)
+        return _Inputs(
+            self._session.target_of(subject), weights, against, azimuth, subject.isotropic, self.angles
+        )
 
     def _submit(self, subject: PlottedMaterial, wanted: _Inputs) -> None:
         key, job = subject.key, f"figures {subject.key}"

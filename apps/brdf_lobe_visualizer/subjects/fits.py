@@ -22,6 +22,7 @@ from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_from_json
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -51,6 +52,14 @@ class Fits(Feature, QObject):
         """End what is being fitted."""
         self.tasks.stop()
 
+    def set_fitting(self, fitting: FitSettings) -> None:
+        """Fit every subject anew, as ``fitting`` says."""
+        self._session.fitting = fitting
+        for key in self._of:
+            self._cancel(key)
+        self._of = {}
+        self._look()
+
     def skip(self, key: str, reflectance: Reflectance) -> None:
         """Fit nothing for this reflectance of a subject: the caller supplies the fit, as for a followed paint."""
         self._of[key] = reflectance
@@ -71,7 +80,7 @@ class Fits(Feature, QObject):
         self._progress.end(f"fit {key}")
 
     def _fit(self, subject: PlottedMaterial) -> None:
-        key, reflectance = subject.key, subject.reflectance
+        key, reflectance, fitting = subject.key, subject.reflectance, self._session.fitting
         job = f"fit {key}"
         text = tr("Fitting lobes to {name}").format(name=subject.title)
         moved = self._progress.begin(job, text, lambda: self._cancel(key))
@@ -90,7 +99,7 @@ class Fits(Feature, QObject):
 
         self.tasks.submit(
             key,
-            lambda material, progress: fit_material(material, progress=progress),
+            lambda material, progress: fit_material(material, fitting, progress=progress),
             subject.material,
             done,
             failed,
@@ -148,13 +157,21 @@ class FollowedPaint(Feature, QObject):
             self._fitter.close()
         self._fitter = self._newest = self._next = None
 
+    def forget_fitter(self) -> None:
+        """Fit the next paint as the session says by then; what is in work is dropped."""
+        self._tasks.cancel(KEY)
+        self._exact.forget()
+        if self._fitter is not None:
+            self._fitter.close()
+        self._fitter = self._next = None
+
     def _fit(self, paint: Paint) -> None:
         # One that is in work is brought to its end: were each dropped for the next, a drag would show none of them.
         if self._tasks.busy:
             self._next = paint
             return
         if self._fitter is None:
-            self._fitter = PaintFitter()
+            self._fitter = PaintFitter(self._session.fitting)
         fitter = self._fitter
         self._tasks.submit(KEY, lambda paint, _progress: fitter.fit(paint), paint, self._fresh, self._refused)
 

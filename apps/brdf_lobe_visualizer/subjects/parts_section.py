@@ -49,6 +49,10 @@ class PartsSection(QWidget):
         self.style_ = form.choice("fit_style", _STYLES, tr("Fit style"), tip)
         tip = tr("How the lobes of a fit are shown")
         form.choice("lobes", _VIEWS, tr("Lobes"), tip, self._choose_lobes)
+        self.gloss = described(
+            form.tick("gloss", tr("Gloss")),
+            tip=tr("Show the gloss of targets and fits; without it the base alone, where a paint has layers"),
+        )
         self.switches: dict[tuple[FitPart, int], QCheckBox] = {}
         self._list = QWidget()
         self._grid = QGridLayout(self._list)
@@ -60,7 +64,7 @@ class PartsSection(QWidget):
         tip = tr("Switch all lobes on and restore the default display")
         self.reset = described(QPushButton(tr("Reset Parts")), tip=tip)
         self.reset.clicked.connect(self._reset)
-        fill_column(self, form, self._list, self.none, self.reset)
+        fill_column(self, form, self.gloss, self._list, self.none, self.reset)
         for signal in (
             session.options_changed,
             session.subjects_changed,
@@ -127,7 +131,7 @@ class PartsSection(QWidget):
 
     def _reset(self) -> None:
         self._state.reset("fit_style", "lobes")
-        self._session.reset_options("shown", "lobes_off")
+        self._session.reset_options("shown", "lobes_off", "gloss")
 
 
 def _swatch(part: FitPart) -> QIcon:

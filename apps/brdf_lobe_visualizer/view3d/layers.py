@@ -173,7 +173,7 @@ class SceneMaker:
     def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
         if subject.fit is None:
             return ()
-        off = self._session.options.lobes_off
+        off = self._session.lobes_off(subject)
         return tuple(lobe for lobe in fit_lobes(subject.fit.weights) if lobe.key not in off)
 
     def _fit_plans(self, subject: PlottedMaterial, options: SpaceOptions) -> list[_Plan]:

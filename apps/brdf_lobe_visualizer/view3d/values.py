@@ -83,14 +83,14 @@ class SpaceValues:
 
     def target(self, subject: PlottedMaterial) -> Found | None:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
-        grid = self.grid()
+        grid, reflectance = self.grid(), self._session.target_of(subject)
         kept = self.kept.get(subject.key)
         if (
             kept is None
-            or kept.source.reflectance is not subject.reflectance
+            or kept.source.reflectance is not reflectance
             or kept.source.measured is not subject.measured
         ):
-            source = LobeSource(subject.reflectance, subject.measured)
+            source = LobeSource(reflectance, subject.measured)
             kept = self.kept[subject.key] = (
                 _Kept(source, seconds=kept.seconds, before=_stale(kept)) if kept else _Kept(source)
             )

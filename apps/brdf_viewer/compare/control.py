@@ -148,7 +148,8 @@ class CompareControl(ViewerFeature):
         self._loading = key
         self._window.set_busy(KIND, 0.0, f"B: {_title(key)}")
         loaded = partial(self._loaded, key)
-        self._run(self._runner, KIND, load_compared, key, loaded, self._failed, "B: ")
+        work = partial(load_compared, settings=self._state.fitting)
+        self._run(self._runner, KIND, work, key, loaded, self._failed, "B: ")
 
     def _loaded(self, key: str, value: LobeFit | ComparedPicture) -> None:
         self._loading = None

@@ -72,7 +72,7 @@ class ExportControl(ViewerFeature):
         path = with_ending(Path(chosen), wanted.form.ending)
         self._window.messages.dismiss(KIND)
         try:
-            job = ExportJob(wanted, path, view, paint, key)
+            job = ExportJob(wanted, path, view, paint, key, self._state.fit_words)
         except (SuiteError, OSError) as error:
             self._report(error, KIND)
             return

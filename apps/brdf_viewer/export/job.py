@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import shutil
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from glob import escape
 from pathlib import Path
@@ -73,13 +74,21 @@ class ExportSettings:
 class ExportJob:
     """An export to ``path`` with the scene written to files of its own, so that edits after its start change nothing.
 
-    ``paint`` is None where only a file is known, ``paint_key``, a measured one. The files go with :meth:`tidy`.
+    ``fit_words`` are options that say how lobes are fitted; a sheet takes none. ``paint`` is None where only a file is
+    known, ``paint_key``, a measured one. The files go with :meth:`tidy`.
     """
 
     def __init__(
-        self, settings: ExportSettings, path: Path, view: View, paint: AnyPaint | None, paint_key: str
+        self,
+        settings: ExportSettings,
+        path: Path,
+        view: View,
+        paint: AnyPaint | None,
+        paint_key: str,
+        fit_words: Sequence[str] = (),
     ) -> None:
         self.settings, self.path = settings, path
+        self._fit_words = fit_words if settings.kind != "sheet" else ()
         self.folder = Path(tempfile.mkdtemp(prefix="brdf-export-"))
         self._view = self.folder / f"view{VIEW_ENDING}"
         self._paint = paint_key
@@ -100,7 +109,7 @@ class ExportJob:
             "turntable": ["turntable", self._paint, f"--frames={s.frames}", f"--fps={s.frames_per_second:g}"],
             "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
         }[s.kind]
-        words += ["-o", str(self.path), "--view", str(self._view)]
+        words += ["-o", str(self.path), "--view", str(self._view), *self._fit_words]
         words += ["--size={}x{}".format(*s.size), f"--samples={s.samples}"]
         if len(s.form.colour_spaces) > 1:
             words.append(f"--colour-space={s.colour_space}")

@@ -17,6 +17,7 @@ from brdf_qt.work.tasks import TaskRunner
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, paint_from_json
 from brdf_suite.errors import SuiteError
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.factored_maps import is_factored
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
 from brdf_suite.pipeline.material import (
@@ -71,7 +72,7 @@ class PaintControl(ViewerFeature):
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
         self._link = link
-        self.fitter = PaintFitter()
+        self.fitter = PaintFitter(state.fitting)
         self._recent = RecentFiles(f"recent/{_KEY}")
         self._recent_palettes = RecentFiles("recent/palette")
         self._names = paint_names()
@@ -204,7 +205,8 @@ class PaintControl(ViewerFeature):
         title = title_of(key, {})
         self._window.set_busy(_KEY, 0.0, title)
         loaded = partial(self._loaded, key)
-        self._run(self._runner, _KEY, _load_and_fit, key, loaded, self._not_loaded, f"{title}: ")
+        work = partial(_load_and_fit, self._state.fitting)
+        self._run(self._runner, _KEY, work, key, loaded, self._not_loaded, f"{title}: ")
 
     def _loaded(self, key: str, fit: LobeFit | None) -> None:
         self._cancel(_KEY)
@@ -240,7 +242,10 @@ class PaintControl(ViewerFeature):
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
         try:
-            fit = self.fitter.fit(paint) if isinstance(paint, Paint) else fit_material(material_of(paint))
+            if isinstance(paint, Paint):
+                fit = self.fitter.fit(paint)
+            else:
+                fit = fit_material(material_of(paint), self._state.fitting)
         except SuiteError as error:
             self._complain(error)
             return
@@ -344,9 +349,9 @@ class PaintControl(ViewerFeature):
         commands.palette_close.setEnabled(self._palette is not None)
 
 
-def _load_and_fit(key: str, progress: Progress) -> LobeFit | None:
+def _load_and_fit(fitting: FitSettings, key: str, progress: Progress) -> LobeFit | None:
     """Return the fit of a name or file; None of a palette with several paints."""
     report(progress, 0.0, "reading")
     if is_file(key) and file_kind(key) == "palette":
         return None
-    return fit_material(load_material(key), progress=subrange(progress, 0.1, 1.0))
+    return fit_material(load_material(key), fitting, progress=subrange(progress, 0.1, 1.0))

@@ -106,7 +106,8 @@ class SceneControl(ViewerFeature):
         self._loading[kind] = key
         self._show_facts()
         self._show_choice(kind, key)
-        self.loader.load(kind, key, self._layout, self._state.view.surface_look)
+        basis = self._state.fitting.basis
+        self.loader.load(kind, key, self._layout, self._state.view.surface_look, basis)
 
     def close(self) -> None:
         self.loader.stop()

@@ -15,6 +15,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Qt, Signal
 
 from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import environment_statistics
 from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, load_environment
@@ -63,17 +64,25 @@ class SceneLoader(QObject):
         self.generation = 0
         self.partly_made.connect(self._on_partial, Qt.ConnectionType.QueuedConnection)
 
-    def load(self, kind: str, key: str, layout: str = "auto", look: SurfaceLook | None = None) -> None:
+    def load(
+        self,
+        kind: str,
+        key: str,
+        layout: str = "auto",
+        look: SurfaceLook | None = None,
+        basis: LobeBasis | None = None,
+    ) -> None:
         """Begin to load ``key``; an older request of the kind is dropped.
 
-        ``layout`` is of an environment's image, ``look`` the shape in which a surface is taken.
+        ``layout`` is of an environment's image, ``basis`` what it is filtered for, ``look`` the shape in which a
+        surface is taken.
         """
         if self._stopped:
             return
         request: tuple[object, ...] = (key, look or SurfaceLook())
         if kind == ENVIRONMENT:
             self.generation += 1
-            request = (key, layout, self._hand_out(self.generation, key))
+            request = (key, layout, self._hand_out(self.generation, key), basis)
         self.moved.emit(kind, 0.0, "waiting")
         self._runner.submit(
             kind,
@@ -129,10 +138,12 @@ class SceneLoader(QObject):
         report()
 
 
-def prepare_environment(request: tuple[str, str, Partial], progress: Progress) -> PreparedEnvironment:
+def prepare_environment(
+    request: tuple[str, str, Partial, LobeBasis | None], progress: Progress
+) -> PreparedEnvironment:
     """Return an environment with its filtered maps and glint lights, for a worker."""
-    key, layout, hand_out = request
-    prepared = load_environment(key, progress, layout=layout, partial=hand_out)
+    key, layout, hand_out, basis = request
+    prepared = load_environment(key, progress, layout=layout, basis=basis, partial=hand_out)
     _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return prepared
 

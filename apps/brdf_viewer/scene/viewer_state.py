@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
@@ -97,6 +98,10 @@ class ViewerState(QObject):
         self._whole_environment: LoadedAsset[PreparedEnvironment] | None = None
         self.surface: LoadedSurface | None = None
         self.images: SurfaceImages | None = None
+        self.fitting = FitSettings()
+        """How all lobes of this run are fitted; the environment is filtered for their exponents."""
+        self.fit_words: tuple[str, ...] = ()
+        """The options of the suite's command that say the same."""
 
     @property
     def view(self) -> View:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.program.translation import tr
@@ -70,7 +71,8 @@ class ReliefControl(ViewerFeature):
             self._state.set_images(SurfaceImages(request))
             return
         loaded = self._state.set_images
-        self._run(self._runner, IMAGES, load_surface_images, request, loaded, self.refused)
+        load = partial(load_surface_images, settings=self._state.fitting)
+        self._run(self._runner, IMAGES, load, request, loaded, self.refused)
 
     def _show_own_peel(self) -> None:
         fit = self._state.fit

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from time import perf_counter
 
+from brdf_suite.cli.fit_options import add_basis, parse_basis
 from brdf_suite.cli.output import print_json, print_notes, progress_bar
 from brdf_suite.cli.picture.scene_options import add_environment
 from brdf_suite.pipeline.scene import load_environment
@@ -17,15 +18,17 @@ def add(command: argparse.ArgumentParser) -> None:
         "which the Viewer and `render` take them."
     )
     add_environment(command)
+    add_basis(command)
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Prefilter and print what there is now."""
+    basis = parse_basis(options)
     start = perf_counter()
     with progress_bar("prefiltering", quiet=options.json) as progress:
-        prepared = load_environment(options.environment, progress, layout=options.layout)
+        prepared = load_environment(options.environment, progress, layout=options.layout, basis=basis)
     seconds = perf_counter() - start
     facts = prepared.to_json() | {"seconds": seconds}
     if options.json:

@@ -8,6 +8,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.cli.fit_options import add_fitting, parse_basis_alone, parse_fitting
 from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
 from brdf_suite.fitting.metrics import ErrorFigures
 from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
@@ -18,7 +19,7 @@ from brdf_suite.pipeline.material import load_material
 def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
     command.description = (
-        "Fit the fixed set of cosine lobes to a paint of any kind or a measured file. "
+        "Fit the fixed set of cosine lobes, or one of your own, to a paint of any kind or a measured file. "
         "Weights are linear Rec. 2020, f_r·cosθ at the stated incidence: KD and KDD times N·L, KG without. Errors are "
         "those of the fit (L1) and those where the fit did not look."
     )
@@ -31,6 +32,7 @@ def add(command: argparse.ArgumentParser) -> None:
             "--json": "print one JSON object",
         },
     )
+    add_fitting(command)
     command.set_defaults(run=run)
 
 
@@ -40,7 +42,8 @@ def run(options: argparse.Namespace) -> int:
         return _at_angles(options)
 
     with progress_bar("fitting", quiet=options.json) as progress:
-        found = fit_material(load_material(options.paint), errors=True, progress=progress)
+        settings = parse_fitting(options)
+        found = fit_material(load_material(options.paint), settings, errors=True, progress=progress)
     if options.json:
         print_json(found.to_json())
         return 0
@@ -82,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _at_angles(options: argparse.Namespace) -> int:
-    found = fit_at_angles(options.paint, options.angles)
+    found = fit_at_angles(options.paint, options.angles, parse_basis_alone(options, "a fit with --angles"))
     if options.json:
         print_json(found.to_json())
         return 0

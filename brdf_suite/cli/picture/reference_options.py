@@ -6,6 +6,7 @@ import argparse
 import math
 from collections.abc import Mapping, Sequence
 
+from brdf_suite.cli.fit_options import FITTING
 from brdf_suite.cli.output import add_arguments, export_progress, print_written, progress_bar, whole_number
 from brdf_suite.cli.picture.scene_options import parse_settings
 from brdf_suite.documents.view import View
@@ -15,8 +16,8 @@ RENDERERS = ("realtime", "reference", "raytraced")
 QUALITIES = ("fast", "medium", "high")
 _OF_OTHER = {
     "realtime": ("spp", "time", "fresh", "denoise", "quality", "table_split"),
-    "reference": ("samples", "quality", "table_split"),
-    "raytraced": ("bits", "colour_space", "transparent", "follow", "samples", "denoise"),
+    "reference": ("samples", "quality", "table_split", *FITTING),
+    "raytraced": ("bits", "colour_space", "transparent", "follow", "samples", "denoise", *FITTING),
 }
 _INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --samples"}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 
+from brdf_suite.cli.fit_options import add_fitting, parse_fitting
 from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.reference_options import (
     add_reference,
@@ -33,6 +34,7 @@ def add(command: argparse.ArgumentParser) -> None:
     add_scene(command)
     add_picture(command)
     add_reference(command)
+    add_fitting(command)
     add_export(command)
     command.set_defaults(run=run)
 
@@ -54,7 +56,13 @@ def run(options: argparse.Namespace) -> int:
         return run_raytraced(options, view)
     with export_progress("rendering", options) as progress:
         picture = render_to_file(
-            options.paint, view, options.size, options.output, parse_settings(options), progress=progress
+            options.paint,
+            view,
+            options.size,
+            options.output,
+            parse_settings(options),
+            fitting=parse_fitting(options),
+            progress=progress,
         )
     fit = f"fit {picture.fit_ms:.2f} ms" + (", time-limited" if picture.time_limited else "")
     print_written(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from brdf_suite.cli.fit_options import FITTING, add_fitting, parse_fitting
 from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, check_renderer, samples
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
@@ -35,6 +36,7 @@ def add(command: argparse.ArgumentParser) -> None:
         spp=samples,
     )
     add_raytraced(command)
+    add_fitting(command)
     add_scene(command)
     add_picture(command, radiance=False)
     add_export(command)
@@ -55,6 +57,7 @@ def run(options: argparse.Namespace) -> int:
                 options.output,
                 turn,
                 parse_settings(options),
+                fitting=parse_fitting(options),
                 progress=progress,
             )
         else:
@@ -79,6 +82,6 @@ def run(options: argparse.Namespace) -> int:
 
 _OF_OTHER = {
     "realtime": ("spp", "quality", "table_split", "fresh"),
-    "reference": ("quality", "table_split", "bits", "colour_space", "transparent"),
-    "raytraced": ("bits", "colour_space", "transparent"),
+    "reference": ("quality", "table_split", "bits", "colour_space", "transparent", *FITTING),
+    "raytraced": ("bits", "colour_space", "transparent", *FITTING),
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from dataclasses import replace
 
+from brdf_suite.cli.fit_options import add_fitting, parse_fitting
 from brdf_suite.cli.output import add_arguments, print_json, progress_bar
 from brdf_suite.cli.picture.reference_options import samples
 from brdf_suite.extras import import_extra
@@ -39,6 +40,7 @@ def add(command: argparse.ArgumentParser) -> None:
         forms=tuple(FORMS),
         spp=samples,
     )
+    add_fitting(command)
     command.set_defaults(run=run)
 
 
@@ -62,6 +64,7 @@ def run(options: argparse.Namespace) -> int:
         lobes=options.lobes,
         surface=surfaces[0],
         keep=options.keep,
+        fitting=parse_fitting(options),
     )
     shipped = [name for name in given if name in environment_names()]
     further = replace(

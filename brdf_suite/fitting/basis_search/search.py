@@ -22,6 +22,7 @@ from brdf_suite.errors import Cancelled, FittingError
 from brdf_suite.fitting.basis_search.database import Database
 from brdf_suite.fitting.basis_search.error import BasisError, equation_4
 from brdf_suite.fitting.basis_search.optimize import LARGEST_EXPONENT, LOG_ENDS, Optimum, optimize
+from brdf_suite.fitting.lobes.basis import MOST_LOBES
 from brdf_suite.processes import safe_path_inherited
 from brdf_suite.progress import Progress, report
 
@@ -32,8 +33,6 @@ POLL_S = 0.2
 # State of a worker process from its start: the errors, and the event that stops it.
 _errors: BasisError | None = None
 _stop: Event | None = None
-#: More lobes than this no renderer of the suite takes.
-MOST_LOBES = 12
 #: Answers of the last count from which a lobe is added, and the places in a gap where it is tried.
 PARENTS = 2
 PLACES = (0.25, 0.5, 0.75)

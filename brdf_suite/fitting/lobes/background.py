@@ -3,7 +3,8 @@
 The model belongs to the holder of the lock: the caller inside its limit, or this thread for one slice. Between
 slices a request that was cancelled is dropped, so that the newest edit gets the model soon. The slices are
 tasks of an executor of one thread, each of which asks for the next: an executor that is shut down, or an
-interpreter that ends, refuses the next one, and the thread ends after at most one slice.
+interpreter that ends, refuses the next one, and the thread ends after at most one slice, or one channel that is solved
+afresh.
 
 A caller may wait for the rest of its limit. It gets the optimum before anything is made of it; what is made of an
 optimum is for those who come later, and not made where the caller was in time.
@@ -24,7 +25,7 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution, NormalizedTargets, optimal_answer
-from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.highs_model import BlockSolution, BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram
 
 if TYPE_CHECKING:
@@ -38,8 +39,13 @@ SHORTEST_SLICE_S = 0.001
 SLICE_S_PER_ENTRY = 75e-9
 #: How much lower than its program the thread's priority is (Unix niceness).
 NICENESS = 5
-#: Times that the solver may give up and start from nothing.
+#: A slice is so much longer than the one before, up to the longest. What a slice takes to start does not grow; on a
+#: machine that other programs occupy too, a short slice ends before it has done anything else.
+SLICE_GROWTH, LONGEST_SLICE_S = 1.5, 0.5
+#: Times that the solver may give up and start from nothing. After them each channel of each part is solved for itself,
+#: by a careful solver of its own, which is given so long.
 MOST_TRIES = 2
+AFRESH_S = 60.0
 
 
 @dataclass(eq=False)
@@ -70,6 +76,7 @@ class BackgroundSolver:
         self._loaded: NormalizedTargets | None = None
         self._iterations = 0
         self._tries = 0
+        self._next_slice_s = self._slice_s
         self._newest: Future[Any] | None = None
         self._thread_id: int | None = None
         self._executor = ThreadPoolExecutor(1, "brdf-fit", initializer=self._begin)
@@ -161,7 +168,7 @@ class BackgroundSolver:
             future.set_result(value)
 
     def advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
-        """Solve for one slice; None where the optimum is still to come or is not requested."""
+        """Solve for one slice, or afresh where the model is lost; None: still to come, or no longer requested."""
         request = work.request
         with self.lock:
             if work.future.cancelled():
@@ -169,8 +176,10 @@ class BackgroundSolver:
             if request is not self._loaded:
                 self.solver.load(request.targets, request.factors)
                 self._loaded, self._iterations, self._tries = request, 0, 0
-            outcome = self.solver.run(self._slice_s)
+                self._next_slice_s = self._slice_s
+            outcome = self.solver.run(self._next_slice_s)
             self._iterations += self.solver.iterations
+            self._next_slice_s = max(self._slice_s, min(SLICE_GROWTH * self._next_slice_s, LONGEST_SLICE_S))
             if outcome is SolverOutcome.OPTIMAL:
                 self._loaded = None
                 held = self.solver.solution()
@@ -178,9 +187,30 @@ class BackgroundSolver:
             if outcome is SolverOutcome.LOST:
                 self.solver.forget()
                 self._tries += 1
-                if self._tries >= MOST_TRIES:
+            if self._tries < MOST_TRIES:
+                return None
+            self._loaded = None
+        held = self._solve_afresh(work)
+        return None if held is None else optimal_answer(self._parts, held, request, self._iterations)
+
+    def _solve_afresh(self, work: Work) -> BlockSolution | None:
+        """Solve what the kept model cannot, by others that know nothing of it; None where it is no longer wanted."""
+        request, solutions, duals = work.request, [], []
+        for k, part in enumerate(self._parts):
+            factors, found = request.factors_of(k), []
+            for channel in range(request.targets[k].shape[1]):
+                if work.future.cancelled():
+                    return None
+                one = slice(channel, channel + 1)
+                solver = BlockSolver([part], 1, careful=True)
+                solver.load([request.targets[k][:, one]], None if factors is None else [factors[:, one]])
+                if solver.run(AFRESH_S) is not SolverOutcome.OPTIMAL:
                     raise FittingError("The linear-programming solver found no optimum for these samples.")
-            return None
+                self._iterations += solver.iterations
+                found.append(solver.solution())
+            solutions.append(np.concatenate([held.solutions[0] for held in found], axis=1))
+            duals.append(np.concatenate([held.duals[0] for held in found], axis=1))
+        return BlockSolution(tuple(solutions), tuple(duals))
 
 
 First = TypeVar("First")

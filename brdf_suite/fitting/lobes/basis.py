@@ -23,6 +23,8 @@ from brdf_suite.resources import resource
 #: What the stored answer of a search calls itself.
 STORED_FORMAT, STORED_VERSION = "lobe_basis", 1
 STORED_NAME = "search.json"
+#: More lobes than this no renderer of the suite takes.
+MOST_LOBES = 12
 
 
 @dataclass(frozen=True)
@@ -109,6 +111,33 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
     return bases, count
 
 
+def read_basis(path: Path, count: int | None = None) -> LobeBasis:
+    """Return the basis of ``count`` lobes from a file of ``brdf-suite basis``; its default one where left out.
+
+    Only ``format``, ``version``, ``default_count`` and the ``exponents`` of ``results`` are read.
+
+    Raises
+    ------
+    DocumentError
+        It is damaged, or has no basis of so many lobes, or one of more than :data:`MOST_LOBES`.
+    FileError
+        It cannot be read.
+    """
+    bases, default = stored_bases(path)
+    wanted = default if count is None else count
+    if wanted not in bases:
+        known = ", ".join(str(one) for one in sorted(bases))
+        raise DocumentError(path, f"there is no basis of {wanted} lobes; it has those of {known}", "results")
+    if wanted > MOST_LOBES:
+        raise DocumentError(path, f"at most {MOST_LOBES} lobes are drawn, not {wanted}", "results")
+    return bases[wanted]
+
+
+def shipped_basis(count: int | None = None) -> LobeBasis:
+    """Return the suite's own basis of ``count`` lobes, the default one where left out; errors as :func:`read_basis`."""
+    return default_basis() if count is None else read_basis(resource("basis", STORED_NAME), count)
+
+
 @cache
 def default_basis() -> LobeBasis:
     """Return the suite's default exponents; docs/method/basis.md describes how they were found and chosen.
@@ -118,5 +147,4 @@ def default_basis() -> LobeBasis:
     FileError
         The packaged answer is missing or damaged; the install is.
     """
-    bases, count = stored_bases(resource("basis", STORED_NAME))
-    return bases[count]
+    return read_basis(resource("basis", STORED_NAME))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Generic, Literal, TypeVar, get_args
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
 
@@ -16,13 +16,13 @@ from brdf_suite.fitting.lobes.checks import check_ior, check_limit, check_target
 from brdf_suite.fitting.lobes.program import (
     Weighting,
     base_program,
-    check_weighting,
     coat_program,
     relative_factors,
     ring_solid_angles,
     with_energy,
 )
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.settings import Diffuse, FitSettings
 from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.reflectance.protocol import Layered
@@ -36,7 +36,6 @@ WARM_UP_S = 1.0
 #: Where the measured diffuse term is read: beyond 90°, where no cosine lobe reaches.
 DIFFUSE_GAMMA_DEG = 110.0
 
-Diffuse = Literal["joint", "measured"]
 _Weights = TypeVar("_Weights")
 
 
@@ -96,9 +95,8 @@ class LobeFitter:
         How much each sample counts, see :data:`~brdf_suite.fitting.lobes.program.Weighting`. The coat's energy is kept
         exactly under each.
     diffuse
-        "joint": KD is found with the lobes, in the same program. "measured": the paper's way, KD is what the
-        base gives at ``diffuse_gamma_deg`` with light at the angle of incidence, and the lobes are fitted to the
-        rest.
+        Where KD comes from, see :data:`~brdf_suite.fitting.lobes.settings.Diffuse`; "measured" reads it at
+        ``diffuse_gamma_deg``.
     diffuse_gamma_deg
         The sample at which "measured" reads the diffuse term, aspecular degrees.
 
@@ -125,11 +123,8 @@ class LobeFitter:
         diffuse_gamma_deg: float = DIFFUSE_GAMMA_DEG,
     ) -> None:
         self.time_limit_s = check_limit(time_limit_s)
-        check_weighting(weighting)
-        if diffuse not in get_args(Diffuse):
-            known = "choose 'joint' or 'measured'"
-            raise FittingError(f"There is no way {diffuse!r} for the diffuse term; {known}.")
-        self.basis = default_basis() if basis is None else basis
+        self.settings = FitSettings(default_basis() if basis is None else basis, weighting, diffuse)
+        self.basis = self.settings.basis
         self.base_samples = base_samples or BaseSamples()
         self.coat_samples = coat_samples or CoatSamples()
         self.weighting = weighting

@@ -54,9 +54,13 @@ class BlockSolution:
 
 
 class BlockSolver:
-    """A persistent model over ``parts`` × ``channels``; not thread-safe."""
+    """A persistent model over ``parts`` × ``channels``; not thread-safe.
 
-    def __init__(self, parts: Sequence[PartProgram], channels: int = 3) -> None:
+    ``careful``: with presolve and perturbation, as the solver comes. It takes longer, cannot resume a run that was
+    stopped, and finds its way where the fast settings lose it.
+    """
+
+    def __init__(self, parts: Sequence[PartProgram], channels: int = 3, *, careful: bool = False) -> None:
         # Deferred: 17 ms beside numpy, more from a cold disk, on the start-up path of programs that may not fit.
         import highspy
 
@@ -67,20 +71,23 @@ class BlockSolver:
         self._stopped_statuses = limits
         self._error_status = highspy.HighsStatus.kError
         self._highs: Any = highspy.Highs()
-        for name, value in {
+        options = {
             "output_flag": False,
             "log_to_console": False,
-            "presolve": "off",
             "solver": "simplex",
             "threads": 1,
             "parallel": "off",
-            "simplex_strategy": 1,  # dual: boxed columns flip instead of pivoting, and it never lost its way
+            "simplex_strategy": 1,  # dual: boxed columns flip instead of pivoting, and it hardly ever loses its way
+            "primal_feasibility_tolerance": TOLERANCE,
+            "dual_feasibility_tolerance": TOLERANCE,
+        }
+        fast = {
+            "presolve": "off",
             "simplex_scale_strategy": 0,  # the programs come scaled
             "primal_simplex_bound_perturbation_multiplier": 0.0,
             "dual_simplex_cost_perturbation_multiplier": 0.0,
-            "primal_feasibility_tolerance": TOLERANCE,
-            "dual_feasibility_tolerance": TOLERANCE,
-        }.items():
+        }
+        for name, value in (options if careful else options | fast).items():
             self._check(self._highs.setOptionValue(name, value), f"option {name}")
         self._check(self._highs.passModel(self._model(highspy)), "model")
         self._columns = np.arange(self._column_count, dtype=np.int32)

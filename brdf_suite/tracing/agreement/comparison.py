@@ -26,6 +26,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.extras import import_extra
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.material import Material
@@ -37,7 +38,7 @@ from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, trace
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, coarser, fit_for, settings_of
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
 PIXELS_PER_DEGREE = 67.0
@@ -123,7 +124,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be compared: names or files of paints and environments, and how well."""
+    """What is to be compared: names or files of paints and environments, and how well; how the lobes are fitted."""
 
     paints: Sequence[str]
     environments: Sequence[str]
@@ -133,6 +134,7 @@ class Order:
     lobes: bool = False
     surface: str = "sphere"
     keep: Path | None = None
+    fitting: FitSettings = field(default_factory=FitSettings)
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +170,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     view = _plain(order)
     mesh = load_shaped(order.surface, view.surface_look)
     fits = {
-        form: {paint: fit_for(FORMS[form], paint) for paint in order.paints}
+        form: {paint: fit_for(FORMS[form], paint, order.fitting) for paint in order.paints}
         for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
     }
     count = max(1, len(order.environments))
@@ -191,7 +193,7 @@ def _compare(
     mesh: Mesh,
     progress: Progress | None,
 ) -> Iterator[Case]:
-    prepared = load_environment(environment)
+    prepared = load_environment(environment, basis=order.fitting.basis)
     truths: dict[str, _Truth] = {}
     share = 0.5 if order.lobes else 0.9
     for number, paint in enumerate(order.paints):
@@ -245,8 +247,8 @@ def _drawn(
     drawn: dict[str, dict[str, Floats]] = {paint: {} for paint in truths}
     for light in dict.fromkeys(FORMS[form].light for form in order.forms):
         forms = [form for form in order.forms if FORMS[form].light == light]
-        basis = basis_of(FORMS[forms[0]])
-        maps = prepared if basis is None else load_environment(environment, basis=basis)
+        basis = settings_of(FORMS[forms[0]], order.fitting).basis
+        maps = prepared if basis is order.fitting.basis else load_environment(environment, basis=basis)
         scene.set_environment(coarser(maps, light[1]))
         for form in forms:
             for paint, truth in truths.items():

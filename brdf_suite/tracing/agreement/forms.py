@@ -11,12 +11,12 @@ import numpy as np
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import UnreachableError
-from brdf_suite.fitting.lobes.basis import LobeBasis, stored_bases
+from brdf_suite.fitting.lobes.basis import shipped_basis
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_document, load_material, material_of
 from brdf_suite.pipeline.scene import PreparedEnvironment
-from brdf_suite.resources import resource
 
 DEFAULT_FORM = "default"
 
@@ -34,7 +34,7 @@ class DrawingForm:
     view
         Fields of the view.
     lobes
-        Number of lobes of the basis; None: the default one.
+        Number of lobes of the suite's own basis; None: the basis that is compared.
     halvings
         How often the edge of each prefiltered map is halved.
     paint
@@ -73,25 +73,24 @@ FORMS: Mapping[str, DrawingForm] = MappingProxyType(
 """Ways in which the real-time picture is drawn, by name."""
 
 
-def basis_of(form: DrawingForm) -> LobeBasis | None:
-    """Return the exponents of a form; None: the default ones."""
-    if form.lobes is None:
-        return None
-    return stored_bases(resource("basis", "search.json"))[0][form.lobes]
+def settings_of(form: DrawingForm, fitting: FitSettings) -> FitSettings:
+    """Return how a form is fitted, of a comparison that is fitted as ``fitting`` says."""
+    return fitting if form.lobes is None else replace(fitting, basis=shipped_basis(form.lobes))
 
 
-def fit_for(form: DrawingForm, paint: str) -> LobeFit | None:
+def fit_for(form: DrawingForm, paint: str, fitting: FitSettings) -> LobeFit | None:
     """Return the lobes of a paint in a form; None where the form is of designed paints and it is none, or cannot be so.
 
-    Errors as :func:`load_material` and :func:`fit_material`.
+    ``fitting`` as for :func:`settings_of`. Errors as :func:`load_material` and :func:`fit_material`.
     """
+    settings = settings_of(form, fitting)
     if not form.paint:
-        return fit_material(load_material(paint), basis_of(form))
+        return fit_material(load_material(paint), settings)
     document = load_document(paint)
     if not isinstance(document, Paint):
         return None
     try:
-        return fit_material(material_of(replace(document, **form.paint), paint), basis_of(form))
+        return fit_material(material_of(replace(document, **form.paint), paint), settings)
     except UnreachableError:  # by another rule the same readings may be those of no paint
         return None
 

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.highs_model import SolverOutcome
+from brdf_suite.fitting.lobes.background import LONGEST_SLICE_S
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
@@ -81,7 +82,41 @@ def test_a_caller_in_time_has_its_optimum_before_anything_is_made_of_it() -> Non
     assert made == []  # the caller has it, so no other does
 
 
-def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: LimitedSolver) -> None:
+@pytest.mark.parametrize("relative", [False, True])
+def test_what_the_kept_model_loses_is_solved_afresh(solver: LimitedSolver, relative: bool) -> None:
+    factors = [1.0 + target(9)] if relative else None
+    expected = solver.solve([target()], time.perf_counter() + PATIENCE_S, factors=factors)
+    assert expected.optimal
+    solver.vertex = None
+    solver.model.run = lambda *_: SolverOutcome.LOST  # type: ignore[method-assign]  # of this one alone
+    answer = solver.solve([target()], time.perf_counter() + PATIENCE_S, factors=factors)
+    if not answer.optimal:  # a small program is left to the thread where the caller's own model is lost
+        assert answer.exact is not None
+        answer = answer.exact.result(timeout=PATIENCE_S)
+    assert answer.optimal
+    np.testing.assert_allclose(answer.objectives[0], expected.objectives[0], rtol=1e-8)
+    np.testing.assert_allclose(answer.solutions[0], expected.solutions[0], rtol=1e-6, atol=1e-9)
+
+
+def test_slices_become_longer_so_that_a_busy_machine_comes_to_an_end() -> None:
+    solver = LimitedSolver([program()], inline=False)
+    run, budgets = solver.model.run, []
+
+    def stopped(budget_s: float, *_: int) -> SolverOutcome:
+        budgets.append(budget_s)
+        return SolverOutcome.STOPPED if len(budgets) < 20 else run(budget_s)
+
+    solver.model.run = stopped  # type: ignore[method-assign]  # as where others have the processor
+    assert solver.begin([target()]).result(timeout=PATIENCE_S).optimal
+    solver.close()
+    assert budgets == sorted(budgets)
+    assert budgets[-1] == LONGEST_SLICE_S
+    assert budgets[0] < 0.01 * LONGEST_SLICE_S
+
+
+def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(
+    solver: LimitedSolver, monkeypatch: pytest.MonkeyPatch
+) -> None:
     tries = []
 
     def lost(*_: object) -> SolverOutcome:
@@ -90,14 +125,14 @@ def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: Limi
             raise AssertionError("it tries on and on")
         return SolverOutcome.LOST
 
-    solver.model.run = lost  # type: ignore[method-assign]  # no target is known that loses it
+    monkeypatch.setattr(BlockSolver, "run", lost)  # also those that start afresh
     answer = solver.solve([target()], time.perf_counter() + PATIENCE_S)
     assert not answer.optimal
     assert answer.exact is not None
     with pytest.raises(FittingError, match="no optimum"):
         answer.exact.result(timeout=PATIENCE_S)
-    assert sum(name.startswith("brdf-fit") for name in tries) == 2
-    assert len(tries) == (4 if solver.inline else 2)
+    assert sum(name.startswith("brdf-fit") for name in tries) == 3
+    assert len(tries) == (5 if solver.inline else 3)
 
 
 def test_work_that_no_caller_waits_for_is_begun_and_dropped(solver: LimitedSolver) -> None:

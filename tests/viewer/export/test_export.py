@@ -135,6 +135,14 @@ def test_closing_the_window_ends_an_export(exporting) -> None:
     assert list(exporting.folder.iterdir()) == []
 
 
+@pytest.mark.parametrize(("kind", "given"), [("picture", True), ("turntable", True), ("sheet", False)])
+def test_an_export_is_fitted_as_the_picture_on_show(tmp_path, kind, given) -> None:
+    settings = ExportSettings(kind, FORMATS[kind][0], (64, 48), source=str(tmp_path))
+    job = ExportJob(settings, tmp_path / "out", View(), None, "blue", ("--lobe-count=7",))
+    assert ("--lobe-count=7" in job.arguments()) == given
+    job.tidy()
+
+
 def test_ended_by_force_its_leftovers_are_taken_away(qtbot, tmp_path) -> None:
     job = ExportJob(
         ExportSettings("turntable", FORMATS["turntable"][2], (64, 48), frames=7200),

@@ -52,7 +52,7 @@ class StudioControl(ViewerFeature):
         self._index = 0
         self._shown: PreparedEnvironment | None = None
         self._seen: LoadedAsset[PreparedEnvironment] | None = None
-        self._live = LiveLight(self)
+        self._live = LiveLight(state.fitting.basis, self)
         self._live.drawn.connect(self._drawn)
         self._live.failed.connect(self._not_drawn)
         self._live.moved.connect(

@@ -10,6 +10,7 @@ from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Qt, Signal
 
 from brdf_suite.documents.studio import LightDocument
+from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.pipeline.scene import PreparedEnvironment, prepare_light
 from brdf_suite.progress import Progress
 
@@ -18,7 +19,9 @@ _DRAFT, _WHOLE = "draft", "whole"
 
 
 class LiveLight(QObject):
-    """Draws and filters the newest light on threads. An edit does not stop a draft before it has shown something.
+    """Draws the newest light on threads and filters it for ``basis``.
+
+    An edit does not stop a draft before it has shown something.
 
     Signals
     -------
@@ -36,8 +39,9 @@ class LiveLight(QObject):
     ended = Signal()
     _handed_out = Signal(int, object, object)
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, basis: LobeBasis, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._basis = basis
         self._runner = TaskRunner(self)
         self._newest: LightDocument | None = None
         self._drafted: LightDocument | None = None
@@ -74,7 +78,7 @@ class LiveLight(QObject):
         self._runner.submit(
             key,
             _prepare,
-            (self._newest, hand_out, key == _DRAFT),
+            (self._newest, hand_out, key == _DRAFT, self._basis),
             done=partial(self._done, key),
             failed=partial(self._failed, key),
             progress=self.moved.emit if key == _WHOLE else None,
@@ -113,10 +117,10 @@ class LiveLight(QObject):
 
 
 def _prepare(
-    request: tuple[LightDocument, Callable[[PreparedEnvironment], None], bool], progress: Progress
+    request: tuple[LightDocument, Callable[[PreparedEnvironment], None], bool, LobeBasis], progress: Progress
 ) -> PreparedEnvironment:
-    light, hand_out, draft = request
-    prepared = prepare_light(light, progress, hand_out, draft=draft)
+    light, hand_out, draft, basis = request
+    prepared = prepare_light(light, progress, hand_out, draft=draft, basis=basis)
     if not draft:
         _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return prepared
