@@ -309,6 +309,13 @@ def errors_of(
     return [one.errors() for one in sums]
 
 
+def errors_at(measured: Floats, found: Floats, floor: Floor | None = None) -> FitErrors:
+    """Return the errors of fitted values (n, 3) beside measured ones, both f_r in 1/sr."""
+    sums = _Sums(0.0)
+    sums.add(measured, found, (floor or Floor()).at(measured)[:, None], np.ones(len(measured), np.bool_))
+    return sums.errors()
+
+
 class _Sums:
     """Sums of the errors of pairs with both cosines at least ``lowest``."""
 
