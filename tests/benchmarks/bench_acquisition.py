@@ -18,7 +18,9 @@ def _loaded(names: Iterable[str]) -> dict[str, ModuleType]:
     """Return the modules beside this one, each with ``BOUNDS``, ``NOTES`` and ``figures(progress)``."""
     found = {}
     for name in names:
-        spec = importlib.util.spec_from_file_location(name, Path(__file__).parent / "parts" / f"{name}.py")
+        spec = importlib.util.spec_from_file_location(
+            name, Path(__file__).parent / "parts" / "acquisition" / f"{name}.py"
+        )
         assert spec is not None
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)

@@ -244,7 +244,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
 
 def _measured(progress: Progress | None) -> dict[str, float | None]:
     keys = ("ct3_log_rms", "ggx3_log_rms", "ggx_clearcoat_log_rms", "lobe_fit_log_rms")
-    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[3] / "shared")) / "data"
+    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[4] / "shared")) / "data"
     found: list[list[float]] = []
     for number, name in enumerate(MEASURED):
         report(progress, number / len(MEASURED), name)
