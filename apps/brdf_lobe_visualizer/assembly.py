@@ -176,6 +176,10 @@ class LobeVisualizer(Program):
         )
         title, sign = mark("Reset &View Options"), "arrow-counter-clockwise"
         reset = add("view", title, "Ctrl+0", act, icon=sign, tip=tip)
+        tip = mark(
+            "Add it as cosine lobes, Cook-Torrance lobes and homomorphic factors, each fitted to the same data"
+        )
+        add("reflectance", mark("Add Re&presentations"), None, self.add_representations, tip=tip)
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)
@@ -189,6 +193,11 @@ class LobeVisualizer(Program):
             self._default = keys[0]
             if self.session.subject(DESIGNER) is not None:
                 self.drop_default()
+
+    def add_representations(self) -> None:
+        """Show the selected reflectance in its three compact representations too, once they are fitted."""
+        if self.session.front is not None:
+            self.sources.add_representations(self.session.front)
 
     def drop_default(self) -> None:
         """Take the paint of an empty start away: Designer's has come in its place."""

@@ -30,6 +30,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     view.add_argument("--no-gloss", action="store_true", help="leave the gloss out of targets and fits")
     view.add_argument("--reference", type=int, metavar="N", help="index of the reference, from 1")
     view.add_argument("--front", type=int, metavar="N", help="index of the selected reflectance, from 1")
+    what = "show the selected reflectance as cosine lobes, Cook-Torrance lobes and homomorphic factors too"
+    view.add_argument("--representations", action="store_true", help=what)
     view.add_argument("--plots", metavar="KEY,KEY", help="visible plots; all others are hidden")
     view.add_argument("--panels", metavar="KEY,KEY", help="visible panels: numbers, reflectances, factors")
     view.add_argument("--no-inspector", action="store_true", help="hide the inspector")
@@ -117,6 +119,8 @@ def apply_subjects(program: LobeVisualizer, options: argparse.Namespace) -> None
     for number, choose in ((options.front, session.set_front), (options.reference, session.set_reference)):
         if number is not None and 1 <= number <= len(subjects):
             choose(subjects[number - 1].key)
+    if options.representations:
+        program.add_representations()
 
 
 def _pair(text: str) -> tuple[str, str]:

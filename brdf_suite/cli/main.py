@@ -51,6 +51,10 @@ COMMANDS = {
         "measured.fit_cook_torrance",
         "fit Cook-Torrance lobes to a measured file and write them as a paint",
     ),
+    "represent": (
+        "measured.represent",
+        "compare cosine lobes, Cook-Torrance lobes and factors of one reflectance",
+    ),
     "factorize": ("measured.factorize", "write anything that reflects as a product of textures"),
     "basis": ("tools.basis", "search the lobe exponents that fit a database of paints best"),
     "prefilter": ("light.prefilter", "prefilter an environment, its maps kept in the cache"),

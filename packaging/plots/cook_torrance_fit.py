@@ -30,7 +30,7 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 IMAGES = CHECKOUT / "docs" / "images"
-SIMULATED = load_module(CHECKOUT / "tests" / "benchmarks" / "parts" / "acquisition_fit.py")
+SIMULATED = load_module(CHECKOUT / "tests" / "benchmarks" / "parts" / "acquisition" / "acquisition_fit.py")
 COLOURS = ("#1b6ca8", "#c8553d", "#3a7d44", "#8a5aa8")
 DRAWN = (0, 2, 3)
 """Which of the plot's differences are drawn."""

@@ -52,7 +52,7 @@ def draw(folder: Path) -> Path:
 
 def _parts() -> ModuleType:
     """Return the module of the benchmark whose cases are drawn."""
-    path = ROOT / "tests" / "benchmarks" / "parts" / "acquisition_response.py"
+    path = ROOT / "tests" / "benchmarks" / "parts" / "acquisition" / "acquisition_response.py"
     spec = importlib.util.spec_from_file_location("acquisition_response", path)
     assert spec is not None
     assert spec.loader is not None

@@ -3740,6 +3740,14 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Gilt hier sofort, in Viewer und Designer ab deren nächstem Start.</translation>
     </message>
     <message>
+        <source>Add it as cosine lobes, Cook-Torrance lobes and homomorphic factors, each fitted to the same data</source>
+        <translation>Sie als Kosinuskeulen, Cook-Torrance-Keulen und homomorphe Faktoren hinzufügen, jeweils an dieselben Daten angepasst</translation>
+    </message>
+    <message>
+        <source>Add Re&amp;presentations</source>
+        <translation>Dar&amp;stellungen hinzufügen</translation>
+    </message>
+    <message>
         <source>List</source>
         <translation>Liste</translation>
     </message>
@@ -4968,6 +4976,18 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Gewicht (lineares Rec. 2020, Rot, Grün, Blau)</translation>
     </message>
     <message>
+        <source>{name}: cosine lobes</source>
+        <translation>{name}: Kosinuskeulen</translation>
+    </message>
+    <message>
+        <source>{name}: Cook-Torrance lobes</source>
+        <translation>{name}: Cook-Torrance-Keulen</translation>
+    </message>
+    <message>
+        <source>{name}: homomorphic factors</source>
+        <translation>{name}: homomorphe Faktoren</translation>
+    </message>
+    <message>
         <source>is a palette without a paint</source>
         <translation>ist eine Palette ohne Lack</translation>
     </message>
@@ -4990,6 +5010,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>The previous picture stays.</source>
         <translation>Das vorige Bild bleibt.</translation>
+    </message>
+    <message>
+        <source>Fitting the representations of {name}</source>
+        <translation>Darstellungen werden an {name} angepasst</translation>
     </message>
     <message>
         <source>The others are listed in the panel Reflectances (Ctrl+L).</source>

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
+from brdf_suite.acquisition.reconstruction.table import unresolved_peak
 from brdf_suite.acquisition.table.sums import (
     FIELDS,
     LAYOUTS,
@@ -24,6 +27,8 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 PAINT = CookTorrance(TABLE_1["table1_polaris_silver"])
 SMALL = (30, 15, 24)
@@ -239,3 +244,25 @@ def test_few_readings_near_the_peak_serve_their_whole_ring() -> None:
     # Far from it each lies nearer to its own.
     assert whole[60, 2, 41, 0] < 1.2
     assert whole[60, 2, 49, 0] > 1.8
+
+
+@pytest.mark.parametrize(
+    ("paint", "pixel_deg", "narrow"),
+    [
+        ("table1_polaris_silver", 0.2, False),
+        ("table1_polaris_silver", 0.8, True),
+        ("table1_blue_matte", 0.8, False),
+    ],
+    ids=["small pixels", "large pixels", "matte"],
+)
+def test_a_peak_narrower_than_the_pixels_is_named(paint: str, pixel_deg: float, narrow: bool) -> None:
+    table = IsotropicTable.from_reflectance(CookTorrance(TABLE_1[paint]), HalfAngleGrid(90, 30, 20))
+    sentence = unresolved_peak(table, np.radians(pixel_deg))
+    assert (sentence is not None) == narrow
+    if sentence is not None:
+        # Beckmann's facets of m = .013 fall to half at 0.62° on either side.
+        width = re.search(r"it is ([\d.]+)° wide", sentence)
+        assert width is not None
+        assert float(width[1]) == pytest.approx(1.24, abs=0.1)
+        assert "a pixel covers 0.8°" in sentence
+        assert "times as large" in sentence

@@ -1,4 +1,4 @@
-"""Acquisition from photographs of a painted sphere: reconstruction of a simulated rig, its steps, and the fit."""
+"""Acquisition from photographs of a sphere: a simulated rig reconstructed, its steps, the fit and its intervals."""
 
 from __future__ import annotations
 
@@ -11,14 +11,22 @@ from types import ModuleType
 from brdf_suite.progress import Progress, subrange
 
 NAME = "acquisition"
-PARTS = ("acquisition_table", "acquisition_response", "acquisition_misalignment", "acquisition_fit")
+PARTS = (
+    "acquisition_table",
+    "acquisition_response",
+    "acquisition_misalignment",
+    "acquisition_fit",
+    "acquisition_intervals",
+)
 
 
 def _loaded(names: Iterable[str]) -> dict[str, ModuleType]:
     """Return the modules beside this one, each with ``BOUNDS``, ``NOTES`` and ``figures(progress)``."""
     found = {}
     for name in names:
-        spec = importlib.util.spec_from_file_location(name, Path(__file__).parent / "parts" / f"{name}.py")
+        spec = importlib.util.spec_from_file_location(
+            name, Path(__file__).parent / "parts" / "acquisition" / f"{name}.py"
+        )
         assert spec is not None
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
@@ -39,7 +47,7 @@ TABLES: dict[str, dict[str, object]] = {}
 
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
-    """Measure everything: some minutes."""
+    """Measure everything: two hours, all but some minutes for the intervals."""
     figures: dict[str, float | None] = {}
     for n, module in enumerate(_PARTS.values()):
         figures |= module.figures(subrange(progress, n / len(_PARTS), (n + 1) / len(_PARTS)))

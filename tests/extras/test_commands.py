@@ -42,6 +42,7 @@ WORKING = (
     "fit blue",
     "fit-cook-torrance blue.astm -o fitted.brdfpaint --lobes 1 --starts 1 --samples 200",
     "factorize blue -o factored.brdfpaint --resolution 8 --pairs 500",
+    "represent blue",
     "basis -o basis.json --database nowhere",
     "shading-table --help",
     "cache info",

@@ -25,6 +25,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.resources import resource
 
 
@@ -291,3 +292,31 @@ def test_every_kind_of_material_is_opened(materials) -> None:
     light = illumination(45.0)
     for asked in materials.values():
         assert np.isfinite(open_source(asked).subjects[0].reflectance.eval(light, light)).all(), asked
+
+
+def test_the_representations_of_the_selected_reflectance_have_rows_of_their_own(opened, qtbot) -> None:
+    program = opened("lambertian")
+    front = program.session.front
+    program.add_representations()
+    qtbot.waitUntil(lambda: program.sources.is_idle, timeout=60_000)
+    first, *rows = program.session.subjects
+    assert first is program.session.subject(front.key)
+    assert [one.title for one in rows] == [
+        f"{first.title}: {kind}" for kind in ("cosine lobes", "Cook-Torrance lobes", "homomorphic factors")
+    ]
+    light, view = illumination(45.0), illumination(20.0)
+    for one in rows:
+        assert one.material.name == one.title
+        assert np.allclose(one.reflectance.eval(light, view), first.reflectance.eval(light, view), rtol=0.05)
+
+
+def test_a_reflectance_that_cannot_be_represented_is_named(opened, qtbot, tmp_path) -> None:
+    path = tmp_path / "few.brdftable"
+    light = np.tile(illumination(45.0), (12, 1))
+    values = np.full((12, 3), 0.2)
+    write_measured(ScatteredSamples(light, light, values), path)
+    program = opened(path)
+    program.add_representations()
+    qtbot.waitUntil(lambda: program.is_idle, timeout=60_000)
+    assert len(program.session.subjects) == 1
+    assert any("12 samples" in str(message) for message in program.window.messages.shown().values())

@@ -15,6 +15,7 @@ from brdf_qt.program.translation import tr
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.fitting.lobes.measured_samples import measured_pairs
 from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
@@ -69,7 +70,7 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
         return _of_palette(asked, progress)
     material = load_material(asked)
     report(progress, 0.7, "checking the values")
-    return Opened((_describe(material),), material.name)
+    return Opened((describe(material),), material.name)
 
 
 def _of_palette(path: str, progress: Progress | None) -> Opened:
@@ -85,13 +86,13 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
             break
         report(progress, 0.2 + 0.8 * place / min(len(palette), MOST_AT_ONCE), "building paints")
         try:
-            subjects.append(_describe(material_of_entry(entry, entries[place][1])))
+            subjects.append(describe(material_of_entry(entry, entries[place][1])))
         except SuiteError as error:
             refused.append(str(error))
     return Opened(tuple(subjects), palette.name, entries, tuple(refused), read.notes)
 
 
-def _describe(material: Material) -> PlottedMaterial:
+def describe(material: Material) -> PlottedMaterial:
     """Add the properties of the reflectance: whether it is isotropic, where its samples and holes are, and notes."""
     subject = PlottedMaterial("", material.name, material, notes=material.notices)
     value = material.reflectance
@@ -146,8 +147,6 @@ class MeasuredBins:
         above = (flat_light[2] > 0.0) & (flat_view[2] > 0.0)
         if table.coverage is not None:
             # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
-            from brdf_suite.fitting.lobes.measured_samples import measured_pairs
-
             return np.asarray((above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape))
         places = table.grid.index_of(flat_light, flat_view)
         h, d, p = (

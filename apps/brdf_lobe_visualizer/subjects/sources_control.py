@@ -21,6 +21,7 @@ from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, P
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.material import Material
 
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.subjects.sources import Opened
@@ -96,6 +97,30 @@ class Sources(Feature, QObject):
         nothing = not self._session.subjects
         for place, one in enumerate(names):
             self.open(one, select=len(names) == 1 or (nothing and place == 0))
+
+    def add_representations(self, subject: PlottedMaterial) -> None:
+        """Begin to fit the three compact representations of a subject, which come after the subjects that are there.
+
+        They are fitted to the part of it that ``brdf-suite represent`` fits; each has a name of its own.
+        """
+        job = f"represent {subject.key}"
+        text = tr("Fitting the representations of {name}").format(name=subject.title)
+        moved = self._progress.begin(job, text, lambda: self._cancelled(job))
+
+        def done(found: Sequence[PlottedMaterial]) -> None:
+            self._ended(job)
+            self._window.dismiss_message(job)
+            for one in found:
+                title = tr(one.title).format(name=subject.title)
+                self.add(replace(one, title=title, material=replace(one.material, name=title)))
+            self._look_idle()
+
+        def failed(error: Exception) -> None:
+            self._ended(job)
+            self._window.show_message(message_of(error, job, todo=tr("The previous picture stays.")))
+            self._look_idle()
+
+        self.tasks.submit(job, _represent, subject.material, done, failed, moved)
 
     def add(self, subject: PlottedMaterial, turn: int | None = None) -> str:
         """Put a subject in the session, with a key and a line of its own; return the key.
@@ -182,6 +207,13 @@ class Sources(Feature, QObject):
     def _ended(self, job: str) -> None:
         self._waiting.pop(job, None)
         self._progress.end(job)
+
+
+def _represent(material: Material, progress: Progress) -> Sequence[PlottedMaterial]:
+    # Deferred: with it come all the fits.
+    from brdf_lobe_visualizer.subjects.representations import represent
+
+    return represent(material, progress)
 
 
 def _read(name: str, progress: Progress) -> Opened:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
+import math
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -40,9 +41,15 @@ from brdf_suite.acquisition.table.table_from_sums import (
     half_angle_table,
     tabulate_means,
 )
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import PIXEL_FACT, IsotropicTable
+
+LEAST_PEAK_PIXELS = 4.0
+"""Full width at half of its height at which a peak loses 3 % of its height, 7 % seen at 60°."""
+_LEAST_PEAK = 3.0
+_PEAK_DEG, _AROUND_DEG, _FLATTEST_DEG = 5.0, (8.0, 14.0), 45.0
 
 ALGORITHM = 1
 """Raised whenever the same photographs would give other sums: older work is then not taken up."""
@@ -197,6 +204,41 @@ def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
     return {record.values["position"]: record for record in kept.records if record.tag == POSITION}
 
 
+def unresolved_peak(table: IsotropicTable, pixel_rad: float) -> str | None:
+    """Return a sentence where the coat's peak is narrower than photographs resolve; None where there is no such peak.
+
+    Its width is that of the table's luminance against θh, where measured, at half of its height above what lies 8° to
+    14° away; θd is below 45°. ``pixel_rad``: the angle that a pixel covers of the sphere.
+    """
+    theta_h, theta_d, _ = table.grid.centres()
+    flat = int(np.searchsorted(theta_d, np.radians(_FLATTEST_DEG)))
+    measured, grey = table.measured_mask()[:, :flat], table.values[:, :flat] @ LUMINANCE
+    rings = np.flatnonzero(measured.any(axis=(1, 2)))
+    angle = np.degrees(theta_h[rings])
+    height = np.array([np.median(grey[ring][measured[ring]]) for ring in rings])
+    near, about = angle < _PEAK_DEG, (angle > _AROUND_DEG[0]) & (angle < _AROUND_DEG[1])
+    if not near.any() or not about.any():
+        return None
+    base, top = float(np.median(height[about])), float(height[near].max())
+    half, peak = base + 0.5 * (top - base), int(np.argmax(np.where(near, height, 0.0)))
+    low = peak + np.flatnonzero(height[peak:] < half)[:1]
+    pixel = float(np.degrees(pixel_rad))
+    if top < _LEAST_PEAK * base or not low.size:
+        return None
+    beside = slice(int(low[0]) - 1, int(low[0]) + 1)
+    width = 2.0 * float(np.interp(-half, -height[beside], angle[beside]))
+    if width >= LEAST_PEAK_PIXELS * pixel:
+        return None
+    # What the pixels themselves make of a line.
+    narrow = max(math.sqrt(max(width**2 - pixel**2, 0.0)), 0.5 * pixel)
+    return (
+        f"The coat's peak is narrower than these photographs resolve: it is {width:.2g}° wide at half of its height, "
+        f"and a pixel covers {pixel:.2g}° of the sphere, so its height and the sharp lobe's ks, m and r are not "
+        f"reliable. Photograph the sphere about {LEAST_PEAK_PIXELS * pixel / narrow:.1f} times as large: with more "
+        "pixels, a longer lens, or the camera nearer."
+    )
+
+
 class _Reconstruction:
     """The sums as they grow."""
 
@@ -211,6 +253,7 @@ class _Reconstruction:
         self.succeeded: list[int] = []
         self.failed: list[LeftOut] = []
         self.findings: list[str] = []
+        self.unresolved: tuple[str, ...] = ()
         self.resumed = 0
         self.readings = 0
 
@@ -261,7 +304,7 @@ class _Reconstruction:
             self.resumed,
             self.readings,
             self.calibration,
-            (*self.calibration.notices, *self.findings),
+            (*self.calibration.notices, *self.unresolved, *self.findings),
             dict(self.acquisition.clock.seconds),
             compared,
         )
@@ -321,8 +364,12 @@ class _Reconstruction:
             "exposures": len(session.exposures_s),
             "readings": self.readings,
             "grazing_deg": self.acquisition.options.grazing_deg,
-            "notes": (*self.calibration.notices, *self.findings, *(one.reason for one in self.failed)),
+            PIXEL_FACT: math.degrees(self.calibration.geometry.pixel_rad),
             **{f"calibration_{name}": value for name, value in self.calibration.figures.items()},
         }
-        means = bin_means(self.sums["half-angle"], self.colour)
-        return half_angle_table(means, session.name, facts)
+        table = half_angle_table(bin_means(self.sums["half-angle"], self.colour), session.name, facts)
+        unresolved = unresolved_peak(table, self.calibration.geometry.pixel_rad)
+        self.unresolved = () if unresolved is None else (unresolved,)
+        reasons = (one.reason for one in self.failed)
+        notes = (*self.calibration.notices, *self.unresolved, *self.findings, *reasons)
+        return replace(table, facts={**table.facts, "notes": notes})

@@ -1,1 +1,1 @@
-"""Commands on measured reflectance: measure, compare, convert, fit, acquire."""
+"""Commands on measured reflectance: measure, compare, convert, fit, represent, acquire."""

@@ -24,11 +24,23 @@ import numpy.typing as npt
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector, inverse_index
-from brdf_suite.fitting.cook_torrance.result import CookTorranceFit, standard_errors
+from brdf_suite.fitting.cook_torrance.result import (
+    CookTorranceFit,
+    Profile,
+    covariance_of,
+    standard_errors,
+)
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples, check_samples
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, FitProblem, final_cost, search
 from brdf_suite.fitting.cook_torrance.starts import starts
+from brdf_suite.fitting.cook_torrance.uncertainty import (
+    Noise,
+    alternatives_of,
+    blurred_once_more,
+    profiles_of,
+    widened,
+)
 from brdf_suite.progress import Progress, report
 
 VERSION = 1
@@ -120,13 +132,38 @@ def fit_checked_samples(
     steps = _Steps(progress, 0.6)
     answers = [search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick) for x in _apart(ends, few)]
     best = min(answers, key=lambda x: _objective(whole, x, settings))
-    best = _other_reflectances(whole, few, best, settings, steps)
+    best = _other_reflectances(whole, few, best, settings, steps, answers)
     best, dropped = _fewer_lobes(whole, few, best, settings, steps)
-    best = model.sorted(best)
-    report(progress, 0.97, "uncertainties")
-    cost = final_cost(whole, best, settings.loss)
-    errors = standard_errors(whole, best, cost)
-    return CookTorranceFit(model, best, settings, errors, whole, dropped)
+    return _with_uncertainty(whole, best, dropped, settings, answers, steps)
+
+
+def _with_uncertainty(
+    whole: FitProblem,
+    best: Vector,
+    dropped: tuple[int, ...],
+    settings: Settings,
+    minima: list[Vector],
+    steps: _Steps,
+) -> CookTorranceFit:
+    """Return the fit with its profiles, those ``minima`` that the noise leaves possible, and errors over both."""
+    model = whole.model
+    profiles: tuple[Profile, ...] = ()
+    for left in reversed(range(_ROUNDS)):
+        best = model.sorted(best)
+        cost = final_cost(whole, best, settings.loss)
+        covariance = covariance_of(whole, best, cost)
+        noise = Noise(whole, best, cost)
+        if whole.energy(best) <= _ROUNDING:
+            break
+        profiles, better = profiles_of(noise, covariance, settings.loss, steps.tick)
+        if better is None or not left:
+            break
+        minima, best = [*minima, best], better
+    alternatives = alternatives_of(noise, minima) if profiles else ()
+    errors = standard_errors(model, best, covariance)
+    blurred = blurred_once_more(whole, best, settings.loss, steps.tick)
+    errors = widened(errors, model, best, profiles, alternatives, blurred)
+    return CookTorranceFit(model, best, settings, errors, whole, dropped, profiles, alternatives)
 
 
 def fit_key(samples: LobeSamples, settings: Settings) -> str:
@@ -195,9 +232,17 @@ def _objective(problem: FitProblem, x: Vector, settings: Settings) -> float:
 
 
 def _other_reflectances(
-    whole: FitProblem, few: FitProblem, best: Vector, settings: Settings, steps: _Steps
+    whole: FitProblem,
+    few: FitProblem,
+    best: Vector,
+    settings: Settings,
+    steps: _Steps,
+    minima: list[Vector],
 ) -> Vector:
-    """Set each lobe to other reflectances in turn, with its height kept, while that leads to something better."""
+    """Set each lobe to other reflectances in turn, with its height kept, while that leads to something better.
+
+    What else was searched to its end is added to ``minima``.
+    """
     model = whole.model
     reflected = [model.m_at(lobe) + 1 for lobe in range(model.lobes)]
     value = _objective(whole, best, settings)
@@ -224,6 +269,7 @@ def _other_reflectances(
         limit = max(_WORTH_A_LOOK * min(trials[0][0], _objective(few, best, settings)), _ROUNDING)
         near = [x for reached, x in trials[:_LOOKED_AT] if reached <= limit]
         answers = [search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick) for x in near]
+        minima += answers
         if not answers:
             break
         found = min(answers, key=lambda x: _objective(whole, x, settings))

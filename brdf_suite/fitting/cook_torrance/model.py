@@ -39,6 +39,7 @@ _FLOOR = 1e-30
 # The solver starts a little inside of its bounds.
 _NEARLY_NONE = 1.5
 _REVIVED = 1e-3
+_CHANNELS = ("red", "green", "blue")
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,6 +211,19 @@ class LobeModel:
             m[lobe], r[lobe] = math.exp(x[place]), reflectance_from_inverse_index(float(x[place + 1]))
             ks[lobe] = 0.25 if self._is_coat(lobe) else _weight(x[self.weights_at(lobe)]) / r[lobe]
         return kd, ks, m, r
+
+    def named(self, parameter: int, values: Floats) -> tuple[str, Floats]:
+        """Return the name of a parameter of the vector, as ``ks·r 2 red``, and what its ``values`` (k,) stand for."""
+        if parameter < 3:
+            return f"kd {_CHANNELS[parameter]}", np.exp(values)
+        lobe = next(k for k in range(self.lobes) if parameter <= self.m_at(k) + 1)
+        if parameter < self.m_at(lobe):
+            channel = _CHANNELS[parameter - self.weights_at(lobe).start]
+            return f"ks·r {lobe + 1} {channel}", np.exp(values)
+        if parameter == self.m_at(lobe):
+            return f"m {lobe + 1}", np.exp(values)
+        reflected = [reflectance_from_inverse_index(float(e)) for e in values]
+        return f"r {lobe + 1}", np.asarray(reflected)
 
     def sorted(self, x: Vector) -> Vector:
         """Return the vector with its lobes by falling m: the sharp one last.

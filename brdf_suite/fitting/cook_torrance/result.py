@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Bools, Floats, triple
+from brdf_suite.arrays import Bools, Floats, Indices, triple
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Terms, Vector
@@ -37,16 +37,17 @@ class StandardErrors:
     """(N,) of log ks (mean over channels) and r: near -1 where only their product is known."""
 
 
-def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardErrors:
-    """Return the standard errors of the answer ``x`` of a search with ``cost``, from the Jacobian there.
+def covariance_of(problem: FitProblem, x: Vector, cost: Cost) -> Floats:
+    """Return the covariance (p, p) of the answer ``x`` of a search with ``cost``; NaN where undetermined or at a bound.
 
     The answer of an estimator with influence ψ (the derivative of its cost) spreads as A⁻¹ B A⁻¹, A = Σ w ψ' JᵀJ and
     B = Σ (Σ w ψ J)ᵀ(Σ w ψ J), where the inner sums run over the channels of one sample: what is wrong with a sample is
     wrong in all its channels alike, and they are not taken for three measurements (White 1980, by clusters). For |x|,
     ψ' is 2 f(0), twice the density of the residuals at 0, estimated with a kernel as wide as half of their median size.
 
-    They state the random spread of the samples that the solver saw; where the model itself is wrong, neighbouring
-    residuals agree, and the standard errors are too small.
+    Where the model, or the instrument, errs, neighbouring residuals agree too. So B is formed a second time with inner
+    sums over the regions of the samples, and a parameter has the larger of the two spreads. What the instrument is
+    known to err by, alike within a region, is added: A⁻¹ Σ (Σ w ψ' J δ)ᵀ(Σ w ψ' J δ) A⁻¹ for its relative error δ.
     """
     model = problem.model
     logs, slopes = model.logs(x, problem.terms, added=problem.samples.added)
@@ -56,12 +57,12 @@ def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardError
     counted = np.where(known, weights, 0.0)
     psi, curvature = _influence(residuals, known, cost)
     a = np.zeros((model.size, model.size))
-    scores = np.zeros((model.size, psi.shape[1]))
+    scores, leverage = np.zeros((2, model.size, psi.shape[1]))
     for channel in range(3):
         at = model.columns(channel)
         a[np.ix_(at, at)] += products(slopes[channel], (counted * curvature)[channel], psi[channel])[0]
         scores[at] += slopes[channel] * (counted * psi)[channel]
-    b = products(scores, np.ones(psi.shape[1]), psi[0])[0]
+        leverage[at] += slopes[channel] * (counted * curvature)[channel]
     low, high = model.bounds()
     width = high - low
     free = (x > low + _AT_BOUND * width) & (x < high - _AT_BOUND * width) & (np.diag(a) > 0.0)
@@ -70,8 +71,28 @@ def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardError
     still[model.searched(x, problem.samples.channels)] = False
     free &= ~still
     if free.any():
-        covariance[np.ix_(free, free)] = _sandwich(a[np.ix_(free, free)], b[np.ix_(free, free)])
-    return _of_values(model, x, covariance)
+        inner, scores = a[np.ix_(free, free)], scores[free]
+        found = _sandwich(inner, products(scores, np.ones(psi.shape[1]), psi[0])[0])
+        by_region = sums_by_region(scores, problem.samples.regions)
+        regions = by_region.shape[1]
+        if regions > 1:
+            apart = np.diag(_sandwich(inner, by_region @ by_region.T * (regions / (regions - 1))))
+            single = np.diag(found)
+            wider = np.divide(apart, single, out=np.ones_like(single), where=single > 0.0)
+            wider = np.sqrt(np.fmax(wider, 1.0))
+            found *= np.outer(wider, wider)
+        error = problem.samples.instrument.relative_error
+        if error > 0.0:
+            moved = error * sums_by_region(leverage[free], problem.samples.regions)
+            found += _sandwich(inner, moved @ moved.T)
+        covariance[np.ix_(free, free)] = found
+    return covariance
+
+
+def sums_by_region(values: Floats, regions: Indices) -> Floats:
+    """Return the sums (k, regions) of ``values`` (k, n) over the samples of each region."""
+    count = int(regions.max()) + 1
+    return np.stack([np.bincount(regions, row, count) for row in values])
 
 
 def _influence(residuals: Floats, known: Bools, cost: Cost) -> tuple[Floats, Floats]:
@@ -100,7 +121,8 @@ def _sandwich(a: Floats, b: Floats) -> Floats:
     return found
 
 
-def _of_values(model: LobeModel, x: Vector, covariance: Floats) -> StandardErrors:
+def standard_errors(model: LobeModel, x: Vector, covariance: Floats) -> StandardErrors:
+    """Return the standard errors of the values of ``x`` from the covariance (p, p) of its logarithms and 1/n."""
     kd, ks, m, r = model.values(x)
     spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     out_ks, out_m = np.full_like(ks, np.nan), np.full_like(m, np.nan)
@@ -130,12 +152,45 @@ def _of_values(model: LobeModel, x: Vector, covariance: Floats) -> StandardError
 
 
 @dataclass(frozen=True, eq=False)
+class Profile:
+    """The misfit where one parameter is held, and all others are fitted again.
+
+    ``parameter``: its number in the vector of :mod:`brdf_suite.fitting.cook_torrance.model`; ``values`` (k,) rising, in
+    the vector's terms; ``energies`` (k,): the mean misfit there. ``ends``: the vectors at both ends of what the noise
+    leaves possible, where they lie beyond the covariance's.
+    """
+
+    parameter: int
+    values: Floats
+    energies: Floats
+    ends: tuple[Vector, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Alternative:
+    """Another minimum of the misfit that the noise does not distinguish from the answer; fields as of the fit."""
+
+    kd: Floats
+    ks: Floats
+    m: Floats
+    r: Floats
+    energy_mean: float
+
+    def to_json(self) -> dict[str, object]:
+        """Return the parameters and the misfit as plain values."""
+        count = range(len(self.m))
+        lobes = [{name: _plain(getattr(self, name)[lobe]) for name in ("ks", "m", "r")} for lobe in count]
+        return {"kd": _plain(self.kd), "lobes": lobes, "energy_mean": self.energy_mean}
+
+
+@dataclass(frozen=True, eq=False)
 class CookTorranceFit:
     """Lobes fitted to samples; a reflectance itself, reciprocal and never negative.
 
     ``dropped`` are the lobes that the samples did not ask for: their weight is 0. ``kd`` (3,) is the diffuse
     reflectance, ``ks`` (N, 3) the weights of the lobes, the sharp one last (a clearcoat has ¼), ``m`` (N,) their slopes
-    (α of GGX), and ``r`` (N,) their Fresnel reflectances along the normal.
+    (α of GGX), and ``r`` (N,) their Fresnel reflectances along the normal. ``standard_errors`` cover ``profiles`` and
+    ``alternatives``: 1.96 of them on both sides are the stated 95 % interval.
     """
 
     model: LobeModel
@@ -144,6 +199,8 @@ class CookTorranceFit:
     standard_errors: StandardErrors
     problem: FitProblem
     dropped: tuple[int, ...] = ()
+    profiles: tuple[Profile, ...] = ()
+    alternatives: tuple[Alternative, ...] = ()
     kd: Floats = field(init=False)
     ks: Floats = field(init=False)
     m: Floats = field(init=False)
@@ -216,6 +273,13 @@ class CookTorranceFit:
             elif math.isfinite(error) and error > _POORLY_DETERMINED * float(self.r[lobe]):
                 known = f"r is {self.r[lobe]:.2g} ± {error:.1g}"
                 notices.append(f"Of lobe {lobe + 1} only ks times r is known: {known}.")
+        for other in self.alternatives:
+            lobe = int(np.argmax(np.abs(other.r - self.r)))
+            notices.append(
+                f"Another answer fits as well within the noise: for lobe {lobe + 1} it has m {other.m[lobe]:.2g} and "
+                f"r {other.r[lobe]:.2g} instead of {self.m[lobe]:.2g} and {self.r[lobe]:.2g}. The stated uncertainties "
+                "cover both."
+            )
         return tuple(notices)
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
@@ -285,6 +349,12 @@ class CookTorranceFit:
             "samples": self.samples,
             "left_out": self.left_out,
             "lobes_without_weight": len(self.dropped),
+            "alternatives": [other.to_json() for other in self.alternatives],
+            "profiles": [
+                {"parameter": name, "values": values.tolist(), "energies_mean": one.energies.tolist()}
+                for one in self.profiles
+                for name, values in [self.model.named(one.parameter, one.values)]
+            ],
             "notices": list(self.notices),
         }
 

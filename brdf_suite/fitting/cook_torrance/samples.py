@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -25,11 +25,13 @@ from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import PIXEL_FACT, IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 CELLS = (60, 30)
 """Cells along √θh and along θd."""
+REGIONS = (12, 6)
+"""The same of the regions within which errors are taken to agree."""
 FLOOR_SHARE, FLOOR_DARK = 0.01, 0.02
 """Of the sample's brightest channel, and of its median over the samples."""
 _MANY = 1e-3
@@ -63,6 +65,40 @@ class Floor:
         return np.asarray(self.share * np.maximum(values.max(axis=1), 0.0) + self.dark)
 
 
+@dataclass(frozen=True)
+class Instrument:
+    """Errors of measurement that more samples do not average out; 0 where nothing is known of them.
+
+    ``pixel_rad``: the angle that a pixel in the middle of a photographed sphere covers of it, over which the normal
+    turns. ``relative_error``: of the values, alike within a region of the samples, by geometry and response.
+    """
+
+    pixel_rad: float = 0.0
+    relative_error: float = 0.0
+
+    @classmethod
+    def of(cls, table: IsotropicTable) -> Instrument:
+        """Return what is known of the instrument of a table: something of those that were acquired from photographs."""
+        pixel = table.facts.get(PIXEL_FACT, 0.0)
+        known = isinstance(pixel, float) and 0.0 < pixel < 90.0
+        return cls(math.radians(pixel), ACQUIRED_ERROR) if known else EXACT
+
+    def tilt_rad(self, samples: LobeSamples) -> Floats:
+        """Return the standard deviation (n,) of the normal's tilt over a pixel, along each of two axes, radians.
+
+        A pixel covers more of a surface that is seen at an angle; which of the two directions is the view, a reciprocal
+        table does not say.
+        """
+        slanted = 1.0 / (samples.wi[:, 2] * samples.wo[:, 2])
+        return np.asarray(self.pixel_rad * np.sqrt((1.0 + slanted) / 24.0))
+
+
+EXACT = Instrument()
+ACQUIRED_ERROR = 0.02
+"""As much as a reading of an acquisition is taken to be wrong by geometry
+(:data:`brdf_suite.acquisition.table.sums.GEOMETRIC_ERROR`)."""
+
+
 @dataclass(frozen=True, eq=False)
 class LobeSamples:
     """Samples of a fit.
@@ -70,7 +106,8 @@ class LobeSamples:
     ``wi``, ``wo`` (n, 3) unit directions; ``logs`` (3, n) natural logarithms of f_r in 1/sr and what is added to it,
     ``added`` (n,) by the ``floor``; 0 where ``known`` (3, n) is false; ``weights`` (n,) > 0 with mean 1.
     ``left_out``: how many were not finite, beyond the grazing angle, of no weight or black; ``black``: how many values
-    (of one channel) of the others are not positive, and ``black_share`` which share.
+    (of one channel) of the others are not positive, and ``black_share`` which share. ``instrument``: what they were
+    measured with.
     """
 
     wi: Floats
@@ -83,6 +120,7 @@ class LobeSamples:
     left_out: int
     black: int
     black_share: float
+    instrument: Instrument = field(default_factory=lambda: EXACT)
 
     def __len__(self) -> int:
         return len(self.wi)
@@ -91,6 +129,12 @@ class LobeSamples:
     def channels(self) -> Bools:
         """Return (3,): in which channels there is anything."""
         return np.asarray(self.known.any(axis=1))
+
+    @property
+    def regions(self) -> Indices:
+        """Return (n,) in which region of √θh and θd each sample lies, numbered from 0 without gaps."""
+        cell = _cells(*half_and_difference(self.wi, self.wo), *REGIONS)
+        return np.asarray(np.unique(cell, return_inverse=True)[1])
 
     def part(self, keep: npt.ArrayLike) -> LobeSamples:
         """Return some of them: a mask (n,) or indices."""
@@ -309,6 +353,13 @@ def errors_of(
     return [one.errors() for one in sums]
 
 
+def errors_at(measured: Floats, found: Floats, floor: Floor | None = None) -> FitErrors:
+    """Return the errors of fitted values (n, 3) beside measured ones, both f_r in 1/sr."""
+    sums = _Sums(0.0)
+    sums.add(measured, found, (floor or Floor()).at(measured)[:, None], np.ones(len(measured), np.bool_))
+    return sums.errors()
+
+
 class _Sums:
     """Sums of the errors of pairs with both cosines at least ``lowest``."""
 
@@ -383,4 +434,4 @@ def _of_table(table: IsotropicTable, settings: Settings) -> LobeSamples:
     weights = None
     if table.coverage is not None:
         weights = 1.0 / np.hypot(table.coverage.deviation[h, d, p].astype(np.float64), MISFIT)
-    return check_samples(wi, wo, table.values[h, d, p], weights)
+    return replace(check_samples(wi, wo, table.values[h, d, p], weights), instrument=Instrument.of(table))

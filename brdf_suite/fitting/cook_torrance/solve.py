@@ -151,18 +151,19 @@ def search(
     deltas: tuple[float, ...],
     steps: int,
     tick: Tick | None = None,
+    held: int | None = None,
 ) -> Vector:
     """Return where the search from ``x`` ends, after at most ``steps`` evaluations for each δ.
 
-    ``tick`` is called at each evaluation; what it raises ends the search.
+    ``tick`` is called at each evaluation; what it raises ends the search. The parameter ``held`` stays as it is.
     """
     x = problem.model.revived(x, problem.samples.channels)
     if loss == "l2":
-        return _minimize(problem, x, Cost("linear"), steps * len(deltas), tick)
+        return _minimize(problem, x, Cost("linear"), steps * len(deltas), tick, held)
     for delta in deltas:
-        x = _minimize(problem, x, Cost("smooth", delta), steps, tick)
+        x = _minimize(problem, x, Cost("smooth", delta), steps, tick, held)
     if loss == "robust":
-        x = _minimize(problem, x, Cost("cauchy", robust_width(problem, x)), steps, tick)
+        x = _minimize(problem, x, Cost("cauchy", robust_width(problem, x)), steps, tick, held)
     return x
 
 
@@ -179,9 +180,12 @@ def robust_width(problem: FitProblem, x: Vector) -> float:
     return _CAUCHY * max(spread, _LEAST_SCALE)
 
 
-def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick | None) -> Vector:
+def _minimize(
+    problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick | None, held: int | None = None
+) -> Vector:
     # What has no weight has no slope either, and would wander.
     moved = problem.model.searched(x, problem.samples.channels)
+    moved = moved[moved != held] if held is not None else moved
     if not moved.size:
         return x
     low, high = (bound[moved] for bound in problem.model.bounds())

@@ -19,6 +19,9 @@ from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVe
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes, trilinear
 
+PIXEL_FACT = "pixel_deg"
+"""The fact by which a table made of photographs states the angle that a pixel covers of the sphere, degrees."""
+
 
 @dataclass(frozen=True, eq=False)
 class Coverage:

@@ -172,6 +172,12 @@ class RigGeometry:
         """Return the angle between the sphere's centre and its outline as the camera sees it, radians."""
         return math.asin(self.radius_m / float(np.linalg.norm(self.centre_m)))
 
+    @property
+    def pixel_rad(self) -> float:
+        """Return the angle of the sphere that a pixel covers in its middle, radians."""
+        away = float(np.linalg.norm(self.centre_m)) - self.radius_m
+        return away / (math.sqrt(self.lens.fx * self.lens.fy) * self.radius_m)
+
     def outline(self, azimuths: npt.ArrayLike) -> Floats:
         """Return the pixels (..., 2) of the outline at azimuths (...), radians from image x towards image y."""
         azimuths = np.asarray(azimuths, float)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from pathlib import Path
 from statistics import mean, median
 from time import perf_counter, process_time
@@ -26,15 +25,15 @@ from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked_samples
 from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
-from brdf_suite.fitting.cook_torrance.samples import ASKED, Floor, even_pairs, samples_of
+from brdf_suite.fitting.cook_torrance.samples import Floor, samples_of
 from brdf_suite.fitting.lobes.measured import fit_undivided
+from brdf_suite.inspection.representations import hold_out
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 NOISE = 0.03
 GRAZING_DEG = 80.0
@@ -42,7 +41,6 @@ LEAST_HEIGHT = 0.002
 """Lobes of less ks·4r, in their brightest channel, are judged by f_r alone."""
 FAILURE = 0.05
 MEASURED = ("cayman.brdf", "krylon_blue.brdf", "vch_golden_yellow_rgb.bsdf")
-HELD_OUT = 0.2
 REPEATS = 3
 
 #: key: (comparison, bound, unit, meaning)
@@ -159,23 +157,8 @@ def full_table_seconds(repeats: int = REPEATS) -> float:
 
 def measured_rows(name: str, reflectance: Reflectance) -> dict[str, dict[str, float]]:
     """Return, for each model, the errors where the fit did not look."""
-    if isinstance(reflectance, ScatteredSamples):
-        order = np.random.default_rng(7).permutation(len(reflectance.wi))
-        held, kept = np.split(order, [round(HELD_OUT * len(order))])
-        wi, wo, values = (getattr(reflectance, field)[held] for field in ("wi", "wo", "values"))
-        seen: Reflectance = replace(
-            reflectance,
-            wi=reflectance.wi[kept],
-            wo=reflectance.wo[kept],
-            values=reflectance.values[kept],
-            spectra=None,
-            wavelengths_nm=None,
-        )
-    else:
-        # The fit draws its own pairs from another seed.
-        seen = reflectance
-        wi, wo = even_pairs(ASKED // 3, 11, Settings().grazing_deg)
-        values = np.asarray(reflectance.eval(wi, wo))
+    split = hold_out(reflectance)
+    wi, wo, values = split.wi, split.wo, split.values
     rows = {}
     floor = Floor.of(values)
     for label, model in (
@@ -184,9 +167,9 @@ def measured_rows(name: str, reflectance: Reflectance) -> dict[str, dict[str, fl
         ("two lobes of GGX under a clearcoat", "ggx-clearcoat"),
     ):
         settings = Settings(model=model)
-        fit = fit_checked_samples(samples_of(seen, settings), settings)
+        fit = fit_checked_samples(samples_of(split.seen, settings), settings)
         rows[label] = judged(fit.eval, wi, wo, values, floor)
-    lobes = fit_undivided(seen).weights
+    lobes = fit_undivided(split.seen).weights
     rows[f"{len(lobes.exponents)} cosine lobes"] = judged(lobes.eval, wi, wo, values, floor)
     TABLES[name] = dict(rows)
     return rows
@@ -261,7 +244,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
 
 def _measured(progress: Progress | None) -> dict[str, float | None]:
     keys = ("ct3_log_rms", "ggx3_log_rms", "ggx_clearcoat_log_rms", "lobe_fit_log_rms")
-    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[3] / "shared")) / "data"
+    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[4] / "shared")) / "data"
     found: list[list[float]] = []
     for number, name in enumerate(MEASURED):
         report(progress, number / len(MEASURED), name)
