@@ -26,6 +26,7 @@ from brdf_suite.files.cache.disk_cache import ENVIRONMENT_VARIABLE, default_limi
 
 _VERSION = 1
 _PATIENCE_S = 5.0
+_PAUSE_S = 0.01
 _AGES_S = 3600.0
 """How old a note of use may be before it is written anew: reading is then mostly reading alone."""
 _MOST_ASKED = 500
@@ -128,18 +129,25 @@ class SwatchStore:
         """Do some work on the file; where it is damaged make it anew, and where that fails do without."""
         if self._given_up:
             return nothing
-        for attempt in range(2):
+        until = time.monotonic() + _PATIENCE_S
+        renewed = False
+        while True:
             try:
                 return work(self._open())
             except (sqlite3.Error, _OtherTableError) as error:
                 self._shut()
                 name = str(getattr(error, "sqlite_errorname", ""))
                 if name.startswith(_BUSY):
+                    # SQLite does not wait where several programs make the file or set its journal at once.
+                    if time.monotonic() < until:
+                        time.sleep(_PAUSE_S)
+                        continue
                     self._notice(f"The pictures in {self.path} are in use by another program; doing without.")
                     return nothing
                 spoilt = isinstance(error, _OtherTableError) or name.startswith(_DAMAGED)
-                if attempt or not spoilt:
+                if renewed or not spoilt:
                     return self._give_up(str(error), nothing)
+                renewed = True
                 self._notice(f"The kept pictures {self.path} are damaged ({error}); they are made anew.")
                 for ending in ("", "-wal", "-shm"):
                     with contextlib.suppress(OSError):
@@ -147,7 +155,6 @@ class SwatchStore:
             except OSError as error:
                 self._shut()
                 return self._give_up(error.strerror or str(error), nothing)
-        return nothing
 
     def _give_up(self, why: str, nothing: _T) -> _T:
         self._given_up = True

@@ -188,6 +188,40 @@ sys.stdin.readline()
 """
 
 
+_MAKER = """
+import sys
+import numpy as np
+from brdf_suite.palettes.swatches.store import SwatchStore
+key = f"{int(sys.argv[1]):064d}"
+for line in sys.stdin:
+    store = SwatchStore(line.strip())
+    store.put({key: np.zeros((9, 9, 3), np.uint8)})
+    print(store.notices, flush=True)
+"""
+
+
+def test_programs_that_make_the_file_at_once_wait_for_each_other(tmp_path: Path) -> None:
+    makers = [
+        subprocess.Popen(
+            [sys.executable, "-c", _MAKER, str(index)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for index in range(4)
+    ]
+    folders = [tmp_path / f"cache {index}" for index in range(30)]
+    for folder in folders:
+        for maker in makers:
+            assert maker.stdin is not None
+            maker.stdin.write(f"{folder}\n")
+            maker.stdin.flush()
+        assert [maker.stdout and maker.stdout.readline() for maker in makers] == ["[]\n"] * len(makers)
+        assert len(SwatchStore(folder).get(f"{index:064d}" for index in range(len(makers)))) == len(makers)
+    for maker in makers:
+        maker.communicate()
+
+
 def test_programs_and_threads_write_at_once(tmp_path: Path) -> None:
     writers = [
         subprocess.Popen(
