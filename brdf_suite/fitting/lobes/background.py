@@ -190,8 +190,8 @@ class BackgroundSolver:
             if self._tries < MOST_TRIES:
                 return None
             self._loaded = None
-        held = self._solve_afresh(work)
-        return None if held is None else optimal_answer(self._parts, held, request, self._iterations)
+        afresh = self._solve_afresh(work)
+        return None if afresh is None else optimal_answer(self._parts, afresh, request, self._iterations)
 
     def _solve_afresh(self, work: Work) -> BlockSolution | None:
         """Solve what the kept model cannot, by others that know nothing of it; None where it is no longer wanted."""
