@@ -34,8 +34,8 @@ from brdf_suite.lighting.filter.prefilter import (
 from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource_root
 
-PLAIN = Layout(b"BRDFMAPS", 4, "map file", ("<f2",))
-PACKED = Layout(b"BRDFPACK", 2, "file of packed maps", ("<u2",), level=9)
+PLAIN = Layout(b"BRDFMAPS", 5, "map file", ("<f2",))
+PACKED = Layout(b"BRDFPACK", 3, "file of packed maps", ("<u2",), level=9)
 _ROWS = 64
 
 
@@ -81,7 +81,8 @@ def read_packed_maps(path: PathLike, key: str) -> LobeMaps:
 
 def _described(maps: LobeMaps, key: str, environment: str) -> tuple[list[FaceArray], dict[str, Any]]:
     """Return the distinct maps in the order of a file, and the header that says what each of them serves."""
-    distinct = list({id(m): m for m in (maps.diffuse, maps.background, *maps.lobes)}.values())
+    every = (maps.diffuse, maps.through_coat, maps.background, *maps.lobes)
+    distinct = list({id(m): m for m in every}.values())
     place = {id(m): index for index, m in enumerate(distinct)}
     return distinct, {
         "key": key,
@@ -89,6 +90,7 @@ def _described(maps: LobeMaps, key: str, environment: str) -> tuple[list[FaceArr
         "exponents": maps.exponents,
         "lobes": [place[id(m)] for m in maps.lobes],
         "diffuse": place[id(maps.diffuse)],
+        "through_coat": place[id(maps.through_coat)],
         "background": place[id(maps.background)],
         "scales": [m.scale for m in distinct],
     }
@@ -103,7 +105,8 @@ def _maps(path: PathLike, key: str, header: dict[str, Any], faces: Sequence[AnyA
         exponents = tuple(float(exponent) for exponent in header["exponents"])
         if len(lobes) != len(exponents):
             raise ValueError("as many lobes as exponents belong there")
-        return LobeMaps(exponents, lobes, maps[header["diffuse"]], maps[header["background"]])
+        others = (maps[header[name]] for name in ("diffuse", "through_coat", "background"))
+        return LobeMaps(exponents, lobes, *others)
     except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise FileError(path, f"is damaged ({error})", "header") from error
 

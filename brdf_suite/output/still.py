@@ -54,6 +54,7 @@ def with_smaller_maps(prepared: PreparedEnvironment, largest_face: int) -> Prepa
             maps.exponents,
             tuple(smaller(lobe) for lobe in maps.lobes),
             smaller(maps.diffuse),
+            smaller(maps.through_coat),
             smaller(maps.background),
         ),
     )

@@ -108,6 +108,7 @@ class SceneRenderer:
                 exponents=maps.exponents,
                 lobes=tuple(_faces(lobe) for lobe in maps.lobes),
                 diffuse=_faces(maps.diffuse),
+                through_coat=_faces(maps.through_coat),
                 background=_faces(maps.background),
             ),
             cache(partial(_distant, prepared)),

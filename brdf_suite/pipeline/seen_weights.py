@@ -31,6 +31,7 @@ from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_wei
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import WeightsOverAngle
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
 PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
@@ -62,7 +63,8 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
     from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     sphere = mirror_harmonics()
-    columns, systems = tuple(_columns(exponents)), _systems(exponents, sphere.lobes)
+    under_coat = isinstance(reflectance, PaintReflectance) and reflectance.ior > 1.0
+    columns, systems = tuple(_columns(exponents, under_coat)), _systems(exponents, under_coat, sphere.lobes)
     turns = _TURNS if differs_with_azimuth(reflectance) else 1
     squares, products, targets, means = [], [], [], []
     for place, system in zip(PLACES, systems, strict=True):
@@ -84,25 +86,30 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
     )
     for weights, (of_columns, mean) in zip(found, means, strict=True):
         weights *= mean / np.maximum(of_columns @ weights, 1e-300)
-    return _on_the_ramp(found, columns, len(exponents))
+    return _on_the_ramp(found, columns, len(exponents), under_coat)
 
 
-@lru_cache(maxsize=1)
-def _systems(exponents: tuple[float, ...], lobes: Callable[[Floats, Floats], Floats]) -> list[Floats]:
+@lru_cache(maxsize=2)
+def _systems(
+    exponents: tuple[float, ...], under_coat: bool, lobes: Callable[[Floats, Floats], Floats]
+) -> list[Floats]:
     """Return for each of the places the coefficients (k, columns) of all look-ups, which no reflectance changes."""
     found = []
     for place in PLACES:
         cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
-        turned, sharpness, amplitude = _look_ups(tuple(_columns(exponents)), exponents, place, cosine)
+        turned, sharpness, amplitude = _look_ups(
+            tuple(_columns(exponents, under_coat)), exponents, place, cosine
+        )
         found.append(lobes(turned, sharpness) * amplitude)
     return found
 
 
-def _columns(exponents: tuple[float, ...]) -> Iterator[_Column]:
+def _columns(exponents: tuple[float, ...], under_coat: bool) -> Iterator[_Column]:
+    base: Target = "coated" if under_coat else "plain"
     yield _Column(None, 0)
     for lobe, exponent in enumerate(exponents):
         if exponent <= BROADEST_SHARP:
-            yield _Column("plain", lobe)
+            yield _Column(base, lobe)
         # Sharp lobes are looked up at R, with or without the cosine alike.
         yield _Column("gloss", lobe)
 
@@ -113,10 +120,12 @@ def _look_ups(
     """Return how far each look-up is turned from R to N (k,), its exponent (k,) and amplitude (k,)."""
     table = look_up_table()
     theta = float(np.arccos(cosine))
+    under_coat = any(column.target == "coated" for column in columns)
+    diffuse = (table.diffuse_exponent, table.diffuse_amplitude) if under_coat else (1.0, np.pi)
     rows = []
     for column in columns:
         if column.target is None:
-            rows.append((theta, 1.0, np.pi))
+            rows.append((theta, *diffuse))
             continue
         exponent = exponents[column.lobe]
         found = table.find(column.target, exponent)
@@ -153,7 +162,9 @@ def _gathered(reflectance: Reflectance, lights: Floats, cosine: float, turns: in
     return values
 
 
-def _on_the_ramp(found: Floats, columns: tuple[_Column, ...], lobes: int) -> WeightsOverAngle:
+def _on_the_ramp(
+    found: Floats, columns: tuple[_Column, ...], lobes: int, under_coat: bool
+) -> WeightsOverAngle:
     at = np.sqrt(RAMP_COSINES)
     nodes = at[list(PLACES)]
     lower = np.clip(np.searchsorted(nodes, at, side="right") - 1, 0, len(nodes) - 2)
@@ -164,7 +175,7 @@ def _on_the_ramp(found: Floats, columns: tuple[_Column, ...], lobes: int) -> Wei
     for k, column in enumerate(columns):
         if column.target is not None:
             (kg if column.target == "gloss" else kdd)[:, column.lobe] = mixed[:, k]
-    return WeightsOverAngle(kd, kdd, kg)
+    return WeightsOverAngle(kd, kdd, kg, under_coat)
 
 
 class SeenWeights:

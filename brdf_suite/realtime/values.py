@@ -131,15 +131,16 @@ class CubeFaces:
 
 @dataclass(frozen=True, eq=False)
 class EnvironmentMaps:
-    """An environment, prefiltered with unit gain: one map per lobe exponent, the diffuse map, the background.
+    """An environment, prefiltered with unit gain: one map per lobe exponent, two diffuse maps, the background.
 
     A constant environment of radiance 1 is 1 in every map. ``diffuse`` is the E = 1 map, which is irradiance
-    over π when looked up at the normal.
+    over π when looked up at the normal; ``through_coat`` is the same for light that crosses a coat on its way in.
     """
 
     exponents: tuple[float, ...]
     lobes: tuple[CubeFaces, ...]
     diffuse: CubeFaces
+    through_coat: CubeFaces
     background: CubeFaces
 
     def __post_init__(self) -> None:
@@ -153,12 +154,14 @@ class EnvironmentMaps:
 class WeightsOverAngle:
     """Weights fitted at several incidences, at the cosines N·V of :data:`look_up_table.RAMP_COSINES`.
 
-    ``kd``, ``kdd``, ``kg`` are (64, 3), (64, m, 3), (64, m, 3) in 1/sr, finite and not negative.
+    ``kd``, ``kdd``, ``kg`` are (64, 3), (64, m, 3), (64, m, 3) in 1/sr, finite and not negative. Weights by the view
+    that are ``under_coat`` were fitted to the look-ups of light that crosses a coat on its way to the base.
     """
 
     kd: NDArray[Any]
     kdd: NDArray[Any]
     kg: NDArray[Any]
+    under_coat: bool = False
 
     def __post_init__(self) -> None:
         lobes = np.shape(self.kdd)[1] if np.ndim(self.kdd) == 3 else -1

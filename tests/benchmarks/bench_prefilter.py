@@ -169,7 +169,8 @@ def _cache_hits() -> float:
             start = perf_counter()
             maps = load_environment("sunny", cache=cache).maps
             lobes = tuple(faces(item) for item in maps.lobes)
-            textures.load(EnvironmentMaps(maps.exponents, lobes, faces(maps.diffuse), faces(maps.background)))
+            others = (faces(item) for item in (maps.diffuse, maps.through_coat, maps.background))
+            textures.load(EnvironmentMaps(maps.exponents, lobes, *others))
             context.finish()
             hits.append(perf_counter() - start)
     textures.release()

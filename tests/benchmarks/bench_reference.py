@@ -27,6 +27,7 @@ NAME = "reference"
 
 
 _raytraced = load_module(Path(__file__).parent / "parts" / "raytraced_figures.py")
+_terminator = load_module(Path(__file__).parent / "parts" / "terminator.py")
 
 #: The sixteen of docs/method/reference.md: from analytic fits of measured paints, and invented.
 DESIGNED = (
@@ -51,6 +52,7 @@ DESIGNED = (
 #: key: (comparison, bound, unit, meaning)
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     **_raytraced.BOUNDS,
+    **_terminator.BOUNDS,
     "designed_de00_mean": (
         "<=",
         1.2,
@@ -106,6 +108,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     ]
     yellow = shared / "brdf" / "vch_golden_yellow_rgb.bsdf"
     keep = Path(os.environ[KEEP]) if KEEP in os.environ else default_root() / "bench_reference"
+    terminator = _terminator.run()
     raytraced = _raytraced.figures(subrange(progress, 0.0, 0.3))
     TABLES.update(_raytraced.TABLES)
     sparkle = sparkle_energy_ratio(subrange(progress, 0.3, 0.4))
@@ -120,6 +123,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
         }
     return {
         **raytraced,
+        **terminator,
         "designed_de00_mean": of_designed["de00_mean"],
         "designed_de00_worst": of_designed["de00_worst"],
         "designed_de00_p99": of_designed["de00_p99"],

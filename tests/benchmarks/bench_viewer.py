@@ -212,7 +212,8 @@ def _maps() -> EnvironmentMaps:
         return CubeFaces(np.broadcast_to(face, (6, size, size, 3)).astype(np.float16))
 
     lobes = tuple(faces(face_size(e)) for e in MAP_EXPONENTS)
-    return EnvironmentMaps(MAP_EXPONENTS, lobes, faces(face_size(1.0)), faces(LARGEST_FACE))
+    diffuse = (faces(face_size(1.0)), faces(face_size(1.0)))
+    return EnvironmentMaps(MAP_EXPONENTS, lobes, *diffuse, faces(LARGEST_FACE))
 
 
 def _weights(paint: Paint) -> MaterialWeights:

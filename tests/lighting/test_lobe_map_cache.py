@@ -21,7 +21,7 @@ from brdf_suite.lighting import lobe_map_cache as cache_module
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
-from brdf_suite.lighting.lobe_map_cache import MapCache, cache_key
+from brdf_suite.lighting.lobe_map_cache import PLAIN, MapCache, cache_key
 
 
 @pytest.fixture
@@ -46,8 +46,8 @@ def count_work(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 def same(one: LobeMaps, other: LobeMaps) -> bool:
     pairs = zip(
-        (one.diffuse, one.background, *one.lobes),
-        (other.diffuse, other.background, *other.lobes),
+        (one.diffuse, one.through_coat, one.background, *one.lobes),
+        (other.diffuse, other.through_coat, other.background, *other.lobes),
         strict=True,
     )
     return one.exponents == other.exponents and all(
@@ -131,7 +131,7 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
     cache = MapCache()
     for index, exponent in enumerate((3.0, 4.0, 5.0)):
         cache.get_or_compute(environment, [exponent])
-        entry = cache.folder / f"{cache_key(environment, [exponent])}.v4.lobemaps"
+        entry = cache.folder / f"{cache_key(environment, [exponent])}.v{PLAIN.version}.lobemaps"
         os.utime(entry, (1000.0 + index, 1000.0 + index))
     size = cache.entries()[0].size
     cache.get_or_compute(environment, [3.0])  # used: now the youngest
@@ -335,12 +335,12 @@ def test_many_at_once_in_a_cache_too_small_for_them(monkeypatch: pytest.MonkeyPa
 
     def made(environment: Environment, exponents: list[float], *_: object) -> LobeMaps:
         rng = np.random.default_rng(int(environment.name))
-        faces = [FaceArray(rng.random((6, 32, 32, 3)).astype(np.float16), 1.0) for _ in range(3)]
-        return LobeMaps((3.0,), (faces[0],), faces[1], faces[2])
+        faces = [FaceArray(rng.random((6, 32, 32, 3)).astype(np.float16), 1.0) for _ in range(4)]
+        return LobeMaps((3.0,), (faces[0],), *faces[1:])
 
     monkeypatch.setattr(cache_module, "prefilter", made)
     environments = [Environment(str(i), np.full((4, 8, 3), i, np.float32)) for i in range(6)]
-    size = 3 * 6 * 32 * 32 * 3 * 2
+    size = 4 * 6 * 32 * 32 * 3 * 2
     caches = [MapCache(limit_bytes=int(2.5 * size)) for _ in range(120)]
 
     def ask(index: int) -> bool:

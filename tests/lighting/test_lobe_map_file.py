@@ -18,8 +18,10 @@ KEY = "ab" * 32
 
 def small_maps() -> LobeMaps:
     rng = np.random.default_rng(4)
-    one, two, three = (FaceArray(rng.random((6, n, n, 3)).astype(np.float16), 2.0**-n) for n in (2, 3, 4))
-    return LobeMaps((3.0, 50.5, 9e4), (two, three, three), one, three)
+    one, two, three, four = (
+        FaceArray(rng.random((6, n, n, 3)).astype(np.float16), 2.0**-n) for n in (2, 3, 4, 5)
+    )
+    return LobeMaps((3.0, 50.5, 9e4), (two, three, three), one, four, three)
 
 
 def decoded(data: bytes, folder: Path, key: str = KEY) -> LobeMaps:
@@ -37,8 +39,8 @@ def test_it_comes_back_as_it_was(tmp_path: Path) -> None:
     maps, back = small_maps(), read_maps(path, KEY)
     assert back.exponents == maps.exponents
     for one, other in zip(
-        (maps.diffuse, maps.background, *maps.lobes),
-        (back.diffuse, back.background, *back.lobes),
+        (maps.diffuse, maps.through_coat, maps.background, *maps.lobes),
+        (back.diffuse, back.through_coat, back.background, *back.lobes),
         strict=True,
     ):
         assert one.scale == other.scale
@@ -63,7 +65,8 @@ def test_damage_in_any_block_of_a_large_map_is_noticed(tmp_path: Path) -> None:
     """Maps of 1.8 MB: changed bits, and two equally long pieces that changed places."""
     rng = np.random.default_rng(5)
     large = FaceArray(rng.random((6, 224, 224, 3)).astype(np.float16), 1.0)
-    whole = b"".join(encode_maps(LobeMaps((3.0,), (large,), small_maps().diffuse, large), KEY))
+    small = small_maps().diffuse
+    whole = b"".join(encode_maps(LobeMaps((3.0,), (large,), small, small, large), KEY))
     np.testing.assert_array_equal(decoded(whole, tmp_path).background.faces, large.faces)
     for at in (len(whole) - 1, len(whole) - 700_000, len(whole) - 1_500_000):
         damaged = bytearray(whole)

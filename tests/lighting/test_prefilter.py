@@ -9,6 +9,7 @@ import pytest
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.geometry.cube_map import texel_directions
+from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import pack_faces
 from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit
@@ -16,6 +17,7 @@ from brdf_suite.lighting.filter.kernels import compilation as compiled
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
 from brdf_suite.lighting.filter.prefilter import background_size, face_size, prefilter
 from brdf_suite.lighting.filter.texel_values import pack_lobe
+from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 
 EXPONENTS = (1.0, 2.0, 3.7, 20.0, 320.0, 3500.0)
 
@@ -41,6 +43,26 @@ def test_error_against_the_double_sum(
     assert np.abs(got[at] - truth).max() <= bound * got.max()
 
 
+@pytest.mark.parametrize("plain", [False, True])
+def test_light_through_a_coat_against_the_double_sum(rough_map: np.ndarray, plain: bool) -> None:
+    """Σ L cos T(cos) over the half sphere, by the share of it that constant light has."""
+    got = LobeFilter(rough_map, plain=plain).through_coat(64)
+    places = np.random.default_rng(6).integers(0, [6, 64, 64], size=(40, 3))
+    brightest = np.unravel_index(got.max(axis=3).argmax(), got.shape[:3])
+    at = tuple(np.vstack([places, brightest]).T)
+    rings, columns = rough_map.shape[:2]
+    towards = direction(ring_angles(rings)[:, None], column_angles(columns)[None]).reshape(-1, 3)
+    weights = np.repeat(fejer_weights(rings) * (2.0 * np.pi / columns), columns)
+    flux = rough_map.reshape(-1, 3).astype(np.float64) * weights[:, None]
+    x, share = np.polynomial.legendre.leggauss(400)
+    cosine = 0.5 * (x + 1.0)
+    whole = np.pi * float((share * cosine * (1.0 - fresnel_dielectric(cosine, 1.5))).sum())
+    for wanted, value in zip(texel_directions(64)[at], got[at], strict=True):
+        cosine = np.maximum(towards @ wanted, 0.0)
+        truth = (cosine * (1.0 - fresnel_dielectric(cosine, 1.5)) / whole) @ flux
+        assert np.abs(value - truth).max() <= 2e-4 * got.max()
+
+
 @pytest.mark.parametrize("rings", [8, 257])
 def test_constant_light_stays_constant(rings: int) -> None:
     white = np.ones((rings, 2 * rings, 3), dtype=np.float32) * np.float32(2.0)
@@ -48,7 +70,7 @@ def test_constant_light_stays_constant(rings: int) -> None:
     for exponent in (1.0, 2.5, 40.0, 900.0, lobe_filter.largest_exponent):
         assert np.abs(lobe_filter.lobe(exponent, 64) - 2.0).max() <= 1e-4 * 2.0
     packed = prefilter(Environment("white", white), [1.0, 40.0, 60000.0])
-    for item in (*packed.lobes, packed.diffuse, packed.background):
+    for item in (*packed.lobes, packed.diffuse, packed.through_coat, packed.background):
         assert np.abs(item.radiance() - 2.0).max() <= 2.0 * 2.0**-11
 
 
@@ -218,7 +240,7 @@ def test_every_real_environment_is_filtered_sensibly(shared_data: Path) -> None:
         environment = Environment(file.stem, read_environment_image(file).pixels)
         maps = prefilter(environment, [8.0, 100.0])
         mean = environment.average()
-        for item in (maps.diffuse, *maps.lobes):
+        for item in (maps.diffuse, maps.through_coat, *maps.lobes):
             values = item.radiance()
             assert np.isfinite(values).all()
             assert values.max() <= environment.radiance.max() * 1.001

@@ -17,7 +17,7 @@ def test_large_maps_are_halved_and_small_ones_stay() -> None:
     large = FaceArray(file[: 6 * 1024 * 1024 * 3].reshape(6, 1024, 1024, 3), 4.0)
     small = FaceArray(file[6 * 1024 * 1024 * 3 :].reshape(6, 64, 64, 3), 0.5)
     light = Environment("x", np.ones((8, 16, 3), np.float32))
-    maps = LobeMaps((5.0, 900.0, 5000.0), (small, large, large), small, large)
+    maps = LobeMaps((5.0, 900.0, 5000.0), (small, large, large), small, small, large)
     found = with_smaller_maps(PreparedEnvironment("x", light, maps, True), 300).maps
     # 256 texels are the least that mip levels are made of, so one halving more than 300 asks for is not done.
     assert [lobe.size for lobe in found.lobes] == [64, 256, 256]

@@ -45,7 +45,9 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
     sheet = MeshPart("sheet", "paint", [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], n, [[0, 1, 2]])
     exponents = (1.0, 8.0, *(e for e in fits[0].weights.exponents if e > 100))
     with OffscreenScene() as scene:
-        scene.renderer.set_environment(EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE))
+        scene.renderer.set_environment(
+            EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE, WHITE)
+        )
         scene.renderer.set_mesh([sheet])
         view = View(Camera(70, 5, distance=2.0, target=(0.0, 0.0, 0.0)))
         pictures = {}

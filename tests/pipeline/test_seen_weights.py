@@ -95,7 +95,9 @@ def test_the_picture_is_as_bright_as_the_paint_and_the_modes_stay_apart(silver) 
     exponents = (1.0, 8.0, 86.5, *(e for e in silver.weights.exponents if e > 100))
     seen = {}
     with OffscreenScene() as scene:
-        scene.renderer.set_environment(EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE))
+        scene.renderer.set_environment(
+            EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE, WHITE)
+        )
         scene.renderer.set_mesh([sheet])
         scene.set_material(silver)
         camera = Camera(70, 0, distance=2.0, target=(0.0, 0.0, 0.0))

@@ -44,7 +44,7 @@ def test_the_default_light_comes_filtered_and_as_the_filter_makes_it(
     assert partial == []
     assert list(tmp_path.iterdir()) == []  # nothing is copied into the user's folder
     fresh = prefilter(shipped.environment, shipped.maps.exponents)
-    mine, others = ((m.diffuse, m.background, *m.lobes) for m in (shipped.maps, fresh))
+    mine, others = ((m.diffuse, m.through_coat, m.background, *m.lobes) for m in (shipped.maps, fresh))
     pairs = {(id(one), id(other)): (one, other) for one, other in zip(mine, others, strict=True)}
     for one, other in pairs.values():
         assert one.scale == other.scale
@@ -61,7 +61,7 @@ def small_maps(*, grey: bool) -> LobeMaps:
     rng = np.random.default_rng(5)
     faces = [rng.random((6, size, size, 1 if grey else 3)).astype(np.float16) for size in (64, 96)]
     one, other = (FaceArray(np.ascontiguousarray(np.broadcast_to(f, (*f.shape[:3], 3))), 0.5) for f in faces)
-    return LobeMaps((1.0, 20.0, 9000.0), (one, other, other), one, other)
+    return LobeMaps((1.0, 20.0, 9000.0), (one, other, other), one, one, other)
 
 
 @pytest.mark.parametrize("grey", [True, False])

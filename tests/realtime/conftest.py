@@ -81,13 +81,13 @@ class Scenes:
         """Constant radiance, each map stored at another scale."""
         exponents = exponents or self.exponents
         faces = np.full((6, size, size, 3), value)
-        maps = [self.cube(faces, 0.5 + i) for i in range(len(exponents) + 2)]
-        return EnvironmentMaps(exponents, tuple(maps[2:]), maps[0], maps[1])
+        maps = [self.cube(faces, 0.5 + i) for i in range(len(exponents) + 3)]
+        return EnvironmentMaps(exponents, tuple(maps[3:]), *maps[:3])
 
     def from_function(self, radiance: Callable[[Floats], Floats], size: int = 64) -> EnvironmentMaps:
         """The same picture in every map: a mirror in each lobe."""
         faces = self.cube(radiance(self.directions(size)))
-        return EnvironmentMaps(self.exponents, (faces,) * len(self.exponents), faces, faces)
+        return EnvironmentMaps(self.exponents, (faces,) * len(self.exponents), faces, faces, faces)
 
     @staticmethod
     def sphere(

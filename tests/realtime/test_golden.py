@@ -54,6 +54,7 @@ def test_materials(renderer, scenes):
         exponents,
         (*(prefiltered(scenes, e, s) for e, s in zip(exponents[:3], (16, 32, 48), strict=True)), sharp),
         prefiltered(scenes, 1.0, 16),
+        prefiltered(scenes, 1.17, 16),
         sharp,
     )
     kdd, kg = np.zeros((4, 3)), np.zeros((4, 3))

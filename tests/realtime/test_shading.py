@@ -138,7 +138,9 @@ def test_lobes_against_quadrature(renderer, scenes):
         return scenes.cube((e + 1) / (2 * np.pi) * integral(scenes.directions(size), e), 2.0)
 
     maps = EnvironmentMaps(
-        exponents, tuple(prefiltered(e, 24) for e in exponents), prefiltered(1.0, 16), prefiltered(1.0, 4)
+        exponents,
+        tuple(prefiltered(e, 24) for e in exponents),
+        *(prefiltered(1.0, size) for size in (16, 16, 4)),
     )
     weights = MaterialWeights(exponents, kd, kdd, kg, coat="none")
     image, cos, n, v = draw(renderer, scenes, maps, weights, replace(VIEW, look_up="paper"))

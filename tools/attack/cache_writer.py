@@ -50,7 +50,7 @@ def maps_of(index: int, size: int) -> LobeMaps:
     """Return maps of ``size`` texels a face side that stand for filtered ones: noise from a fixed seed."""
     rng = np.random.default_rng(1000 + index)
     made = [FaceArray(rng.random((6, size, size, 3)).astype(np.float16), 0.5) for _ in range(4)]
-    return LobeMaps(EXPONENTS, (made[0], made[1]), made[2], made[3])
+    return LobeMaps(EXPONENTS, (made[0], made[1]), made[2], made[2], made[3])
 
 
 def limit(size: int) -> int:
@@ -66,8 +66,8 @@ def entry_path(store: MapCache, index: int) -> Path:
 def same(one: LobeMaps, other: LobeMaps) -> bool:
     """Whether two sets of maps are equal bit by bit."""
     pairs = zip(
-        (one.diffuse, one.background, *one.lobes),
-        (other.diffuse, other.background, *other.lobes),
+        (one.diffuse, one.through_coat, one.background, *one.lobes),
+        (other.diffuse, other.through_coat, other.background, *other.lobes),
         strict=True,
     )
     return one.exponents == other.exponents and all(

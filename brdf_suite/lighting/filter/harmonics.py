@@ -19,15 +19,18 @@ the rings: rings north and south of the equator enter as sum (even k) and differ
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Complexes, Floats
+from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.progress import Progress, report
 
 MAX_BANDLIMIT = 2048
@@ -214,6 +217,8 @@ def synthesise(coefficients: Complexes, cosines: Floats, progress: Progress | No
 SIGMAS = 6.0
 """Bandlimit in units of √n: right to 1e-5 of the sky beside a sun 10⁵ times as bright."""
 
+COAT_IOR = 1.5
+"""Of coats that light crosses. Between n = 1.4 and 1.7 the shape of T over its value at 45° hardly differs."""
 MIN_BANDLIMIT = 32
 BROAD_BANDLIMIT = 255
 """Bandlimit of lobes with a slow tail (small n), and the most that the first, broad pass needs."""
@@ -267,10 +272,48 @@ def largest_exponent(rings: int) -> float:
     return min(float((rings / 4.3) ** 2), (MAX_BANDLIMIT / SIGMAS) ** 2)
 
 
-def lobe_tail(exponent: float, bandlimit: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def lobe_tail(exponent: float, bandlimit: int) -> tuple[Floats, Floats]:
     """Return angles (n,) 0…π and, at each, the unit-gain lobe minus its sum up to ``bandlimit``."""
-    angles = np.linspace(0.0, np.pi, 24 * (bandlimit + 1))
+
+    def lobe(cosine: Floats) -> Floats:
+        return (exponent + 1.0) / (2.0 * np.pi) * cosine**exponent
+
+    return _tail(lobe, lobe_coefficients(exponent, bandlimit))
+
+
+def coat_crossing(cosine: Floats) -> Floats:
+    """Return T over T(45°) at cosines (...) of a coat of the index :data:`COAT_IOR`."""
+    at_fit = 1.0 - float(fresnel_dielectric(math.cos(math.pi / 4.0), COAT_IOR))
+    return np.asarray((1.0 - fresnel_dielectric(cosine, COAT_IOR)) / at_fit)
+
+
+@lru_cache(maxsize=1)
+def coated_coefficients(bandlimit: int) -> Floats:
+    """Return k_l, l = 0…bandlimit, of ``max(0, cosδ)·T(δ)``, scaled to unit gain: of diffuse light through a coat."""
+    cosine, weights = _half_sphere()
+    values = weights * cosine * coat_crossing(cosine)
+    k = np.polynomial.legendre.legvander(cosine, bandlimit).T @ values
+    return np.asarray(k / k[0])
+
+
+@lru_cache(maxsize=1)
+def coated_tail(bandlimit: int) -> tuple[Floats, Floats]:
+    """Return what :func:`lobe_tail` does, of diffuse light through a coat."""
+    cosine, weights = _half_sphere()
+    gain = 2.0 * np.pi * float(weights @ (cosine * coat_crossing(cosine)))
+    return _tail(lambda c: c * coat_crossing(c) / gain, coated_coefficients(bandlimit))
+
+
+def _half_sphere() -> tuple[Floats, Floats]:
+    """Return cosines (n,) 0 to 1 and the weights of their quadrature."""
+    x, weights = np.polynomial.legendre.leggauss(4 * BROAD_BANDLIMIT)
+    return 0.5 * (x + 1.0), 0.5 * weights
+
+
+def _tail(kernel: Callable[[Floats], Floats], coefficients: Floats) -> tuple[Floats, Floats]:
+    """Return angles (n,) 0…π and what a kernel (of cosines ≥ 0) is there above its sum of Legendre coefficients."""
+    angles = np.linspace(0.0, np.pi, 24 * len(coefficients))
     cosine = np.cos(angles)
-    lobe = (exponent + 1.0) / (2.0 * np.pi) * np.maximum(cosine, 0.0) ** exponent
-    terms = lobe_coefficients(exponent, bandlimit) * (2.0 * np.arange(bandlimit + 1) + 1.0) / (4.0 * np.pi)
-    return angles, lobe - np.polynomial.legendre.legval(cosine, terms)
+    terms = coefficients * (2.0 * np.arange(len(coefficients)) + 1.0) / (4.0 * np.pi)
+    whole = kernel(np.maximum(cosine, 0.0))
+    return angles, whole - np.polynomial.legendre.legval(cosine, terms)

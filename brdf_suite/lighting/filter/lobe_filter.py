@@ -7,10 +7,13 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.harmonics import (
     BROAD_BANDLIMIT,
     analyse,
+    coated_coefficients,
+    coated_tail,
     largest_exponent,
     lobe_bandlimit,
     lobe_coefficients,
@@ -99,9 +102,30 @@ class LobeFilter:
             limit = self.largest_exponent
             raise ValueError(f"the exponent must be 0…{limit:.0f} for {self.rings} rings, not {exponent}")
         bandlimit = lobe_bandlimit(exponent)
+        faces = self._convolved(lobe_coefficients(exponent, bandlimit), size, progress, room)
+        if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
+            faces += self._bright_tail(lobe_tail(exponent, bandlimit), size)
+        return faces
+
+    def through_coat(
+        self, size: int, room: NDArray[np.float32] | None = None
+    ) -> NDArray[np.float32] | NDArray[np.float64]:
+        """Return the map of diffuse light through a coat (6, size, size, 3); ``room`` as for :meth:`lobe`."""
+        faces = self._convolved(coated_coefficients(BROAD_BANDLIMIT), size, None, room)
+        faces += self._bright_tail(coated_tail(BROAD_BANDLIMIT), size)
+        return faces
+
+    def _convolved(
+        self,
+        gains: Floats,
+        size: int,
+        progress: Progress | None,
+        room: NDArray[np.float32] | None,
+    ) -> NDArray[np.float32] | NDArray[np.float64]:
+        """Return the environment times ``gains`` (l,) at each degree, (6, size, size, 3)."""
+        bandlimit = len(gains) - 1
         self.analyse(bandlimit, subrange(progress, 0.0, 0.5))
         assert self._coefficients is not None
-        gains = lobe_coefficients(exponent, bandlimit)
         faces: NDArray[np.float32] | NDArray[np.float64]
         if self._kernels is not None:
             faces = self._kernels.cube(self._coefficients, gains, size, subrange(progress, 0.5, 1.0), room)
@@ -112,8 +136,6 @@ class LobeFilter:
             scaled = self._coefficients[: bandlimit + 1, : bandlimit + 1] * of_total[:, :, None]
             cosines = np.cos(ring_angles(rings_for(bandlimit)))
             faces = cube_from_rings(synthesise(scaled, cosines, subrange(progress, 0.5, 0.9)), size)
-        if bandlimit == BROAD_BANDLIMIT and exponent < BROAD_BANDLIMIT / 8.0:
-            faces += self._bright_tail(exponent, bandlimit, size)
         return faces
 
     def background(self, size: int, room: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
@@ -153,10 +175,10 @@ class LobeFilter:
             list(pool.map(fill, range(0, self.rings, _LINES)))
         return orders
 
-    def _bright_tail(self, exponent: float, bandlimit: int, size: int) -> NDArray[np.float64]:
+    def _bright_tail(self, left_out: tuple[Floats, Floats], size: int) -> NDArray[np.float64]:
         """Return what the cut-off left out of the brightest texels' light, (6, size, size, 3)."""
         towards, flux = self._brightest()
-        angles, tail = lobe_tail(exponent, bandlimit)
+        angles, tail = left_out
         texels = texel_directions(size).reshape(-1, 3)
         between = np.arccos(np.clip(texels @ towards.T, -1.0, 1.0))
         # The angles are evenly spaced: no search for the two beside each.

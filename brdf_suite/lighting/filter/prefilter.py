@@ -21,7 +21,7 @@ from brdf_suite.lighting.filter.lobe_filter import LobeFilter, ring_count
 from brdf_suite.lighting.filter.texel_values import pack_background, pack_lobe
 from brdf_suite.progress import Progress, report, subrange
 
-ALGORITHM_VERSION = 4
+ALGORITHM_VERSION = 5
 """Raised with every change of the numbers; part of the cache's key."""
 
 DIFFUSE_EXPONENT = 1.0
@@ -43,6 +43,9 @@ class LobeMaps:
         for the environment share the background's map.
     diffuse
         The map of exponent 1: irradiance over π for the normal in the texel's direction.
+    through_coat
+        The same for light that crosses a coat on its way in, see
+        :func:`~brdf_suite.lighting.filter.harmonics.coated_coefficients`.
     background
         The environment itself.
     """
@@ -50,6 +53,7 @@ class LobeMaps:
     exponents: tuple[float, ...]
     lobes: tuple[FaceArray, ...]
     diffuse: FaceArray
+    through_coat: FaceArray
     background: FaceArray
 
 
@@ -126,6 +130,8 @@ def prefilter(
         lobe_filter.analyse(first if limits[index] <= first else max(limits), subrange(step, 0.0, 0.5))
         faces = lobe_filter.lobe(exponent, face_size(exponent), subrange(step, 0.5, 1.0), room)
         maps[exponent] = pack_lobe(faces)
+        if exponent == DIFFUSE_EXPONENT:
+            through_coat = pack_lobe(lobe_filter.through_coat(face_size(exponent), room))
         report(step, 1.0, f"lobe {exponent:g} is filtered")
         if ready is not None:
             ready(exponent, maps[exponent])
@@ -135,7 +141,7 @@ def prefilter(
                 ready(None, background)
     report(progress, 1.0, "the environment is filtered")
     lobes = tuple(maps.get(exponent, background) for exponent in wanted)
-    return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], background)
+    return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], through_coat, background)
 
 
 class PartialMaps:
@@ -181,4 +187,5 @@ class PartialMaps:
             min(there, key=lambda known: abs(math.log(known[0] / exponent)))[1]
             for exponent in self._exponents
         )
-        return LobeMaps(self._exponents, lobes, self._made[DIFFUSE_EXPONENT], self._background)
+        diffuse = self._made[DIFFUSE_EXPONENT]
+        return LobeMaps(self._exponents, lobes, diffuse, diffuse, self._background)

@@ -20,15 +20,11 @@ from typing import Any, Literal
 import numpy as np
 
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.lighting.filter.harmonics import lobe_coefficients
+from brdf_suite.lighting.filter.harmonics import COAT_IOR, coat_crossing, lobe_coefficients
 from brdf_suite.progress import Progress, report
 
 Target = Literal["plain", "coated", "gloss"]
 TARGETS: tuple[Target, ...] = ("plain", "coated", "gloss")
-
-COAT_IOR = 1.5
-"""Of the coat in ``coated``. Between n = 1.4 and 1.7 the shape of T over its value at 45° hardly differs."""
 
 EXPONENTS: tuple[float, ...] = tuple(float(2.0 ** (i / 2)) for i in range(17))
 ROOTS = 33
@@ -90,7 +86,7 @@ class LeastSquares:
             return np.asarray(lobe)
         lobe = lobe * self.mu[:, None]
         if target == "coated":
-            lobe = lobe * _crossing(self.mu)[:, None]
+            lobe = lobe * coat_crossing(self.mu)[:, None]
         return np.asarray(lobe)
 
     def gain(self, values: Floats) -> tuple[Floats, float]:
@@ -101,12 +97,6 @@ class LeastSquares:
         along = np.einsum("lm,lmt->lt", coefficients, self._at_angles)
         gain: Floats = 2.0 * along.T @ self._weighted - amplitude * self._squares
         return gain, amplitude
-
-
-def _crossing(cosine: Floats) -> Floats:
-    """T over T(45°) of the coat."""
-    at_fit = 1.0 - float(fresnel_dielectric(np.cos(np.pi / 4.0), COAT_IOR))
-    return np.asarray((1.0 - fresnel_dielectric(cosine, COAT_IOR)) / at_fit)
 
 
 def shading_table(progress: Progress | None = None) -> dict[str, Any]:
@@ -129,7 +119,7 @@ def shading_table(progress: Progress | None = None) -> dict[str, Any]:
             rows.append(lobe_row(search, target, exponent, cosines))
         targets[target] = rows
     report(progress, 1.0, "the table is made")
-    gain, amplitude = search.gain(np.tile((search.mu * _crossing(search.mu))[:, None], (1, _PHI)))
+    gain, amplitude = search.gain(np.tile((search.mu * coat_crossing(search.mu))[:, None], (1, _PHI)))
     return {
         "kind": "shading-table",
         "version": 1,

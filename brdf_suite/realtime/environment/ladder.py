@@ -16,10 +16,11 @@ BROADEST_SHARP = 100.0
 
 @dataclass(frozen=True)
 class Ladder:
-    """The exponents of the stack's slices, rising.
+    """The exponents of the stack's slices, rising; after them is the slice of diffuse light through a coat.
 
-    >>> Ladder((1.0, 4.0)).level(2.0)
-    array(0.5)
+    >>> ladder = Ladder((1.0, 4.0))
+    >>> ladder.level(2.0) * ladder.slices
+    array(1.)
     """
 
     exponents: tuple[float, ...]
@@ -28,10 +29,20 @@ class Ladder:
         """Return the texture coordinate (...) of exponents (...): linear in log E between slices, held outside."""
         logs = np.log(self.exponents)
         place = np.interp(np.log(np.asarray(exponent, np.float64)), logs, np.arange(len(logs)))
-        return np.asarray((place + 0.5) / len(logs))
+        return np.asarray((place + 0.5) / self.slices)
+
+    @property
+    def slices(self) -> int:
+        """How many slices the stack has."""
+        return len(self.exponents) + 1
+
+    @property
+    def through_coat(self) -> float:
+        """The texture coordinate of diffuse light through a coat."""
+        return (self.slices - 0.5) / self.slices
 
     @property
     def octave(self) -> float:
         """How much of the texture coordinate doubles an exponent, on average over the slices."""
         octaves = float(np.log2(self.exponents[-1] / self.exponents[0]))
-        return (len(self.exponents) - 1) / len(self.exponents) / octaves if octaves > 0.0 else 0.0
+        return (len(self.exponents) - 1) / self.slices / octaves if octaves > 0.0 else 0.0

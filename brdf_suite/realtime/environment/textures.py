@@ -1,8 +1,8 @@
 """Textures of one environment: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
 
-The stack is a 3-D texture: each slice is the map of one exponent on the octahedral square; between slices the texture
-unit mixes linearly. (OpenGL 3.3 has no arrays of cube maps, and the levels of one cube map force a factor of four
-between exponents.)
+The stack is a 3-D texture: each slice is the map of one exponent on the octahedral square, and the texture unit mixes
+linearly between slices. (OpenGL 3.3 has no arrays of cube maps, and the levels of one cube map force a factor of four
+between exponents.) The last slice is the map of diffuse light through a coat.
 
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
 once. A new environment of the same sizes is written into the textures that are there. Maps of sharp lobes can wait
@@ -39,23 +39,23 @@ class LobeStack:
         self._scale = 1.0
         self.ladder = Ladder((1.0,))
 
-    def load(self, maps: Sequence[tuple[float, CubeFaces]]) -> None:
-        """Make the slices from cube maps by exponent, rising."""
-        size = min(_LARGEST, max(_SMALLEST, round(2.3 * max(faces.size for _, faces in maps)) | 1))
+    def load(self, exponents: Sequence[float], maps: Sequence[CubeFaces]) -> None:
+        """Make the slices from the cube maps of ``exponents``, rising, and the one of diffuse light through a coat."""
+        size = min(_LARGEST, max(_SMALLEST, round(2.3 * max(faces.size for faces in maps)) | 1))
         shape = (size, size, len(maps))
         if self._texture is None or self._texture.size != shape:
             self.release()
             self._texture = self._objects.texture_3d(shape)
-        if {faces.size for _, faces in maps} != set(self._staging):
+        if {faces.size for faces in maps} != set(self._staging):
             self._release_staging()
-        self._scale = max(faces.scale for _, faces in maps)
+        self._scale = max(faces.scale for faces in maps)
         # Slices are drawn into a plain image and copied: a slice cannot be drawn into through moderngl.
         framebuffer, texture = self._target.prepare((size, size), "f2")
         program, screen = self._objects.screen("stack.frag.glsl")
         slices = []
         with graphics_errors(self._objects.context, "loading the broad lobes' maps"):
             self._objects.bind(framebuffer, (size, size))
-            for _, faces in maps:
+            for faces in maps:
                 self._stage(faces).use(0)
                 program["cube"], program["gain"] = 0, faces.scale / self._scale
                 program["last_texel"] = float(size - 1)
@@ -63,7 +63,7 @@ class LobeStack:
                 slices.append(texture.read())
             self._texture.write(b"".join(slices))
         self._objects.counters.texture_uploads += len(slices)
-        self.ladder = Ladder(tuple(exponent for exponent, _ in maps))
+        self.ladder = Ladder(tuple(exponents))
 
     def use(self, unit: int) -> None:
         """Bind the texture."""
@@ -172,7 +172,8 @@ class EnvironmentTextures:
         for place, identity in enumerate(distinct):
             if identity in shared or not self.on_demand:
                 self._written(place)
-        self._stack.load(sorted(broad.items()))
+        rising = sorted(broad)
+        self._stack.load(rising, [*(broad[exponent] for exponent in rising), maps.through_coat])
         places = {identity: place for place, identity in enumerate(distinct)}
         diffuse, background, *others = (_Map(places[id(f.faces)], f.size, f.scale) for f in whole)
         self._diffuse, self._background = diffuse, background

@@ -66,8 +66,8 @@ def make_ramp(
     raised = fresnel != "off" and over_angle is None
     shifted = look_up == "shifted"
     under_coat = shifted and fresnel != "off" and weights.coat == "dielectric" and weights.ior > 1.0
-    # Weights for every angle of the view were fitted to the plain look-ups: they have the coat in them already.
-    under_coat = under_coat and (over_angle is None or over_angle is not weights.by_view)
+    if over_angle is not None and over_angle is weights.by_view:
+        under_coat = over_angle.under_coat
     if over_angle is not None:
         kd, kdd, kg = over_angle.kd, over_angle.kdd, over_angle.kg
     else:
@@ -95,7 +95,7 @@ def make_ramp(
     table = look_up_table()
     under = under_coat
     rows[0, :, :3] = kd * base_gain * (table.diffuse_amplitude if under else np.pi)
-    rows[0, :, 3] = ladder.level(table.diffuse_exponent if under else 1.0)
+    rows[0, :, 3] = ladder.through_coat if under else ladder.level(1.0)
     base_target: Target = "coated" if under else "plain"
     place = 0
     for target, lobes, weight, gain in (

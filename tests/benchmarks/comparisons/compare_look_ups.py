@@ -62,9 +62,9 @@ def sphere(rings: int = 158) -> MeshPart:
     return _ball.ball(RADIUS, rings)
 
 
-def points_of(scene: OffscreenScene, count: int) -> Points:
+def points_of(scene: OffscreenScene, count: int, view: View = VIEW) -> Points:
     """Spread ``count`` pixels evenly over the sphere's disc in the picture."""
-    camera = scene.renderer.camera_matrices(VIEW, SIZE)
+    camera = scene.renderer.camera_matrices(view, SIZE)
     k = np.arange(count) + 0.5
     radius, turn = np.sqrt(k / count) * 0.993, k * np.pi * (1 + 5**0.5)
     half = RADIUS / np.sqrt(camera.eye @ camera.eye - RADIUS**2)
@@ -115,7 +115,7 @@ def table_of(find):
     known = look_up_table()
 
     class Other:
-        diffuse_exponent, diffuse_amplitude = known.diffuse_exponent, known.diffuse_amplitude
+        diffuse_amplitude = known.diffuse_amplitude
 
         @staticmethod
         def find(_target, exponent):

@@ -98,7 +98,7 @@ def factors(*, radial: bool) -> FactoredMaps:
 def dark() -> EnvironmentMaps:
     """Return an environment without light."""
     none = CubeFaces(np.zeros((6, 8, 8, 3), np.float16))
-    return EnvironmentMaps((8.0, 20000.0), (none, none), none, none)
+    return EnvironmentMaps((8.0, 20000.0), (none, none), none, none, none)
 
 
 def _in_turn(context, cases, view, target, progress):

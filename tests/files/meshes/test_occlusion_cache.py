@@ -121,7 +121,7 @@ def test_entries_of_all_kinds_share_one_limit(
 ) -> None:
     maps = folder.parent / "lobe_maps"
     maps.mkdir(parents=True)
-    old, other = maps / f"{'0' * 64}.v4.lobemaps", maps / "a letter.lobemaps"
+    old, other = maps / f"{'0' * 64}.v5.lobemaps", maps / "a letter.lobemaps"
     for path in (old, other):
         path.write_bytes(bytes(4_000_000))
     monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "4")

@@ -128,7 +128,7 @@ def two_lamps(scenes, exponents):
         return scenes.cube(light(scenes.directions(size), e), 1 / 128)
 
     maps = tuple(cube(e, 64 if e < 40 else 96) for e in exponents)
-    return EnvironmentMaps(exponents, maps, cube(1.0, 64), cube(1.0, 8)), light
+    return EnvironmentMaps(exponents, maps, *(cube(1.0, size) for size in (64, 64, 8))), light
 
 
 def test_a_lobe_between_two_slices(renderer, scenes):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -155,7 +157,7 @@ def test_every_number_of_weighted_lobes(renderer, scenes):
     levels = 0.2 + 0.08 * np.arange(10)
     maps = [scenes.cube(np.full((6, 4, 4, 3), level), 0.3 + i) for i, level in enumerate(levels)]
     constant = scenes.constant(1.0, exponents=exponents)
-    renderer.set_environment(type(constant)(exponents, tuple(maps), constant.diffuse, constant.background))
+    renderer.set_environment(replace(constant, lobes=tuple(maps)))
     renderer.set_mesh([scenes.sheet()])
     view = View(Camera(0, 0), tone_curve="linear", look_up="paper")
     rng = np.random.default_rng(1)

@@ -152,8 +152,8 @@ def test_a_map_that_serves_twice_is_uploaded_once(renderer, scenes):
     sharp = scenes.cube(rng.random((6, 8, 8, 3)), 0.25)
     copy = CubeFaces(sharp.faces.copy(), sharp.scale)
     lobes = apart.lobes[:-1]
-    two = EnvironmentMaps(apart.exponents, (*lobes, copy), apart.diffuse, sharp)
-    one = EnvironmentMaps(apart.exponents, (*lobes, sharp), apart.diffuse, sharp)
+    two = EnvironmentMaps(apart.exponents, (*lobes, copy), apart.diffuse, apart.through_coat, sharp)
+    one = EnvironmentMaps(apart.exponents, (*lobes, sharp), apart.diffuse, apart.through_coat, sharp)
     renderer.set_mesh([scenes.sphere()])
     renderer.set_material("paint", scenes.weights(kd=0.2, gloss=0.5, directional=0.2))
     pictures = []
@@ -191,7 +191,7 @@ def test_a_blurred_background_is_seen_through_a_broad_lobe(renderer, scenes):
     exponents, levels = (1.0, 50.0, 80.0, 500.0), (0.1, 0.3, 0.4, 0.8)
     lobes = tuple(scenes.cube(np.full((6, 4, 4, 3), level), 0.5) for level in levels)
     constant = scenes.constant(1.0, exponents=exponents)
-    renderer.set_environment(type(constant)(exponents, lobes, lobes[0], constant.background))
+    renderer.set_environment(replace(constant, lobes=lobes, diffuse=lobes[0]))
     seen = renderer.linear_image(View(background="blurred"), (9, 9))[0, 0, :3]
     assert seen == pytest.approx(np.full(3, 0.3 + 0.1 * np.log(60 / 50) / np.log(80 / 50)), abs=2e-3)
 
