@@ -26,11 +26,11 @@ from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.resources import check_exists, exists, packaged_name, resource, resource_names
 from brdf_suite.surface.mesh import Mesh
 
-STACK_RATIO = 1.5
-"""Between neighbouring slices of the stack: halfway, a mixture of the two errs by 1 % of the lobe's peak."""
+STACK_RATIO = 1.35
+"""Between neighbouring slices of the stack: a mixture of the two errs by .5 % of the lobe's peak at most."""
 
-STACK_EXPONENTS: tuple[float, ...] = tuple(float(STACK_RATIO**i) for i in range(12))
-"""1 (the diffuse map) to 86.5: the broad lobes of the default basis, and what they are looked up as."""
+STACK_EXPONENTS: tuple[float, ...] = tuple(float(STACK_RATIO**i) for i in range(16))
+"""1 (the diffuse map) to 90.2: the broad lobes of the default basis, and what they are looked up as."""
 
 _READING_SHARE, _DRAWING_SHARE = 0.1, 0.3
 _WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
@@ -201,7 +201,7 @@ def map_exponents(basis: LobeBasis | None = None) -> tuple[float, ...]:
 
     >>> from brdf_suite.fitting.lobes.basis import LobeBasis
     >>> map_exponents(LobeBasis((3.0, 500.0)))[-2:]
-    (86.49755859375, 500.0)
+    (90.15..., 500.0)
     """
     sharp = tuple(sorted(e for e in (basis or default_basis()).exponents if e > BROADEST_SHARP))
     return STACK_EXPONENTS + sharp

@@ -15,20 +15,7 @@ from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, constant
 from brdf_suite.realtime.material.ramp import make_ramp
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, WeightsOverAngle
 
-EXPONENTS = (
-    1.0,
-    1.5,
-    2.25,
-    3.375,
-    5.0625,
-    7.59375,
-    11.390625,
-    17.0859375,
-    25.62890625,
-    38.443359375,
-    57.665,
-    86.5,
-)
+EXPONENTS = tuple(1.35**i for i in range(16))
 VIEW = View(Camera(azimuth_deg=20, elevation_deg=10), tone_curve="linear")
 SIZE = (96, 96)
 
@@ -132,7 +119,7 @@ def two_lamps(scenes, exponents):
 
 
 def test_a_lobe_between_two_slices(renderer, scenes):
-    """Against the closed form, at R: 1 % of the lobe's peak on a slice, 2 % between two."""
+    """Against the closed form, at R: 1 % of the lobe's peak on a slice, half a percent more between two."""
     maps, light = two_lamps(scenes, EXPONENTS)
     renderer.set_environment(maps)
     renderer.set_mesh([scenes.sphere(rings=200)])
@@ -140,7 +127,7 @@ def test_a_lobe_between_two_slices(renderer, scenes):
     c = (n * v).sum(-1)
     inner = c > 0.2
     mirror = (2 * c[..., None] * n - v)[inner]
-    for exponent, allowed in ((11.390625, 0.01), (13.9, 0.02), (3.0, 0.02), (70.0, 0.025)):
+    for exponent, allowed in ((EXPONENTS[8], 0.01), (12.8, 0.015), (2.8, 0.015), (76.0, 0.02)):
         got = broad_reflection(renderer, scenes, exponent, "paper")[inner]
         wanted = light(mirror, exponent) * c[inner][:, None]
         peak = (exponent + 1) / (2 * np.pi)
@@ -174,7 +161,7 @@ def test_the_picture_is_continuous_in_the_exponent(renderer, scenes):
     maps, _ = two_lamps(scenes, EXPONENTS)
     renderer.set_environment(maps)
     renderer.set_mesh([scenes.sphere()])
-    exponents = 9.0 * 1.01 ** np.arange(40)  # over the slice at 11.39
+    exponents = 9.0 * 1.01 ** np.arange(40)  # over the slice at 11.03
     pictures = [broad_reflection(renderer, scenes, float(e)) for e in exponents]
     steps = [np.abs(b - a).max() / a.max() for a, b in pairwise(pictures)]
     assert max(steps) < 0.02
@@ -226,10 +213,13 @@ def test_edges_seen_in_the_coat_are_smooth(renderer, scenes):
 
 
 def test_slopes_widen_a_lobe(evaluate):
-    """A lobe of exponent E widened by slopes s is the lobe of E / (1 + 4 s² E)."""
+    """A lobe of exponent E widened by slopes s is the lobe of E / (1 + 4 s² E), to a 25th of a slice.
+
+    The shader moves by octaves; between slices the coordinate is linear in E.
+    """
     ladder = Ladder(tuple(1.5**i for i in range(12)))
     e, s = (g.ravel() for g in np.meshgrid([2.0, 8.0, 40.0, 80.0], [0.0, 0.05, 0.15]))
     x = np.stack([ladder.level(e), e, s, s], 1)
     lost = evaluate("lobe_stack.glsl", "vec4(octaves_lost(x.y, x.z))", x)[:, 0]
     expected = ladder.level(e / (1 + 4 * s**2 * e))
-    np.testing.assert_allclose(ladder.level(e) - ladder.octave * lost, expected, atol=2e-6)
+    np.testing.assert_allclose(ladder.level(e) - ladder.octave * lost, expected, atol=0.04 / ladder.slices)
