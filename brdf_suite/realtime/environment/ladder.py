@@ -19,8 +19,8 @@ class Ladder:
     """The exponents of the stack's slices, rising; after them is the slice of diffuse light through a coat.
 
     >>> ladder = Ladder((1.0, 4.0))
-    >>> ladder.level(2.5) * ladder.slices
-    array(1.)
+    >>> float(ladder.level(2.5)) * ladder.slices
+    1.0
     """
 
     exponents: tuple[float, ...]
