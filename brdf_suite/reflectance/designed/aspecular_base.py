@@ -163,7 +163,7 @@ class BorrowedRule:
 
     Two readings do not determine a curve. They determine how the colour differs from the other light's, so the
     ratio is interpolated over γ and held outside; where the other light's value is next to nothing, the
-    difference is.
+    difference is. Where the two lights meet (:class:`SeveralLights`) they are equal by reciprocity.
     """
 
     rule: Rule
@@ -181,8 +181,16 @@ class BorrowedRule:
         return np.stack(channels, axis=-1)
 
     @classmethod
-    def through(cls, rule: Rule, gamma: Floats, rho: Floats) -> BorrowedRule:
-        """Return the rule through readings ``rho`` (n, 3) at rising ``gamma`` (n,), n ≥ 1."""
+    def through(cls, rule: Rule, gamma: Floats, rho: Floats, meeting: float) -> BorrowedRule:
+        """Return the rule through readings ``rho`` (n, 3) at rising ``gamma`` (n,), n ≥ 1, and equal at ``meeting``.
+
+        A reading that is as near to ``meeting`` as lights are mixed stands for itself.
+        """
         lent = rule(gamma)
         ratio = np.where(lent > 1e-4, rho / np.maximum(lent, 1e-4), 1.0)
-        return cls(rule, gamma, ratio, rho - ratio * lent)
+        offset = rho - ratio * lent
+        if np.abs(gamma - meeting).min() > MEETING:
+            place = int(np.searchsorted(gamma, meeting))
+            ratio, offset = np.insert(ratio, place, 1.0, axis=0), np.insert(offset, place, 0.0, axis=0)
+            gamma = np.insert(gamma, place, meeting)
+        return cls(rule, gamma, ratio, offset)

@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
 _CHANNELS = ("red", "green", "blue")
 # Gloss units: far finer than any reading. A glossy coat settles in one turn, a satin one in a few.
-_SETTLED_GU = 0.01
+_SETTLED_GU = 0.003
 _FULL_TURNS, _MOST_TURNS = 8, 24
 _SAME_ANGLE_DEG = 1e-6
 # The smallest base that is refused as negative; anything nearer to 0 is rounding.
@@ -195,7 +195,7 @@ def _base_under(
         return first, notices
     bases = [first]
     for readings, share in zip(lights[1:], shares[1:], strict=True):
-        base, more = _base_of_light(paint, readings, coat, share, first.rule)
+        base, more = _base_of_light(paint, readings, coat, share, first)
         bases.append(base)
         notices += tuple(f"Light at {readings.illumination_deg:g}°: {notice}" for notice in more)
     bases.sort(key=lambda base: base.illumination)
@@ -203,9 +203,9 @@ def _base_under(
 
 
 def _base_of_light(
-    paint: Paint, readings: _Readings, coat: CoatLobe, share: Floats, lent: Rule | None
+    paint: Paint, readings: _Readings, coat: CoatLobe, share: Floats, lent: AspecularBase | None
 ) -> tuple[AspecularBase, tuple[str, ...]]:
-    """Return the base from one light's readings; fewer than three borrow the rule ``lent`` by another light."""
+    """Return the base from one light's readings; fewer than three borrow the rule of ``lent``, another light's base."""
     left = np.maximum(readings.rho - share, 0.0)
     by_half_vector = paint.out_of_plane == "half_vector"
     light = math.radians(readings.illumination_deg)
@@ -217,8 +217,10 @@ def _base_of_light(
     )
     rule: Rule
     notices: tuple[str, ...]
+    nearest, farthest = float(gamma[0]), float(gamma[-1])
     if lent is not None and len(gamma) < 3:
-        rule, notices = BorrowedRule.through(lent, gamma, joined), ()
+        rule, notices = BorrowedRule.through(lent.rule, gamma, joined, lent.illumination + light), ()
+        farthest = max(farthest, lent.farthest)
     elif tilted is not None:
         rule, notices = tilted, _spread_notice(tilted)
     else:
@@ -228,7 +230,6 @@ def _base_of_light(
         notices += (
             "The tilt of the half vector belongs to the flake rule; here the aspecular angle is used.",
         )
-    nearest, farthest = float(gamma[0]), float(gamma[-1])
     crossing = (coat.ior, by_half_vector, coat.crossing_roughness)
     return AspecularBase(rule, nearest, farthest, paint.near_specular, light, *crossing), notices
 

@@ -8,10 +8,12 @@ import math
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
+from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.rules import squared_tilt, squared_tilt_between
@@ -69,6 +71,19 @@ def test_there_is_no_seam_where_the_lights_cross() -> None:
     for light in (35.0, 45.0, 60.0):
         value = base.eval(illumination(light), aspecular_view(light, gamma))
         assert np.abs(np.diff(value, axis=0)).max() < 0.02 * value.max()
+
+
+@pytest.mark.parametrize("name", ["gold_green_shift", "teal_violet_shift"])
+def test_two_readings_of_a_second_light_leave_no_hump_in_the_first(name: str) -> None:
+    """Where the lights meet, at γ = 60°, what the second one borrows is the first one's by reciprocity."""
+    base = build_paint(load_shipped_paint(name)).base
+    assert isinstance(base, SeveralLights)
+    second, first = base.bases
+    meeting = np.radians(60.0)
+    np.testing.assert_allclose(second.rule(meeting[None]), first.rule(meeting[None]), rtol=1e-9)
+    gamma = np.linspace(45.0, 110.0, 400)
+    luminance = base.eval(illumination(45.0), aspecular_view(45.0, gamma)) @ LUMINANCE
+    assert np.diff(luminance).max() < 0.002 * luminance[0]
 
 
 def test_a_second_light_keeps_the_model_reciprocal() -> None:
