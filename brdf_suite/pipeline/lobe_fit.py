@@ -28,6 +28,7 @@ from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
+from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, HeldOut
@@ -84,6 +85,8 @@ class LobeFit:
     exact
         Where the time limit came first, it gets the fit with the optimum, unless the fitter's next paint comes before
         it; :meth:`with_exact` makes it a fit of this material.
+    weights_by_light
+        For readings under other lights than the fit's: the lobes fitted with each, by its angle in degrees.
     settings
         Those of the fit.
     """
@@ -102,6 +105,7 @@ class LobeFit:
     incidences_deg: tuple[float, ...] = ()
     samples: int = 0
     exact: Future[LayersFit] | None = None
+    weights_by_light: Mapping[float, LobeWeights] = field(default_factory=dict)
     settings: FitSettings = field(default_factory=FitSettings)
 
     @property
@@ -160,7 +164,7 @@ class LobeFit:
             l1_errors=_l1_errors(fit),
             fit_seconds=fit.seconds,
             seconds=self.seconds + fit.seconds - self.fit_seconds,
-            readings=_readings(self.material.paint, fit.weights),
+            readings=_readings(self.material.paint, fit.weights, self.weights_by_light),
             exact=fit.exact,
         )
 
@@ -224,6 +228,7 @@ class PaintFitter:
         self.lobe_fitter = LobeFitter(
             chosen.basis, time_limit_s=time_limit_s, weighting=chosen.weighting, diffuse=chosen.diffuse
         )
+        self._of_other_lights: dict[float, LobeFitter] = {}
 
     @property
     def settings(self) -> FitSettings:
@@ -232,7 +237,8 @@ class PaintFitter:
 
     def close(self) -> None:
         """Drop what is still worked at; a fit whose optimum is to come will not get it."""
-        self.lobe_fitter.close()
+        for fitter in (self.lobe_fitter, *self._of_other_lights.values()):
+            fitter.close()
 
     def fit(self, paint: Paint) -> LobeFit:
         """Return the lobe fit of a paint that is edited.
@@ -263,11 +269,13 @@ class PaintFitter:
             # Lobes know the mirror angle only, not how far light and view are apart.
             notices += (
                 f"The lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; the readings under "
-                "other lights enter the picture by weights fitted for every angle of the view.",
+                "other lights enter the picture by weights fitted for every angle of the view. The error stated at "
+                "such a reading is that of lobes fitted with its light.",
             )
         if kind == "cook_torrance" and weights.ior == 1.0:
             notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
-        readings = _readings(material.paint, weights)
+        by_light = self._weights_by_light(material, layers)
+        readings = _readings(material.paint, weights, by_light)
         return LobeFit(
             material=material,
             kind=kind,
@@ -277,10 +285,35 @@ class PaintFitter:
             fit_seconds=fit.seconds,
             seconds=0.0 if start is None else perf_counter() - start,
             readings=readings,
+            weights_by_light=by_light,
             incidences_deg=(float(np.degrees(weights.theta_fit_rad)),),
             exact=fit.exact,
             settings=self.settings,
         )
+
+    def _weights_by_light(self, material: Material, layers: Layered) -> dict[float, LobeWeights]:
+        """Return the lobes fitted with each other light of the readings, by its angle in degrees."""
+        reflectance, paint = material.reflectance, material.paint
+        if paint is None or not isinstance(reflectance, PaintReflectance):
+            return {}
+        if not isinstance(reflectance.base, SeveralLights):
+            return {}
+        usual = float(np.degrees(self.lobe_fitter.base_samples.theta_rad))
+        others = {m.illumination_deg for m in paint.measurements} - {usual}
+        return {light: self._fitter_at(light).fit(layers).weights for light in sorted(others)}
+
+    def _fitter_at(self, illumination_deg: float) -> LobeFitter:
+        """Return the fitter with the light at another angle, made at its first use."""
+        if illumination_deg not in self._of_other_lights:
+            theta = float(np.radians(illumination_deg))
+            self._of_other_lights[illumination_deg] = LobeFitter(
+                self.settings.basis,
+                time_limit_s=self.lobe_fitter.time_limit_s,
+                base_samples=BaseSamples.at(theta),
+                coat_samples=CoatSamples(theta),
+                weighting=self.settings.weighting,
+            )
+        return self._of_other_lights[illumination_deg]
 
 
 def fit_material(
@@ -382,21 +415,27 @@ def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:
     return {"base": triple(fit.base_error.relative), "coat": triple(fit.coat_error.relative)}
 
 
-@lru_cache(maxsize=16)
-def _directions(geometries: tuple[tuple[float, float], ...]) -> tuple[Floats, Floats]:
-    """wi (n, 3) and wo (n, 3) of readings at illumination and aspecular angles, degrees: the same from edit to edit."""
-    incidence, aspecular = np.array(geometries).T
-    return illumination(incidence), aspecular_view(incidence, aspecular)
-
-
-def _readings(paint: Paint | None, weights: LobeWeights) -> tuple[AngleError, ...]:
+def _readings(
+    paint: Paint | None, weights: LobeWeights, by_light: Mapping[float, LobeWeights]
+) -> tuple[AngleError, ...]:
+    """Return the errors at a paint's readings, each of the lobes that were fitted with its light."""
     if paint is None:
         return ()
     lab = np.array([m.lab for m in paint.measurements])
+    lights = np.array([m.illumination_deg for m in paint.measurements])
     light, view = _directions(tuple((m.illumination_deg, m.aspecular_deg) for m in paint.measurements))
     fitted = working_to_lab(np.pi * weights.eval(light, view))
+    for angle, own in by_light.items():
+        fitted[lights == angle] = working_to_lab(np.pi * own.eval(light, view))[lights == angle]
     difference = delta_e_2000(lab, fitted)
     return tuple(
         AngleError(m.illumination_deg, m.aspecular_deg, m.lab, triple(fitted[i]), float(difference[i]))
         for i, m in enumerate(paint.measurements)
     )
+
+
+@lru_cache(maxsize=16)
+def _directions(geometries: tuple[tuple[float, float], ...]) -> tuple[Floats, Floats]:
+    """wi (n, 3) and wo (n, 3) of readings at illumination and aspecular angles, degrees: the same from edit to edit."""
+    incidence, aspecular = np.array(geometries).T
+    return illumination(incidence), aspecular_view(incidence, aspecular)

@@ -35,7 +35,7 @@ def test_where_readings_are_wanted_another_kind_is_refused(tmp_path: Path) -> No
         load_paint(path)
 
 
-def test_a_fit_says_what_it_leaves_out_of_several_lights() -> None:
+def test_each_reading_is_compared_with_the_lobes_of_its_own_light() -> None:
     labs = {15.0: (62.0, -4.0, -45.0), 45.0: (25.0, 4.0, -38.0), 110.0: (9.0, 8.0, -28.0)}
     one = tuple(Measurement(45.0, angle, lab) for angle, lab in labs.items())
     two = (*one, Measurement(15.0, 45.0, (25.0, 12.0, -37.0)))
@@ -43,4 +43,5 @@ def test_a_fit_says_what_it_leaves_out_of_several_lights() -> None:
     assert fitter.fit(Paint("one", one, Gloss(90.0))).notices == ()
     fitted = fitter.fit(Paint("two", two, Gloss(90.0)))
     assert any("fitted with the light at 45°" in notice for notice in fitted.notices)
-    assert [row.delta_e_2000 < 0.1 for row in fitted.readings] == [True, True, True, False]
+    assert [row.delta_e_2000 < 0.1 for row in fitted.readings] == [True] * 4
+    assert list(fitted.weights_by_light) == [15.0]

@@ -27,6 +27,9 @@ THETA_FIT_RAD = np.pi / 4.0
 BASE_GAMMAS_DEG = (-30.0, -15.0, 0.0, 8.0, 15.0, 20.0, 25.0, 35.0, 45.0, 60.0, 75.0, 92.0, 110.0, 130.0)
 BASE_WEIGHTS = (0.1, 0.3, 0.5, 0.5, 50.0, 1.0, 1.0, 1.0, 50.0, 4.0, 10.0, 4.0, 50.0, 0.3)
 
+#: How high above the horizon a view is that is sampled at another incidence.
+LEAST_ELEVATION_RAD = np.deg2rad(5.0)
+
 #: Rings of the coat: the first, in radians, and the step in log γ; the last lies at or below 90°.
 COAT_FIRST_RING_RAD = 0.001
 COAT_LOG_STEP = 0.4
@@ -56,6 +59,15 @@ class BaseSamples:
         tilt = self.gamma_rad[:, None]
         self.views: Floats = np.cos(tilt) * mirror + np.sin(tilt) * towards_normal
         self.weights = np.array(raw_weights, np.float64)
+
+    @classmethod
+    def at(cls, theta_rad: float) -> BaseSamples:
+        """Return the default samples for light at ``theta_rad``, those left out whose view would lie too low."""
+        lowest = np.degrees(np.pi / 2.0 - LEAST_ELEVATION_RAD)
+        pairs = zip(BASE_GAMMAS_DEG, BASE_WEIGHTS, strict=True)
+        seen = [pair for pair in pairs if abs(np.degrees(theta_rad) - pair[0]) < lowest]
+        gammas, weights = zip(*seen, strict=True)
+        return cls(theta_rad, gammas, weights)
 
     def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(n, m)``: ``(R·V)^E``, 0 where the dot is negative."""
