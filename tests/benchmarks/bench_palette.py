@@ -80,7 +80,7 @@ def run(progress=None):
     from brdf_suite.documents.palette_store import save_palette
     from brdf_suite.progress import report
 
-    made = load_module(Path(__file__).parent / "parts" / "palette_paints.py")
+    made = load_module(Path(__file__).parent / "parts" / "palette" / "paints.py")
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         report(progress, 0.0, "making ten thousand paints")
@@ -99,7 +99,7 @@ def run(progress=None):
 
 def rates():
     """Pictures a second and the processor's time, in a process with the surroundings of the one that draws."""
-    script = Path(__file__).parent / "parts" / "palette_rates.py"
+    script = Path(__file__).parent / "parts" / "palette" / "rates.py"
     done = subprocess.run(
         [sys.executable, str(script), str(DRAWN)],
         capture_output=True,
@@ -152,7 +152,7 @@ def window(file):
     for kept in ("lobe_maps", "occlusion"):
         if (default_root() / kept).is_dir():
             (cache / kept).symlink_to(default_root() / kept)
-    script = Path(__file__).parent / "parts" / "palette_window.py"
+    script = Path(__file__).parent / "parts" / "palette" / "window.py"
     done = subprocess.run(
         [sys.executable, str(script), str(file)],
         capture_output=True,

@@ -12,7 +12,7 @@ from brdf_suite.cli.tools.bench import load_module
 
 
 def main() -> None:
-    made = load_module(Path(__file__).with_name("palette_paints.py"))
+    made = load_module(Path(__file__).with_name("paints.py"))
     with tempfile.TemporaryDirectory() as folder:
         figures, notes = rates(made.paints(int(sys.argv[1]), seed=11), Path(folder))
     sys.stdout.write(json.dumps({"figures": figures, "notes": notes}) + "\n")
