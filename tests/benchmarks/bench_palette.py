@@ -97,18 +97,22 @@ def run(progress=None):
     return {key: found.get(key) for key in BOUNDS}
 
 
-def rates():
-    """Pictures a second and the processor's time, in a process with the surroundings of the one that draws."""
-    script = Path(__file__).parent / "parts" / "palette" / "rates.py"
+def run_part(name, argument, **environment):
+    """Return what a process of this benchmark prints as its last line, a JSON object."""
     done = subprocess.run(
-        [sys.executable, str(script), str(DRAWN)],
+        [sys.executable, str(Path(__file__).parent / "parts" / "palette" / name), argument],
         capture_output=True,
         text=True,
         check=True,
         timeout=600,
-        env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+        env={**os.environ, **environment},
     )
-    reported = json.loads(done.stdout.splitlines()[-1])
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def rates():
+    """Pictures a second and the processor's time, in a process with the surroundings of the one that draws."""
+    reported = run_part("rates.py", str(DRAWN), OPENBLAS_NUM_THREADS="1")
     NOTES.update(reported["notes"])
     return reported["figures"]
 
@@ -152,16 +156,7 @@ def window(file):
     for kept in ("lobe_maps", "occlusion"):
         if (default_root() / kept).is_dir():
             (cache / kept).symlink_to(default_root() / kept)
-    script = Path(__file__).parent / "parts" / "palette" / "window.py"
-    done = subprocess.run(
-        [sys.executable, str(script), str(file)],
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=600,
-        env={**os.environ, "BRDF_SUITE_CACHE": str(cache)},
-    )
-    reported = json.loads(done.stdout.splitlines()[-1])
+    reported = run_part("window.py", str(file), BRDF_SUITE_CACHE=str(cache))
     assert reported["swatches"] >= PAINTS
     return {
         "open_10k_s": reported["open_s"],
