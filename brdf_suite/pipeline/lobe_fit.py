@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Literal
@@ -72,10 +72,8 @@ class LobeFit:
         The time from target samples in memory to weights.
     seconds
         The time from the paint's document to its weights, of a paint that is edited; else 0.
-    readings
-        A designed paint's readings: the document's L*a*b* and what the lobes give.
     angles
-        The same at the usual geometries; empty where they were not evaluated, as on the edit path.
+        Errors at the usual geometries; empty where they were not evaluated, as on the edit path.
     held_out
         Errors where the fit did not look; None where they were not asked for, or there are too few samples.
     incidences_deg
@@ -98,7 +96,6 @@ class LobeFit:
     notices: tuple[str, ...]
     fit_seconds: float
     seconds: float = 0.0
-    readings: tuple[AngleError, ...] = ()
     angles: tuple[AngleError, ...] = ()
     held_out: HeldOut | None = None
     split_determined: bool = True
@@ -146,6 +143,11 @@ class LobeFit:
             return False
         return not self.exact.done() or self.exact.exception() is None
 
+    @cached_property
+    def readings(self) -> tuple[AngleError, ...]:
+        """A designed paint's readings: the document's L*a*b* and what the lobes give. Worked out at the first use."""
+        return _readings(self.material.paint, self.weights, self.weights_by_light)
+
     @property
     def compared(self) -> tuple[AngleError, ...]:
         """A designed paint's readings, of all else the usual geometries that the fit looked at."""
@@ -164,7 +166,6 @@ class LobeFit:
             l1_errors=_l1_errors(fit),
             fit_seconds=fit.seconds,
             seconds=self.seconds + fit.seconds - self.fit_seconds,
-            readings=_readings(self.material.paint, fit.weights, self.weights_by_light),
             exact=fit.exact,
         )
 
@@ -275,7 +276,6 @@ class PaintFitter:
         if kind == "cook_torrance" and weights.ior == 1.0:
             notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
         by_light = self._weights_by_light(material, layers)
-        readings = _readings(material.paint, weights, by_light)
         return LobeFit(
             material=material,
             kind=kind,
@@ -284,7 +284,6 @@ class PaintFitter:
             notices=notices,
             fit_seconds=fit.seconds,
             seconds=0.0 if start is None else perf_counter() - start,
-            readings=readings,
             weights_by_light=by_light,
             incidences_deg=(float(np.degrees(weights.theta_fit_rad)),),
             exact=fit.exact,

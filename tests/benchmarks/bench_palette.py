@@ -13,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 from statistics import median
-from time import perf_counter, process_time
+from time import perf_counter
 
 import numpy as np
 
@@ -80,7 +80,7 @@ def run(progress=None):
     from brdf_suite.documents.palette_store import save_palette
     from brdf_suite.progress import report
 
-    made = load_module(Path(__file__).parent / "parts" / "palette_paints.py")
+    made = load_module(Path(__file__).parent / "parts" / "palette" / "paints.py")
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         report(progress, 0.0, "making ten thousand paints")
@@ -88,7 +88,7 @@ def run(progress=None):
         large = made.palette(PAINTS)
         save_palette(large, file)
         report(progress, 0.05, "drawing pictures")
-        found |= rates(made.paints(DRAWN, seed=11), Path(folder) / "cache")
+        found |= rates()
         report(progress, 0.3, "searching")
         found |= searching(large)
         report(progress, 0.4, "opening and scrolling in Color Swatch")
@@ -97,40 +97,24 @@ def run(progress=None):
     return {key: found.get(key) for key in BOUNDS}
 
 
-def rates(some, folder):
-    """Pictures a second, after the first have loaded light, form and shaders."""
-    from brdf_suite.palettes.swatches.look import SwatchLook
-    from brdf_suite.palettes.swatches.pictures import SwatchPainter
-    from brdf_suite.palettes.swatches.store import SwatchStore
+def run_part(name, argument, **environment):
+    """Return what a process of this benchmark prints as its last line, a JSON object."""
+    done = subprocess.run(
+        [sys.executable, str(Path(__file__).parent / "parts" / "palette" / name), argument],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=600,
+        env={**os.environ, **environment},
+    )
+    return json.loads(done.stdout.splitlines()[-1])
 
-    found = {}
-    with SwatchPainter() as painter:
-        for form, key in (
-            ("sphere", "thumbnails_per_s"),
-            ("panel", "panels_per_s"),
-            ("flop_strip", "strips_per_s"),
-        ):
-            look = SwatchLook(form)
-            # Every kind of paint once: each number of look-ups has a program that is compiled.
-            painter.draw(some[:40], look)
-            passes = []
-            began_cpu = process_time()
-            for _ in range(3):
-                began = perf_counter()
-                pictures = painter.draw(some, look)
-                passes.append(len(some) / (perf_counter() - began))
-            assert all(picture.pixels is not None for picture in pictures)
-            found[key] = max(passes)
-            if form == "sphere":
-                found["thumbnail_cpu_ms"] = 1e3 * (process_time() - began_cpu) / (3 * len(some))
-            NOTES[key] = "best of three passes: " + ", ".join(f"{rate:.0f}" for rate in passes)
-    store = SwatchStore(folder)
-    store.put({picture.key: picture.pixels for picture in pictures})
-    began = perf_counter()
-    assert len(store.get([picture.key for picture in pictures])) == len(pictures)
-    found["kept_ms"] = 1e3 * (perf_counter() - began) / len(pictures)
-    store.close()
-    return found
+
+def rates():
+    """Pictures a second and the processor's time, in a process with the surroundings of the one that draws."""
+    reported = run_part("rates.py", str(DRAWN), OPENBLAS_NUM_THREADS="1")
+    NOTES.update(reported["notes"])
+    return reported["figures"]
 
 
 def searching(large):
@@ -172,16 +156,7 @@ def window(file):
     for kept in ("lobe_maps", "occlusion"):
         if (default_root() / kept).is_dir():
             (cache / kept).symlink_to(default_root() / kept)
-    script = Path(__file__).parent / "parts" / "palette_window.py"
-    done = subprocess.run(
-        [sys.executable, str(script), str(file)],
-        capture_output=True,
-        text=True,
-        check=True,
-        timeout=600,
-        env={**os.environ, "BRDF_SUITE_CACHE": str(cache)},
-    )
-    reported = json.loads(done.stdout.splitlines()[-1])
+    reported = run_part("window.py", str(file), BRDF_SUITE_CACHE=str(cache))
     assert reported["swatches"] >= PAINTS
     return {
         "open_10k_s": reported["open_s"],

@@ -19,7 +19,7 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QObject, QProcess, Qt, Signal
+from PySide6.QtCore import QObject, QProcess, QProcessEnvironment, Qt, Signal
 from PySide6.QtGui import QImage, QPixmap
 
 from brdf_qt.program.translation import tr
@@ -81,6 +81,10 @@ class Pictures(QObject):
         self._tasks = TaskRunner(self, threads=1)
         self._process = QProcess(self)
         self._process.setStandardErrorFile(QProcess.nullDevice())
+        # OpenBLAS's second thread would wait in a loop, on the processor that the window needs.
+        environment = QProcessEnvironment.systemEnvironment()
+        environment.insert("OPENBLAS_NUM_THREADS", "1")
+        self._process.setProcessEnvironment(environment)
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._ended)
         self._process.errorOccurred.connect(self._not_started)

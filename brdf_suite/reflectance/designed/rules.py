@@ -152,21 +152,24 @@ def _root(a: float, b: float, ratio: float) -> float | None:
     """
     target = math.log(ratio)
 
-    def value(u: float) -> float:
-        return math.log(math.expm1(a * u)) - math.log(-math.expm1(-b * u)) - target
+    def value(rising: float, falling: float) -> float:
+        return math.log(rising) - math.log(-falling) - target
 
     low, high = _LOW_U, min(_HIGH_U, 600.0 / a)
-    if value(low) >= 0.0 or value(high) <= 0.0:
+    if value(math.expm1(a * low), math.expm1(-b * low)) >= 0.0:
+        return None
+    if value(math.expm1(a * high), math.expm1(-b * high)) <= 0.0:
         return None
     u = min(high, max(low, math.log1p(ratio) / a))
     for _ in range(60):
-        g = value(u)
+        rising, falling = math.expm1(a * u), math.expm1(-b * u)
+        g = value(rising, falling)
         if g > 0.0:
             high = u
         else:
             low = u
-        # e^(au)/expm1(au) = 1/(1 - e^(-au)), which does not overflow; b/expm1(bu) fades to 0.
-        slope = a / -math.expm1(-a * u) - (b / math.expm1(b * u) if b * u < 700.0 else 0.0)
+        # Both terms by what is known: e^(au)/expm1(au) = 1 + 1/expm1(au), and b/expm1(bu) = -b (1 + 1/expm1(-bu)).
+        slope = a + a / rising + b + b / falling
         following = u - g / slope
         if not low <= following <= high:
             following = 0.5 * (low + high)
