@@ -93,11 +93,13 @@ def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Floats, Flo
     return image[..., :3], image[..., 3]
 
 
-def step(scene: TracedScene, estimate: Estimate | None = None, *, samples: int = 4) -> Estimate:
+def step(
+    scene: TracedScene, estimate: Estimate | None = None, *, samples: int = 4, first_seed: int = 0
+) -> Estimate:
     """Return ``estimate`` with one pass of ``samples`` per pixel more. Errors as :func:`trace_pass`."""
     found = estimate or Estimate.nothing(scene.size)
     start = perf_counter()
-    radiance, coverage = trace_pass(scene, samples, seed=found.passes)
+    radiance, coverage = trace_pass(scene, samples, seed=first_seed + found.passes)
     return found.with_pass(radiance, coverage, samples, perf_counter() - start)
 
 
@@ -117,13 +119,18 @@ def pass_size(size: tuple[int, int], most: int = 4_000_000) -> int:
 
 
 def refine(
-    scene: TracedScene, estimate: Estimate | None = None, *, samples_per_pass: int = 4, samples: int = 0
+    scene: TracedScene,
+    estimate: Estimate | None = None,
+    *,
+    samples_per_pass: int = 4,
+    samples: int = 0,
+    first_seed: int = 0,
 ) -> Iterator[Estimate]:
     """Yield ever better estimates, resuming from ``estimate``; without end, or up to ``samples`` a pixel."""
     found = estimate or Estimate.nothing(scene.size)
     while not samples or found.samples < samples:
         wanted = min(samples_per_pass, samples - found.samples) if samples else samples_per_pass
-        found = step(scene, found, samples=wanted)
+        found = step(scene, found, samples=wanted, first_seed=first_seed)
         yield found
 
 
@@ -134,6 +141,7 @@ def trace(
     seconds: float | None = None,
     samples_per_pass: int | None = None,
     estimate: Estimate | None = None,
+    first_seed: int = 0,
     progress: Progress | None = None,
     kept: Callable[[Estimate], Any] | None = None,
 ) -> Estimate:
@@ -145,6 +153,8 @@ def trace(
         Left out: :func:`pass_size`.
     estimate
         From where to go on; its passes count towards ``samples``.
+    first_seed
+        Of the first pass; the others follow. Estimates whose seeds differ are independent.
     kept
         Called after every pass, so that what is there can be kept.
 
@@ -160,7 +170,7 @@ def trace(
     if samples is not None and before >= samples:
         return found
     size = samples_per_pass or pass_size(scene.size)
-    for newest in refine(scene, found, samples_per_pass=size, samples=samples or 0):
+    for newest in refine(scene, found, samples_per_pass=size, samples=samples or 0, first_seed=first_seed):
         found = newest
         if kept is not None:
             kept(found)

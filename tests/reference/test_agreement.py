@@ -14,8 +14,18 @@ from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError, MissingExtraError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.tracing.agreement import comparison as agreement
-from brdf_suite.tracing.agreement.comparison import LOBES, Order, compare, errors_of, flip_of, summary
+from brdf_suite.tracing.agreement.comparison import (
+    LOBES,
+    Order,
+    class_of,
+    compare,
+    errors_of,
+    flip_of,
+    summary,
+)
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM
 from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
@@ -45,7 +55,7 @@ def test_flip_and_delta_e_of_pictures() -> None:
     brighter = errors_of(np.clip(first + 0.1, 0, 1), first, inside)
     assert brighter.mean > 1.0
     assert brighter.flip > 0.02
-    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.PictureErrors(0.0, 0.0, 0.0)
+    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.PictureErrors(0.0, 0.0, 0.0, 0.0)
 
 
 def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,7 +85,8 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
         assert np.abs(case.pictures[form] - plain).max() > 1e-4, form
     assert 0.0 < case.noise.mean < 2.0
     assert summary([case])["de00_worst"] == pytest.approx(case.errors[DEFAULT_FORM].mean)
-    assert len(list(keep.glob("*.exr"))) == 2
+    assert 0.0 <= case.errors[DEFAULT_FORM].above_10 <= 0.02
+    assert len(list(keep.glob("*.exr"))) == 3  # the paint twice, its lobes once
     # What is kept is not traced again, and the figures are the same.
     traced = passes.trace_pass
     monkeypatch.setattr("brdf_suite.reference.passes.trace_pass", None)
@@ -88,8 +99,8 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
     assert "| number of lobes | 5 lobes |" in text
     assert (tmp_path / "images" / "agreement_designed_sphere.png").stat().st_size > 1000
     # Another surface is distinguished, and so is a paint that is not designed.
-    titles = [title for title, _ in groups([again, replace(again, designed=False)])]
-    assert titles == ["Designed paints on the sphere", "Cook-Torrance and measured paints on the sphere"]
+    titles = [title for title, _ in groups([again, replace(again, kind="scattered")])]
+    assert titles == ["Designed paints on the sphere", "Scattered samples on the sphere"]
     roof = tmp_path / "roof.obj"
     roof.write_text("v -1 0 1\nv 1 0 1\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 2 4 3\nf 4 1 3\n")
     monkeypatch.setattr("brdf_suite.reference.passes.trace_pass", traced)
@@ -116,6 +127,22 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
         "Designed paints on the roof",
     }
     assert set(found["summary"]["Designed paints on the sphere"]) == {DEFAULT_FORM, "Fresnel off"}
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("blue", "designed"),
+        ("solid_yellow", "designed"),
+        ("gold_green_shift", "two-light"),
+        ("satin_blue", "satin"),
+        ("matte_white", "matte"),
+        ("table1_white", "Table 1"),
+        ("cook_torrance", "model"),
+    ],
+)
+def test_each_paint_has_a_class(name: str, kind: str) -> None:
+    assert class_of(fit_material(load_material(name))) == kind
 
 
 def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> None:

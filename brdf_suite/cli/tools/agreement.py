@@ -31,7 +31,7 @@ def add(command: argparse.ArgumentParser) -> None:
             "--forms FORM...": f"ways to draw, of {', '.join(FORMS)} (default: all; of further surfaces "
             f"{DEFAULT_FORM} alone)",
             "--size WxH=128x128": "pixels (default: 128x128)",
-            "--spp N=512": "samples a pixel of the path tracer (default: 512)",
+            "--spp N=512": "samples a pixel of each of the two traces (default: 512)",
             "--lobes": "trace the fitted lobes too: separates the fit's error from the look-up's",
             "--keep FOLDER": "keep what is traced in this folder",
             "-o/--output FILE": "a page (.md) to write; its pictures go into images/ beside it",

@@ -7,8 +7,9 @@ object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve.
 - the fit: the fitted lobes, path-traced, against the paint itself;
 - the look-up: the real-time picture against the fitted lobes, path-traced.
 
-What the path tracer's own noise would give between two of its pictures stands beside them. A surface that shadows
-itself is a case of its own: what baked occlusion misses of shadows and reflections is then part of the error.
+Each truth is the mean of two independent traces; the difference between the two stands beside the errors. A surface
+that shadows itself is a case of its own: what baked occlusion misses of shadows and reflections is then part of the
+error.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +25,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colour.colorimetry import display_to_lab, srgb_encode
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.extras import import_extra
@@ -37,19 +40,68 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, trace
+from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, coarser, fit_for, settings_of
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
 PIXELS_PER_DEGREE = 67.0
+LARGE_DELTA_E = 10.0
+
+PaintClass = Literal[
+    "designed",
+    "two-light",
+    "satin",
+    "matte",
+    "Table 1",
+    "Cook-Torrance",
+    "scattered",
+    "table",
+    "RGL",
+    "factored",
+    "model",
+]
+"""What a paint is to the comparison: each class is reported for itself."""
+SATIN, MATTE = 0.012, 0.05
+"""The least roughness of a satin and of a matte coat."""
+
+
+def class_of(fit: LobeFit) -> PaintClass:
+    """Return the class of a fitted paint."""
+    found = fit.reflectance
+    if isinstance(found, PaintReflectance):
+        if isinstance(found.base, SeveralLights):
+            return "two-light"
+        return "designed" if found.roughness < SATIN else "satin" if found.roughness < MATTE else "matte"
+    kinds: tuple[tuple[type, PaintClass], ...] = (
+        (ScatteredSamples, "scattered"),
+        (IsotropicTable, "table"),
+        (AnisotropicTable, "table"),
+        (TensorReflectance, "RGL"),
+        (Factored, "factored"),
+    )
+    for kind, name in kinds:
+        if isinstance(found, kind):
+            return name
+    if isinstance(fit.material.document, CookTorrancePaint):
+        return "Table 1" if Path(fit.material.origin).stem in TABLE_1 else "Cook-Torrance"
+    return "model"
 
 
 @dataclass(frozen=True)
 class PictureErrors:
-    """ΔE00 over the object's pixels: mean and 99th percentile; and the mean FLIP of them."""
+    """ΔE00 over the object's pixels: mean, 99th percentile and the share above 10; and the mean FLIP of them."""
 
     mean: float
     p99: float
+    above_10: float
     flip: float
 
 
@@ -57,9 +109,10 @@ def errors_of(test: Floats, reference: Floats, inside: NDArray[np.bool_]) -> Pic
     """Return the errors of a picture against another, both encoded sRGB (h, w, 3), where ``inside`` (h, w)."""
     away = delta_e_of(test, reference)[inside]
     if not len(away):
-        return PictureErrors(0.0, 0.0, 0.0)
+        return PictureErrors(0.0, 0.0, 0.0, 0.0)
     flip = flip_of(reference, test)[inside]
-    return PictureErrors(float(away.mean()), float(np.quantile(away, 0.99)), float(flip.mean()))
+    above = float((away > LARGE_DELTA_E).mean())
+    return PictureErrors(float(away.mean()), float(np.quantile(away, 0.99)), above, float(flip.mean()))
 
 
 def flip_of(reference: Floats, test: Floats) -> Floats:
@@ -83,6 +136,7 @@ def delta_e_of(first: Floats, second: Floats) -> Floats:
 
 LOBES = "the fitted lobes, traced"
 _WHOLE = 0.999
+_OTHER_SEED = 100_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,14 +144,14 @@ class Case:
     """One paint in one environment on one surface.
 
     ``errors``: of each form against the paint itself; ``look_up``: of each form against the fitted lobes, where they
-    were traced. ``noise`` is what the path tracer's noise gives. ``pictures``: encoded sRGB (h, w, 3), by form, and
-    ``reference``; ``differences``: ΔE00 (h, w) of the default form. ``designed``: by readings, not measured whole.
+    were traced. ``noise`` is the difference between two independent traces, of whose mean all others are.
+    ``pictures``: encoded sRGB (h, w, 3), by form, and ``reference``; ``differences``: ΔE00 (h, w) of the default form.
     """
 
     paint: str
     environment: str
     surface: str
-    designed: bool
+    kind: PaintClass
     errors: Mapping[str, PictureErrors]
     look_up: Mapping[str, PictureErrors]
     noise: PictureErrors
@@ -109,10 +163,16 @@ class Case:
         """Return the figures as plain values."""
 
         def plain(errors: PictureErrors) -> dict[str, float]:
-            return {"de00_mean": errors.mean, "de00_p99": errors.p99, "flip": errors.flip}
+            return {
+                "de00_mean": errors.mean,
+                "de00_p99": errors.p99,
+                "share_above_10": errors.above_10,
+                "flip": errors.flip,
+            }
 
         return {
             "paint": self.paint,
+            "class": self.kind,
             "environment": self.environment,
             "surface": self.surface,
             "exposure_ev": self.exposure_ev,
@@ -124,7 +184,10 @@ class Case:
 
 @dataclass(frozen=True)
 class Order:
-    """What is to be compared: names or files of paints and environments, and how well; how the lobes are fitted."""
+    """What is to be compared: names or files of paints and environments, and how well; how the lobes are fitted.
+
+    ``samples``: per pixel in each of the two traces.
+    """
 
     paints: Sequence[str]
     environments: Sequence[str]
@@ -139,12 +202,11 @@ class Order:
 
 @dataclass(frozen=True, eq=False)
 class _Truth:
-    """A paint, path-traced: the light of the whole picture (h, w, 3) and what is known of it."""
+    """A paint, path-traced twice: the light of the whole pictures (h, w, 3) and what is known of them."""
 
     fit: LobeFit
     scene: ReferenceScene
-    whole: Floats
-    spread: Floats
+    traces: tuple[Floats, Floats]
     inside: NDArray[np.bool_]
     view: View
     name: str
@@ -222,14 +284,15 @@ def _truth(
     name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
     if order.surface != "sphere":
         name += f"__{Path(order.surface).stem}"
-    found = _traced(order, traced, name, progress)
-    seen = np.concatenate((found.radiance, found.coverage[..., None]), axis=-1)
+    one = _traced(order, traced, name, subrange(progress, 0.0, 0.5))
+    other = _traced(order, traced, f"{name}__2", subrange(progress, 0.5, 1.0), _OTHER_SEED)
+    coverage = 0.5 * (one.coverage + other.coverage)
+    seen = np.concatenate((0.5 * (one.radiance + other.radiance), coverage[..., None]), axis=-1)
     return _Truth(
         fit,
         traced,
-        traced.whole(found),
-        np.sqrt(np.where(np.isfinite(found.variance), found.variance, 0.0)),
-        found.coverage >= _WHOLE,
+        (traced.whole(one), traced.whole(other)),
+        coverage >= _WHOLE,
         replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
         name,
     )
@@ -271,7 +334,8 @@ def _case(
     progress: Progress | None,
 ) -> Case:
     view, inside = truth.view, truth.inside
-    pictures = {"reference": _shown(truth.whole, view), **drawn}
+    one, other = truth.traces
+    pictures = {"reference": _shown(0.5 * (one + other), view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
     look_up: dict[str, PictureErrors] = {}
     if order.lobes:
@@ -281,16 +345,13 @@ def _case(
         pictures[LOBES] = _shown(lobes.whole(found), view)
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
-    # What noise of this size would do to a picture of the same light.
-    rng = np.random.default_rng(1)
-    noisy = truth.whole + truth.spread * rng.normal(size=truth.whole.shape[:2])[..., None]
-    noise = errors_of(_shown(np.maximum(noisy, 0.0), view), pictures["reference"], inside)
+    noise = errors_of(_shown(one, view), _shown(other, view), inside)
     first = order.forms[0]
     return Case(
         paint=truth.fit.name,
         environment=Path(prepared.name).stem,
         surface=Path(order.surface).stem,
-        designed=truth.fit.kind == "designed",
+        kind=class_of(truth.fit),
         errors=errors,
         look_up=look_up,
         noise=noise,
@@ -301,7 +362,7 @@ def _case(
 
 
 def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]:
-    """Return mean ΔE00, the worst paint's mean, the mean of the 99th percentiles, and mean FLIP of a form."""
+    """Return mean ΔE00, the worst paint's mean, the mean of the 99th percentiles, the share above 10, and mean FLIP."""
     by_paint: dict[str, list[float]] = {}
     drawn = [case for case in cases if form in case.errors]
     for case in drawn:
@@ -310,6 +371,7 @@ def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]
         "de00_mean": float(np.mean([case.errors[form].mean for case in drawn])),
         "de00_worst": float(max(np.mean(values) for values in by_paint.values())),
         "de00_p99": float(np.mean([case.errors[form].p99 for case in drawn])),
+        "share_above_10": float(np.mean([case.errors[form].above_10 for case in drawn])),
         "flip": float(np.mean([case.errors[form].flip for case in drawn])),
     }
 
@@ -319,7 +381,9 @@ def _plain(order: Order) -> View:
     return View(surface=order.surface, sparkle=Sparkle(mode="off"))
 
 
-def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:
+def _traced(
+    order: Order, scene: ReferenceScene, name: str, progress: Progress | None, first_seed: int = 0
+) -> Estimate:
     kept = None
     stem = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
     path = None if order.keep is None else order.keep / f"{stem}.exr"
@@ -330,7 +394,12 @@ def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress |
     # Well-spread samples converge faster the more of them there are in a pass; two passes give the noise.
     each = max(4, min(256, order.samples // 2))
     found = trace(
-        scene.traced, samples=order.samples, samples_per_pass=each, estimate=kept, progress=progress
+        scene.traced,
+        samples=order.samples,
+        samples_per_pass=each,
+        estimate=kept,
+        first_seed=first_seed,
+        progress=progress,
     )
     if path is not None:
         write_estimate(path, found, scene.whole(found), scene.key)
