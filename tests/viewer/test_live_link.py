@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QPushButton
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, save_paint, view_from_json
 from brdf_suite.documents.view import Camera
-from brdf_suite.fitting.lobes.highs_model import SolverOutcome
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import load_material
 
@@ -198,14 +198,13 @@ def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbo
     hurried.close()
 
 
-def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> None:
+def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot, monkeypatch) -> None:
     hurried = PaintFitter(time_limit_s=1e-6)
     viewer.controller.paint.fitter = hurried
     cell, section = viewer.window.status.cell("fit"), viewer.window.paint
     with hurried.lobe_fitter.solver.background.lock:
-        hurried.lobe_fitter.solver.model.run = lambda *_: (
-            SolverOutcome.LOST
-        )  # no paint is known that loses it
+        # No paint is known that loses the solver, and those that start afresh.
+        monkeypatch.setattr(BlockSolver, "run", lambda *_: SolverOutcome.LOST)
         viewer.controller.paint.open("copper")
         for tip in (cell.toolTip(), section.fit.toolTip()):
             assert "follows automatically" in tip

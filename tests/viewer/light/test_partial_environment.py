@@ -28,13 +28,13 @@ class HeldAfterFirst:
         self.go_on = threading.Event()
         self.hold = True
 
-    def __call__(self, key: str, progress, *, layout: str, partial) -> PreparedEnvironment:
+    def __call__(self, key: str, progress, *, layout: str, basis, partial) -> PreparedEnvironment:
         def held(value: PreparedEnvironment) -> None:
             partial(value)
             while self.hold and not self.go_on.wait(0.01):
                 report(progress, 0.5, "held")  # raises where it was cancelled
 
-        return load_environment(key, progress, layout=layout, partial=held)
+        return load_environment(key, progress, layout=layout, basis=basis, partial=held)
 
 
 @pytest.fixture
