@@ -19,6 +19,8 @@ path; it takes some tens of fits.
 from __future__ import annotations
 
 import contextlib
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -43,6 +45,7 @@ _MOST_FITS = 16
 _HALVINGS = 18
 _COAT_HALVINGS = 8
 _GLOSS_DIGITS = 1
+_STEPS_FROM_EDGE = 2
 # Coats that are tried for one with which the colours can be: from the glossiest to the dullest.
 _TRIED_ROUGHNESSES = (LOWEST_ROUGHNESS, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.4)
 _MOST_LIFTS = 12
@@ -102,14 +105,34 @@ def nearest_feasible(
     Raises :class:`Cancelled`: the progress callback asked for it.
     """
     report(progress, 0.0, "looking for the nearest paint")
+    found = []
+    for start in _starts(paint):
+        moved = _agreed(paint, start, fitter, tolerance, progress)
+        if moved is not None and moved.worst_delta_e <= _FAR_DELTA_E:
+            return moved
+        found.append(moved)
+    found.append(_under_glossier_coat(paint, fitter, tolerance, progress))
+    offers = [offer for offer in found if offer is not None]
+    return min(offers, key=lambda offer: offer.worst_delta_e, default=None)
+
+
+def _starts(paint: Paint) -> Iterator[Paint]:
+    """Yield the nearest paint that can be; of one with another gloss also some a little further from the gloss asked.
+
+    At the very edge of what can be next to nothing of a dark channel is left to the base, which lobes may not meet.
+    """
     possible = nearest_reachable(paint)
-    moved = None if possible is None else _agreed(paint, possible, fitter, tolerance, progress)
-    if moved is not None and moved.worst_delta_e <= _FAR_DELTA_E:
-        return moved
-    glossier = _under_glossier_coat(paint, fitter, tolerance, progress)
-    if moved is None or glossier is None:
-        return moved or glossier
-    return min(glossier, moved, key=lambda found: found.worst_delta_e)
+    if possible is None:
+        return
+    yield possible
+    gloss, asked = possible.gloss, paint.gloss.gu_20
+    if gloss.gu_20 == asked:
+        return
+    for steps in range(1, _STEPS_FROM_EDGE + 1):
+        away = math.copysign(steps * 10.0**-_GLOSS_DIGITS, gloss.gu_20 - asked)
+        inside = replace(possible, gloss=replace(gloss, gu_20=round(gloss.gu_20 + away, _GLOSS_DIGITS)))
+        if _refusal(inside) is None:
+            yield inside
 
 
 def _agreed(

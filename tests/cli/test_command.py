@@ -18,6 +18,7 @@ from PIL import Image
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
 from brdf_suite.files.images.environments import write_exr
+from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import Material
 from brdf_suite.realtime.environment import textures
@@ -313,8 +314,8 @@ def test_pipes_and_folders_are_no_environment(inside, tmp_path: Path) -> None:
 
 
 def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_path: Path) -> None:
-    def stopped(material: Material) -> LobeFit:
-        found = fit_material(material)
+    def stopped(material: Material, settings: FitSettings) -> LobeFit:
+        found = fit_material(material, settings)
         return replace(found, weights=replace(found.weights, time_limited=True))
 
     monkeypatch.setattr("brdf_suite.output.still.fit_material", stopped)

@@ -220,7 +220,8 @@ def _base_of_light(
     nearest, farthest = float(gamma[0]), float(gamma[-1])
     if lent is not None and len(gamma) < 3:
         rule, notices = BorrowedRule.through(lent.rule, gamma, joined, lent.illumination + light), ()
-        farthest = max(farthest, lent.farthest)
+        # Up to the steepest view that the other light was read at: nearer to grazing a reading would say nothing.
+        farthest = max(farthest, light + lent.farthest - lent.illumination)
     elif tilted is not None:
         rule, notices = tilted, _spread_notice(tilted)
     else:

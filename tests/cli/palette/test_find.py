@@ -51,7 +51,7 @@ def test_the_nearest_are_reported_with_every_angle(palette: Path, capsys: pytest
 
 
 def test_a_table_names_codes_and_groups(palette: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert find("solid_red", "--in", str(palette), "--count", "40") == 0
+    assert find("solid_red", "--in", str(palette), "--count", "60") == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 2 + len(paint_names()) + 1
     assert lines[2].split()[:4] == ["0.00"] * 4

@@ -1,6 +1,6 @@
 """Print how well a simulated camera response is recovered from shorter and poorer series (docs/method/acquisition.md).
 
-python tests/benchmarks/parts/compare_responses.py [--cases N]
+python tests/benchmarks/parts/acquisition/compare_responses.py [--cases N]
 """
 
 from __future__ import annotations
