@@ -9,7 +9,7 @@ from brdf_suite.fitting import LobeBasis, default_basis, log_spaced
 
 def test_default_reaches_from_broad_to_the_coat() -> None:
     basis = default_basis()
-    assert basis.count <= 10
+    assert basis.count <= 11
     assert basis.exponents[0] <= 2.0
     # A coat of 90 gloss units is about E = 125,000; above 116,000 the prefilter's bandlimit ends.
     assert 4e4 <= basis.exponents[-1] <= 116_000.0

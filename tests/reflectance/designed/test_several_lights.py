@@ -86,6 +86,16 @@ def test_two_readings_of_a_second_light_leave_no_hump_in_the_first(name: str) ->
     assert np.diff(luminance).max() < 0.002 * luminance[0]
 
 
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_borrowed_rule_is_held_before_its_own_view_grazes(count: int) -> None:
+    """A view of a light at 15° is at grazing where γ is 105°, and no coat lets anything out there."""
+    base = build_paint(paint_of((45.0, AT_45), (15.0, AT_15[:count]))).base
+    gamma = np.linspace(80.0, 130.0, 501)
+    value = np.pi * base.bases[0].eval(illumination(65.0), aspecular_view(65.0, gamma))
+    assert value.max() < 0.1
+    assert np.abs(np.diff(value, axis=0)).max() < 0.01
+
+
 def test_a_second_light_keeps_the_model_reciprocal() -> None:
     base = build_paint(paint_of((45.0, AT_45), (15.0, AT_15))).base
     random = np.random.default_rng(3)
