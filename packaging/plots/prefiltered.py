@@ -24,6 +24,7 @@ from brdf_suite.pipeline.scene import load_environment
 
 TARGET = Path(__file__).resolve().parents[2] / "docs" / "images" / "prefiltered.png"
 ROWS = 110
+SHARP = "the environment"
 TO_709 = np.array([[1.6605, -0.5876, -0.0728], [-0.1246, 1.1329, -0.0083], [-0.0182, -0.1006, 1.1187]])
 
 
@@ -52,12 +53,13 @@ def main(name: str) -> None:
     """Filter, lay out and save."""
     prepared = load_environment(name)
     maps = prefilter(prepared.environment, default_basis().exponents)
-    tiles = [("the environment", unrolled(maps.background)), ("diffuse, n = 1", unrolled(maps.diffuse))]
+    tiles = [(SHARP, unrolled(maps.background)), ("diffuse, n = 1", unrolled(maps.diffuse))]
     for exponent, item in zip(maps.exponents, maps.lobes, strict=True):
         digits = 1 if exponent < 100.0 else 0
         if item is maps.background:
-            # A lobe sharper than this environment's texels reads the environment itself.
-            tiles[0] = (f"the environment, n = {exponent:,.{digits}f}", tiles[0][1])
+            # Lobes sharper than this environment's texels read the environment itself: the first of them is named.
+            if tiles[0][0] == SHARP:
+                tiles[0] = (f"{SHARP}, n = {exponent:,.{digits}f} and above", tiles[0][1])
         elif item is not maps.diffuse:
             tiles.append((f"n = {exponent:,.{digits}f}, faces of {item.size}²", unrolled(item)))
     exposure = 1.0 / float(np.mean(tiles[1][1]))
