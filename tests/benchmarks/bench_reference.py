@@ -110,7 +110,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 
-SAMPLES, SIZE = 512, (64, 64)
+SAMPLES, SIZE = 1280, (64, 64)
 KEEP = "BRDF_SUITE_REFERENCE_KEEP"
 """A folder, named by this environment variable, where what is traced is kept between runs."""
 

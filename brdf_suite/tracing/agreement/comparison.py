@@ -7,9 +7,9 @@ object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve.
 - the fit: the fitted lobes, path-traced, against the paint itself;
 - the look-up: the real-time picture against the fitted lobes, path-traced.
 
-Each truth is the mean of two independent traces; the difference between the two stands beside the errors. A surface
-that shadows itself is a case of its own: what baked occlusion misses of shadows and reflections is then part of the
-error.
+Each truth is the mean of two independent traces; the difference between the two stands beside the errors. A traced
+pixel is the mean of its light, so the real-time picture is drawn larger and averaged. A surface that shadows itself is
+a case of its own: what baked occlusion misses of shadows and reflections is then part of the error.
 """
 
 from __future__ import annotations
@@ -54,6 +54,9 @@ from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
 PIXELS_PER_DEGREE = 67.0
 LARGE_DELTA_E = 10.0
+FINER = 4
+"""A real-time picture is drawn so many times as large in each direction, and averaged: it shades a pixel at one place,
+so that the edge of a small reflected light would else be compared with the light's share of its pixel."""
 
 PaintClass = Literal[
     "designed",
@@ -320,9 +323,16 @@ def _drawn(
                     continue
                 view = replace(truth.view, **FORMS[form].view)
                 scene.set_material(fit, view=view)
-                linear = scene.renderer.linear_image(view, order.size)
-                drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
+                drawn[paint][form] = _shown(_pixel_means(scene, view, order.size), view)
     return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}
+
+
+def _pixel_means(scene: OffscreenScene, view: View, size: tuple[int, int]) -> Floats:
+    """Return the mean radiance (h, w, 3) of each pixel, which is what a path-traced pixel is."""
+    width, height = size
+    fine = scene.renderer.linear_image(view, (FINER * width, FINER * height))
+    light = np.asarray(fine[..., :3], np.float64).reshape(height, FINER, width, FINER, 3)
+    return np.asarray(light.mean(axis=(1, 3)))
 
 
 def _case(
