@@ -62,7 +62,7 @@ FORMS: Mapping[str, DrawingForm] = MappingProxyType(
         "weights over the angle": DrawingForm("Fresnel", {"fresnel": "multi_angle"}),
         "5 lobes": DrawingForm("number of lobes", lobes=5),
         "7 lobes": DrawingForm("number of lobes", lobes=7),
-        "11 lobes": DrawingForm("number of lobes", lobes=11),
+        "9 lobes": DrawingForm("number of lobes", lobes=9),
         "maps of half the edge": DrawingForm("resolution", halvings=1),
         "maps of a quarter": DrawingForm("resolution", halvings=2),
         "monotone rule": DrawingForm("below 15°", paint={"interpolation": "monotone"}),
