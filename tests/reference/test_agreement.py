@@ -98,6 +98,13 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
     assert "| Copper |" in text
     assert "| number of lobes | 5 lobes |" in text
     assert (tmp_path / "images" / "agreement_designed_sphere.png").stat().st_size > 1000
+    # Where the default form was not drawn, the page judges by the first that was.
+    off = {"Fresnel off": again.errors["Fresnel off"]}
+    write_page(tmp_path / "off.md", [replace(again, errors=off, look_up={})], order)
+    assert (
+        f"The worst paint is Copper, {off['Fresnel off'].mean:.2f} in the mean"
+        in (tmp_path / "off.md").read_text()
+    )
     # Another surface is distinguished, and so is a paint that is not designed.
     titles = [title for title, _ in groups([again, replace(again, kind="scattered")])]
     assert titles == ["Designed paints on the sphere", "Scattered samples on the sphere"]

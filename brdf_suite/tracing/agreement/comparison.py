@@ -373,17 +373,23 @@ def _case(
 
 def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]:
     """Return mean ΔE00, the worst paint's mean, the mean of the 99th percentiles, the share above 10, and mean FLIP."""
-    by_paint: dict[str, list[float]] = {}
     drawn = [case for case in cases if form in case.errors]
-    for case in drawn:
-        by_paint.setdefault(case.paint, []).append(case.errors[form].mean)
     return {
         "de00_mean": float(np.mean([case.errors[form].mean for case in drawn])),
-        "de00_worst": float(max(np.mean(values) for values in by_paint.values())),
+        "de00_worst": worst_paint(drawn, form)[1],
         "de00_p99": float(np.mean([case.errors[form].p99 for case in drawn])),
         "share_above_10": float(np.mean([case.errors[form].above_10 for case in drawn])),
         "flip": float(np.mean([case.errors[form].flip for case in drawn])),
     }
+
+
+def worst_paint(cases: Sequence[Case], form: str = DEFAULT_FORM) -> tuple[str, float]:
+    """Return the paint whose mean ΔE00 over its cases is largest, and that mean; every case was drawn in ``form``."""
+    by_paint: dict[str, list[float]] = {}
+    for case in cases:
+        by_paint.setdefault(case.paint, []).append(case.errors[form].mean)
+    mean, name = max((float(np.mean(values)), name) for name, values in by_paint.items())
+    return name, mean
 
 
 def _plain(order: Order) -> View:

@@ -13,7 +13,14 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.scene import environment_names
-from brdf_suite.tracing.agreement.comparison import LARGE_DELTA_E, Case, Order, PaintClass, summary
+from brdf_suite.tracing.agreement.comparison import (
+    LARGE_DELTA_E,
+    Case,
+    Order,
+    PaintClass,
+    summary,
+    worst_paint,
+)
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
 
 MOST_ROWS = 6
@@ -152,12 +159,12 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
     forms = list(dict.fromkeys(form for case in cases for form in case.errors))
     lines += _by_effect(cases, forms)
     noise = float(np.mean([case.noise.mean for case in cases]))
-    by_paint = {paint: float(np.mean([_first(c) for c in cases if c.paint == paint])) for paint in paints}
-    worst = max(by_paint, key=lambda paint: by_paint[paint])
-    above = 100.0 * summary(cases)["share_above_10"]
+    form = _form(cases[0])
+    worst, mean = worst_paint(cases, form)
+    above = 100.0 * summary(cases, form)["share_above_10"]
     lines += [
         "",
-        f"The two traces differ by a mean ΔE00 of {noise:.2f}. The worst paint is {worst}, {by_paint[worst]:.2f} in "
+        f"The two traces differ by a mean ΔE00 of {noise:.2f}. The worst paint is {worst}, {mean:.2f} in "
         f"the mean; {above:.2f} % of the pixels are above {LARGE_DELTA_E:g}.",
         "",
     ]
@@ -227,8 +234,12 @@ def _against_lobes(cases: Sequence[Case]) -> list[str]:
 
 
 def _first(case: Case) -> float:
-    form = DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
-    return case.errors[form].mean
+    return case.errors[_form(case)].mean
+
+
+def _form(case: Case) -> str:
+    """Return the form that a case is judged by: the default one, where it was drawn."""
+    return DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
 
 
 def _beside(pictures: Sequence[Floats], axis: int) -> Floats:

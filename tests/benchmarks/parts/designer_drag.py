@@ -7,11 +7,13 @@ and no preview is drawn there.
 from __future__ import annotations
 
 import json
-import os
 import sys
-import tempfile
-import uuid
+from pathlib import Path
 from time import perf_counter, thread_time
+
+from brdf_suite.cli.tools.bench import load_module
+
+_session = load_module(Path(__file__).with_name("own_session.py"))
 
 STEPS = 600
 SETTLE_S = 4.0
@@ -22,12 +24,7 @@ SWING_PX = 60
 
 
 def main() -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ.update(
-            QT_QPA_PLATFORM="offscreen",
-            BRDF_SUITE_SETTINGS=folder,
-            BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}",
-        )
+    with _session.own_session(offscreen=True):
         sys.stdout.write(json.dumps(drag()) + "\n")
 
 

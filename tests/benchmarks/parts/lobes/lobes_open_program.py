@@ -7,19 +7,20 @@ in three dimensions.
 from __future__ import annotations
 
 import json
-import os
 import sys
-import tempfile
-import uuid
+from pathlib import Path
 from time import perf_counter, process_time
+
+from brdf_suite.cli.tools.bench import load_module
+
+_session = load_module(Path(__file__).parents[1] / "own_session.py")
 
 SETTLE_S = 60.0
 SIZE = (1400, 900)
 
 
 def main(path: str, runs: int) -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ.update(BRDF_SUITE_SETTINGS=folder, BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}")
+    with _session.own_session():
         sys.stdout.write(json.dumps(openings(path, runs)) + "\n")
 
 

@@ -10,15 +10,16 @@ time of the window's thread, which other programs do not lengthen.
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
-import tempfile
-import uuid
+from pathlib import Path
 from time import perf_counter, thread_time
 
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import Material, load_material
+
+_session = load_module(Path(__file__).parents[1] / "own_session.py")
 
 STEPS = 300
 SIZE = (1400, 900)
@@ -32,13 +33,7 @@ def measure() -> dict[str, float]:
 
 
 def main() -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ.update(
-            QT_QPA_PLATFORM="offscreen",
-            BRDF_SUITE_SETTINGS=folder,
-            BRDF_SUITE_CACHE=folder,
-            BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}",
-        )
+    with _session.own_session(offscreen=True, own_cache=True):
         sys.stdout.write(json.dumps(drag()) + "\n")
 
 

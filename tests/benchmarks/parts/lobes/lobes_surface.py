@@ -14,11 +14,13 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
-import uuid
+from pathlib import Path
 from time import perf_counter, thread_time
 
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.pipeline.material import Material
+
+_session = load_module(Path(__file__).parents[1] / "own_session.py")
 
 STEPS = 200
 WARM_UP = 10
@@ -57,12 +59,7 @@ def run(progress=None):
 
 
 def main() -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ.update(
-            BRDF_SUITE_SETTINGS=folder,
-            BRDF_SUITE_CACHE=folder,
-            BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}",
-        )
+    with _session.own_session(own_cache=True):
         sys.stdout.write(json.dumps(figures()) + "\n")
 
 

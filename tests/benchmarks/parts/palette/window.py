@@ -9,10 +9,12 @@ from __future__ import annotations
 import json
 import os
 import sys
-import tempfile
-import uuid
 from pathlib import Path
 from time import perf_counter, sleep, thread_time
+
+from brdf_suite.cli.tools.bench import load_module
+
+_session = load_module(Path(__file__).parents[1] / "own_session.py")
 
 STEPS = 400
 BETWEEN_S = 0.03
@@ -23,12 +25,7 @@ PATIENCE_S = 120.0
 
 
 def main() -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        os.environ.update(
-            QT_QPA_PLATFORM="offscreen",
-            BRDF_SUITE_SETTINGS=folder,
-            BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}",
-        )
+    with _session.own_session(offscreen=True):
         found = measure(Path(sys.argv[1]))
     sys.stdout.write(json.dumps(found) + "\n")
 
