@@ -231,7 +231,8 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
         part = share.reshape(share.shape + (1,) * (table.ndim - 1))
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 
-    return WeightsOverAngle(mixed(weights.kd), mixed(weights.kdd), mixed(weights.kg))
+    kdd = mixed(weights.kdd)
+    return WeightsOverAngle(mixed(weights.kd), kdd, mixed(weights.kg), np.zeros(kdd.shape))
 
 
 def material_weights(

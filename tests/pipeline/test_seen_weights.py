@@ -53,6 +53,16 @@ class Sheen:
         return value[..., None] * np.array([1.0, 0.5, 0.1])
 
 
+class Tape:
+    """A reflectance that sends light back to where it comes from, yellow on grey; reciprocal."""
+
+    def eval(self, wi, wo):
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
+        back = np.maximum((wi * wo).sum(axis=-1), 0.0) ** 30
+        return np.where(above, 1.0, 0.0)[..., None] * (0.05 + back[..., None] * np.array([0.6, 0.4, 0.0]))
+
+
 def directional(reflectance, cosine: float) -> np.ndarray:
     """What constant light of 1 sends to a view (3,)."""
     return white_furnace(reflectance, [-np.sqrt(1.0 - cosine**2), 0.0, cosine])
@@ -62,7 +72,7 @@ def returned(weights, exponents, place: int) -> np.ndarray:
     """What the weights bring back of constant light of 1, (3,), by the amplitudes of their look-ups."""
     total = np.pi * weights.kd[place]
     for lobe, exponent in enumerate(exponents):
-        for target, part in (("plain", weights.kdd), ("gloss", weights.kg)):
+        for target, part in (("plain", weights.kdd), ("gloss", weights.kg), ("plain", weights.back)):
             if part[place, lobe].any():
                 total = total + part[place, lobe] * look_up_table().find(target, exponent).amplitude[place]
     return total
@@ -204,12 +214,17 @@ def sphere_error(fit, scene) -> float:
 def test_a_paint_read_under_two_lights_looks_as_its_reflectance(sphere) -> None:
     """Fitted at one incidence alone, as designed paints are, gold-green misses by 7.6 and teal-violet by 6.1."""
     for paint in ("gold_green_shift", "teal_violet_shift"):
-        assert sphere_error(fit_material(load_material(paint)), sphere) < 2.0
+        assert sphere_error(fit_material(load_material(paint)), sphere) < 0.8
 
 
 def test_scattered_samples_look_as_their_reflectance(silver, sphere) -> None:
     """Fitted at one incidence alone they miss by 3.5."""
     assert sphere_error(fit_material(Material("scattered", as_samples(silver.reflectance))), sphere) < 2.0
+
+
+def test_what_sends_light_back_looks_as_its_reflectance(sphere) -> None:
+    """With lobes about the mirror direction alone it misses by 4.9."""
+    assert sphere_error(fit_material(Material("tape", Tape())), sphere) < 0.5
 
 
 def test_found_once_and_in_a_window_on_a_thread(silver) -> None:

@@ -40,16 +40,14 @@ class MirrorHarmonics:
     """Rings about R with quadrature weights, and the transform from their values to coefficients.
 
     ``gamma`` (rings,) angles from R, ``azimuth`` (48,) in 0 … π, from the normal's side; functions are even about
-    the plane of incidence.
+    the plane of incidence. Without ``sharp`` there are a third of the rings, and the broad degrees alone.
     """
 
-    def __init__(self) -> None:
-        edges = np.concatenate(
-            (
-                _PEAK_EDGES,
-                np.arange(_PEAK_EDGES[-1] + _SHARP_STEP, _SHARP_EDGE + 1e-9, _SHARP_STEP),
-            )
-        )
+    def __init__(self, sharp: bool = True) -> None:
+        edges = np.zeros(1)
+        if sharp:
+            fine = np.arange(_PEAK_EDGES[-1] + _SHARP_STEP, _SHARP_EDGE + 1e-9, _SHARP_STEP)
+            edges = np.concatenate((_PEAK_EDGES, fine))
         edges = np.concatenate((edges, np.linspace(edges[-1], np.pi, _BROAD_PANELS + 1)[1:]))
         x, w = np.polynomial.legendre.leggauss(_POINTS)
         half = 0.5 * np.diff(edges)
@@ -62,13 +60,15 @@ class MirrorHarmonics:
         power = np.sqrt(typical_power(SHARP_DEGREES))
         self._root_power: Floats = power
         broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, self.gamma)
-        sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, self.gamma)[BROAD_DEGREES + 1 :]
         self._broad: Floats = broad * area * power[: BROAD_DEGREES + 1, None, None]
-        near = _fading(self.gamma)
-        self._near = int(np.count_nonzero(near))
-        sharp = sharp * (area * near) * power[BROAD_DEGREES + 1 :, None, None]
-        self._sharp: Floats = np.ascontiguousarray(sharp[..., : self._near])
         self._norm = norm
+        near = _fading(self.gamma) if sharp else np.zeros(0)
+        self._near = int(np.count_nonzero(near))
+        self._sharp: Floats = np.zeros((0, SHARP_ORDERS + 1, 0))
+        if sharp:
+            values = _legendre(SHARP_DEGREES, SHARP_ORDERS, self.gamma)[BROAD_DEGREES + 1 :]
+            values = values * (area * near) * power[BROAD_DEGREES + 1 :, None, None]
+            self._sharp = np.ascontiguousarray(values[..., : self._near])
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -87,13 +87,16 @@ class MirrorHarmonics:
         )
 
     def analyse(self, values: Floats) -> Floats:
-        """Return the coefficients (k, 3) of values (rings, 48, 3), times √C_l; the first is that of the mean."""
+        """Return the coefficients (k, c) of values (rings, 48, c), times √C_l; the first is that of the mean."""
         orders = np.tensordot(self._cosines, values, axes=(0, 1))
         broad = np.einsum("lmg,mgc->lmc", self._broad, orders, optimize=True)
+        channels = values.shape[-1]
+        if not self._near:
+            return np.asarray(broad.reshape(-1, channels))
         sharp = np.einsum(
             "lmg,mgc->lmc", self._sharp, orders[: SHARP_ORDERS + 1, : self._near], optimize=True
         )
-        return np.concatenate((broad.reshape(-1, 3), sharp.reshape(-1, 3)))
+        return np.concatenate((broad.reshape(-1, channels), sharp.reshape(-1, channels)))
 
     def lobes(self, towards_normal: Floats, exponents: Floats) -> Floats:
         """Return the coefficients (k, n) of unit-gain lobes of ``exponents`` (n,), times √C_l.
@@ -107,16 +110,18 @@ class MirrorHarmonics:
         sign = np.where(towards_normal[None] < 0.0, (-1.0) ** np.arange(len(self._norm))[:, None], 1.0)
         turned = sign * self._norm[:, None]
         broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, angle) * turned * k[: BROAD_DEGREES + 1, None]
+        count = len(exponents)
+        if not self._near:
+            return np.asarray(broad.reshape(-1, count))
         sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, angle)[BROAD_DEGREES + 1 :]
         sharp = sharp * turned[: SHARP_ORDERS + 1] * k[BROAD_DEGREES + 1 :, None]
-        count = len(exponents)
         return np.concatenate((broad.reshape(-1, count), sharp.reshape(-1, count)))
 
 
-@lru_cache(maxsize=1)
-def mirror_harmonics() -> MirrorHarmonics:
-    """Return the one set of rings; made when first asked for (0.1 s)."""
-    return MirrorHarmonics()
+@lru_cache(maxsize=2)
+def mirror_harmonics(sharp: bool = True) -> MirrorHarmonics:
+    """Return the rings for what has sharp lobes, or has none; made when first asked for (0.1 s)."""
+    return MirrorHarmonics(sharp)
 
 
 def _fading(gamma: Floats) -> Floats:

@@ -39,7 +39,8 @@ class Ramp:
     """Ramp rows ``rows`` (n, 64, 4) float32 and their meaning.
 
     ``base`` and ``coat`` are the numbers of broad look-ups; ``toward_normal`` (base + coat, 4) holds b's three
-    coefficients and the lobe's exponent; ``sharp`` are the exponents of the sharp lobes.
+    coefficients and the lobe's exponent, negative where the direction is b N - R, about the view; ``sharp`` are the
+    exponents of the sharp lobes.
     """
 
     rows: NDArray[np.float32]
@@ -69,27 +70,31 @@ def make_ramp(
     if over_angle is not None and over_angle is weights.by_view:
         under_coat = over_angle.under_coat
     if over_angle is not None:
-        kd, kdd, kg = over_angle.kd, over_angle.kdd, over_angle.kg
+        kd, kdd, kg, back = over_angle.kd, over_angle.kdd, over_angle.kg, over_angle.back
     else:
         kd, kdd, kg = weights.kd[None], weights.kdd[None], weights.kg[None]
+        back = np.zeros(kdd.shape)
     base_gain, gloss_gain = _gains(weights, under_coat) if raised else (np.ones((1, 1)), np.ones((1, 3)))
 
     exponents = np.asarray(weights.exponents)
     solid = 2.0 * np.pi / (exponents + 1.0)
     by_base = solid * kdd.max(axis=(0, 2))
     by_gloss = solid * kg.max(axis=(0, 2))
-    least = NEGLIGIBLE * (np.pi * float(kd.max()) + float(by_base.sum()) + float(by_gloss.sum()))
+    by_back = solid * back.max(axis=(0, 2))
+    lobes_reflect = float(by_base.sum()) + float(by_gloss.sum()) + float(by_back.sum())
+    least = NEGLIGIBLE * (np.pi * float(kd.max()) + lobes_reflect)
     broad = exponents <= BROADEST_SHARP
     base_lobes = np.flatnonzero(broad & (by_base > least))
+    back_lobes = np.flatnonzero(broad & (by_back > least))
     gloss_lobes = np.flatnonzero(broad & (by_gloss > least))
+    count = len(base_lobes) + len(back_lobes) + len(gloss_lobes)
     sharp_lobes = np.flatnonzero(~broad & (by_base + by_gloss > least))
-    if len(base_lobes) + len(gloss_lobes) > MAX_BROAD or len(sharp_lobes) > MAX_SHARP:
+    if count > MAX_BROAD or len(sharp_lobes) > MAX_SHARP:
         raise GraphicsError(
-            f"A material has weights on {len(base_lobes) + len(gloss_lobes)} broad and {len(sharp_lobes)} sharp lobes; "
-            f"at most {MAX_BROAD} and {MAX_SHARP} are drawn. Choose a basis of fewer lobes."
+            f"A material has weights on {count} broad and {len(sharp_lobes)} sharp lobes; at most "
+            f"{MAX_BROAD} and {MAX_SHARP} are drawn. Choose a basis of fewer lobes."
         )
 
-    count = len(base_lobes) + len(gloss_lobes)
     rows = np.zeros((1 + MAX_SHARP + max(count, _WRITTEN), RAMP_NODES, 4))
     toward = np.zeros((count, 4))
     table = look_up_table()
@@ -98,9 +103,10 @@ def make_ramp(
     rows[0, :, 3] = ladder.through_coat if under else ladder.level(1.0)
     base_target: Target = "coated" if under else "plain"
     place = 0
-    for target, lobes, weight, gain in (
-        (base_target, base_lobes, kdd, base_gain),
-        ("gloss", gloss_lobes, kg, gloss_gain),
+    for target, lobes, weight, gain, is_back in (
+        (base_target, base_lobes, kdd, base_gain, False),
+        (base_target, back_lobes, back, base_gain, True),
+        ("gloss", gloss_lobes, kg, gloss_gain, False),
     ):
         for lobe in lobes:
             amplitude, level, direction = _look_up(target, float(exponents[lobe]), shifted, ladder)
@@ -109,6 +115,8 @@ def make_ramp(
             row[:, 3] = level
             toward[place, :3] = direction
             toward[place, 3] = exponents[lobe]
+            if is_back:  # R + b N mirrored about N: 2 c N - R + b N
+                toward[place] += (0.0, 2.0, 0.0, -2.0 * exponents[lobe])
             place += 1
     for place, lobe in enumerate(sharp_lobes, 1):
         exponent = float(exponents[lobe])
@@ -119,7 +127,7 @@ def make_ramp(
         )
     return Ramp(
         rows.astype(np.float32),
-        len(base_lobes),
+        len(base_lobes) + len(back_lobes),
         len(gloss_lobes),
         toward.astype(np.float32),
         tuple(exponents[sharp_lobes].tolist()),

@@ -7,7 +7,8 @@
 //         + sum KDD_i 2 pi/(E_i+1) P_i(R) (N.R)                equation 7: the light direction is taken as R
 //         + sum KG_i  2 pi/(E_i+1) P_i(R)                      equation 8
 // or, with direction, exponent and amplitude of the look-ups from a table (docs/method/shading.md),
-//         + sum KDD_i A_i(c) P_e(R + b_i(c) N),  e = e_i(c)    and so on.
+//         + sum KDD_i A_i(c) P_e(R + b_i(c) N),  e = e_i(c)    and so on,
+//         + sum BACK_i A_i(c) P_e(V + b_i(c) N)                light that is sent back, V = 2 c N - R
 // Weights, amplitudes, exponents and Fresnel's gains depend on c alone: the ramp of a material has them over the root
 // of c, a row for each look-up (material/ramp.py). What differs between the modes are its numbers.
 //
@@ -22,13 +23,13 @@
 uniform samplerCube sharp_maps[SHARP];
 uniform vec3 sharp_lobes[SHARP];        // scale of the map, log2(texels per radian), exponent
 
-// Where a broad lobe is looked up: between R and N, not normalized. In the paper's form at R.
+// Where a broad lobe is looked up: between R and N, or V and N, not normalized. In the paper's form at R.
 vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
 {
 #ifdef LOOK_UP_PAPER
     return r;
 #else
-    return r + (b.x + c * (b.y + c * b.z)) * n;
+    return sign(b.w) * r + (b.x + c * (b.y + c * b.z)) * n;
 #endif
 }
 
@@ -68,8 +69,8 @@ vec3 reflected_radiance(SurfacePoint p)
     for (int k = 0; k < FIRST_LOOK_UPS; ++k)
     {
         row = ramp_row(x, 1 + MAX_SHARP + k);
-        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), WIDENED(row.a, broad[k].w))
-            ARRIVES(c, broad[k].w);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), WIDENED(row.a, abs(broad[k].w)))
+            ARRIVES(c, abs(broad[k].w));
     }
 #ifdef COAT_RELIEF
     // The coat stands otherwise than the base.
@@ -80,8 +81,8 @@ vec3 reflected_radiance(SurfacePoint p)
     for (int k = look_ups.x; k < look_ups.y; ++k)
     {
         row = ramp_row(x, 1 + MAX_SHARP + k);
-        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), widened(row.a, broad[k].w, p.coat_spread))
-            ARRIVES(c, broad[k].w);
+        radiance += row.rgb * broad_light(looked_at(r, n, c, broad[k]), widened(row.a, abs(broad[k].w), p.coat_spread))
+            ARRIVES(c, abs(broad[k].w));
     }
 #endif
     // How far the mirror direction turns from pixel to pixel, in radians; in texels of a map it is 2^level times as

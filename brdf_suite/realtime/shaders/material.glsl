@@ -15,7 +15,8 @@ layout(std140) uniform Material
     ivec4 look_ups;            // x: broad lobes of the base, y: those and the coat's, z: sharp lobes
     vec4 coat;                 // x: COAT_*, y: index of refraction, z: 1 / F(theta_fit), w: 1 / T(theta_fit)^2
     vec4 gloss_albedo;         // rgb: sum of the gloss weights; a: 1 / (largest of them), the limit of the gain
-    vec4 broad[MAX_BROAD];     // xyz: how far N draws a look-up from R, over 1, c, c^2, c = N.V; w: exponent of the lobe
+    vec4 broad[MAX_BROAD];     // xyz: how far N draws a look-up from R, over 1, c, c^2, c = N.V; w: exponent of the lobe,
+                               // negative where the look-up is drawn from -R
 };
 
 // Which share of base and gloss is seen at the view angle theta, relative to the incidence of the fit.
