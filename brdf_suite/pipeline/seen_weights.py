@@ -22,7 +22,7 @@ import threading
 import weakref
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from brdf_suite.realtime.values import WeightsOverAngle
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.lighting.filter.mirror_harmonics import MirrorHarmonics
 
 PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 """The nodes of the ramp at which weights are fitted; between them they are mixed."""
@@ -61,9 +64,10 @@ _DIFFUSE = _Column(None, 0)
 
 
 class _Layer(NamedTuple):
-    """What of a reflectance is fitted by itself: its values f_r (..., c), and the columns it is fitted with."""
+    """What of a reflectance is fitted by itself: its values f_r (..., c), on which rings, and with which columns."""
 
     eval: Callable[[Floats, Floats], Floats]
+    sphere: MirrorHarmonics
     columns: tuple[_Column, ...]
 
 
@@ -72,8 +76,9 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
 
     Raises :class:`FittingError`: a value is negative or not finite; the message says where.
     """
-    # No paint that is edited needs this; it would add 15 ms to the start of the Viewer.
+    # No paint that is edited needs these; they would add 15 ms to the start of the Viewer.
     from brdf_suite.fitting.lobes.measured_samples import differs_with_azimuth
+    from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     broad = [lobe for lobe, exponent in enumerate(exponents) if exponent <= BROADEST_SHARP]
     under_coat = isinstance(reflectance, PaintReflectance) and reflectance.ior > 1.0
@@ -81,11 +86,12 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
         # By itself, because it outshines the base.
         coat = _coat_weights(reflectance.coat, exponents)
         target: Target = "coated" if under_coat else "plain"
-        layer = _Layer(reflectance.base.eval, (_DIFFUSE, *(_Column(target, lobe) for lobe in broad)))
+        columns = (_DIFFUSE, *(_Column(target, lobe) for lobe in broad))
+        layer = _Layer(reflectance.base.eval, mirror_harmonics(sharp=False), columns)
     else:
         coat = np.zeros((RAMP_NODES, len(exponents), 3))
         lobes = (_Column("plain", lobe, back) for back in (False, True) for lobe in broad)
-        layer = _Layer(reflectance.eval, (_DIFFUSE, *lobes, *_gloss(exponents)))
+        layer = _Layer(reflectance.eval, mirror_harmonics(), (_DIFFUSE, *lobes, *_gloss(exponents)))
     room = MOST_BROAD - int(np.count_nonzero(coat[:, broad].any(axis=(0, 2))))
     turns = _TURNS if differs_with_azimuth(reflectance) else 1
     found = _fitted(layer, exponents, under_coat, turns, room)
@@ -99,7 +105,10 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
 @lru_cache(maxsize=16)
 def _coat_weights(coat: CoatLobe, exponents: tuple[float, ...]) -> Floats:
     """Return the weights (64, m, 3) of a clearcoat; an edit of the colour does not change them."""
-    layer = _Layer(lambda wi, wo: coat.eval_grey(wi, wo)[..., None], _gloss(exponents))
+    from brdf_suite.lighting.filter.mirror_harmonics import COAT_ORDERS, mirror_harmonics
+
+    sphere = mirror_harmonics(orders=COAT_ORDERS)
+    layer = _Layer(lambda wi, wo: coat.eval_grey(wi, wo)[..., None], sphere, _gloss(exponents))
     return np.repeat(_fitted(layer, exponents, True, 1, MOST_BROAD), 3, axis=2)
 
 
@@ -110,31 +119,25 @@ def _gloss(exponents: tuple[float, ...]) -> tuple[_Column, ...]:
 
 def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns: int, room: int) -> Floats:
     """Return the weights (64, columns, c) of a layer, of whose broad columns at most ``room`` are kept."""
-    from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
-
-    sphere = mirror_harmonics(any(exponents[c.lobe] > BROADEST_SHARP for c in layer.columns))
-    systems = _systems(exponents, layer.columns, under_coat, sphere.lobes)
-    squares, products, targets, means = [], [], [], []
-    for place, system in zip(PLACES, systems, strict=True):
-        cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
-        wanted = sphere.analyse(_gathered(layer, sphere.lights(cosine), cosine, turns))
-        # What is dark at its angle counts as much as what is bright at another.
-        brightness = max(float((wanted**2).sum(axis=0).mean()), 1e-300)
-        squares.append(system.T @ system / brightness)
-        products.append(system.T @ wanted / brightness)
-        targets.append((wanted**2).sum(axis=0) / brightness)
-        means.append((system[0], wanted[0]))
+    sphere = layer.sphere
+    systems, squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
+    cosines = np.maximum(RAMP_COSINES[list(PLACES)], _LOWEST_COSINE).tolist()
+    wanted = sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in cosines]))
+    targets = (wanted**2).sum(axis=1)
+    # What is dark at its angle counts as much as what is bright at another.
+    scale = 1.0 / np.maximum(targets.mean(axis=1), 1e-300)
+    products = systems.transpose(0, 2, 1) @ wanted
     broad = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] <= BROADEST_SHARP]
     sharp = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] > BROADEST_SHARP]
     found = chained_weights(
-        np.array(squares),
-        np.array(products),
-        np.array(targets),
+        squares * scale[:, None, None],
+        products * scale[:, None, None],
+        targets * scale[:, None],
         (ColumnGroup(broad, room), ColumnGroup(sharp, MOST_SHARP)),
     )
-    for weights, (of_columns, mean) in zip(found, means, strict=True):
-        weights *= mean / np.maximum(of_columns @ weights, 1e-300)
-    return _on_the_ramp(found)
+    # The first coefficient is that of the mean.
+    returned = systems[:, :1] @ found
+    return _on_the_ramp(found * (wanted[:, :1] / np.maximum(returned, 1e-300)))
 
 
 @lru_cache(maxsize=4)
@@ -143,14 +146,15 @@ def _systems(
     columns: tuple[_Column, ...],
     under_coat: bool,
     lobes: Callable[[Floats, Floats], Floats],
-) -> list[Floats]:
-    """Return for each of the places the coefficients (k, columns) of all look-ups, which no reflectance changes."""
+) -> tuple[Floats, Floats]:
+    """Return the coefficients A (places, k, columns) of all look-ups, which no reflectance changes, and AᵀA."""
     found = []
     for place in PLACES:
         cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
         turned, sharpness, amplitude = _look_ups(columns, exponents, place, cosine, under_coat)
         found.append(lobes(turned, sharpness) * amplitude)
-    return found
+    systems = np.stack(found)
+    return systems, systems.transpose(0, 2, 1) @ systems
 
 
 def _look_ups(
@@ -179,7 +183,7 @@ def _look_ups(
 
 
 def _gathered(layer: _Layer, lights: Floats, cosine: float, turns: int) -> Floats:
-    """Return f_r·(N·ω) (rings, azimuths, c) for the view at -x."""
+    """Return f_r·(N·ω) (rings, azimuths, c) of a layer for the view at -x."""
     view = np.array([-np.sqrt(1.0 - cosine * cosine), 0.0, cosine])
     above = lights[..., 2] > 0.0
     wi = lights[above]

@@ -20,7 +20,7 @@ def test_a_lobe_by_its_values_is_the_lobe_by_its_formula(turned: float, exponent
     sine = np.sqrt(0.75)
     direction = np.cos(turned) * np.array([sine, 0.0, 0.5]) + np.sin(turned) * np.array([-0.5, 0.0, sine])
     values = (exponent + 1.0) / (2.0 * np.pi) * np.maximum(lights @ direction, 0.0) ** exponent
-    found = sphere.analyse(values[..., None] * [1.0, 2.0, 0.0])
+    (found,) = sphere.analyse(values[None, ..., None] * [1.0, 2.0, 0.0])
     wanted = sphere.lobes(np.array([turned]), np.array([exponent]))[:, 0]
     assert np.abs(found[:BROAD, 0] - wanted[:BROAD]).max() < 2e-4 * np.abs(wanted).max()
     assert np.abs(found[BROAD:, 0] - wanted[BROAD:]).max() < 5e-4 * np.abs(wanted).max()
@@ -36,7 +36,7 @@ def test_rings_are_a_whole_sphere_about_the_mirror_direction() -> None:
     np.testing.assert_allclose(lights @ mirrored, np.cos(sphere.gamma)[:, None] * np.ones(48), atol=1e-12)
     # The first coefficient is the mean's; N·ω above the horizon holds π.
     cosine = np.maximum(lights[..., 2:], 0.0).repeat(3, axis=-1)
-    assert sphere.analyse(cosine)[0, 0] * np.sqrt(4.0 * np.pi) == pytest.approx(np.pi, rel=1e-3)
+    assert sphere.analyse(cosine[None])[0, 0, 0] * np.sqrt(4.0 * np.pi) == pytest.approx(np.pi, rel=1e-3)
 
 
 def test_the_squared_length_is_the_error_in_typical_light() -> None:

@@ -24,7 +24,8 @@ from brdf_suite.lighting.filter.shading_table import typical_power
 BROAD_DEGREES = 48
 SHARP_DEGREES = 320
 SHARP_ORDERS = 4
-AZIMUTHS = 48
+COAT_ORDERS = 24
+"""Orders that a clearcoat's peak has, but for the narrow ellipse at grazing of one that is nearly smooth."""
 
 #: Panels of rings about R: narrow where peaks are, then so that a sharp degree turns once in five rings, as far as
 #: there is anything sharp; beyond, for the broad degrees.
@@ -39,11 +40,12 @@ _TAPER = (0.3, 0.6)
 class MirrorHarmonics:
     """Rings about R with quadrature weights, and the transform from their values to coefficients.
 
-    ``gamma`` (rings,) angles from R, ``azimuth`` (48,) in 0 … π, from the normal's side; functions are even about
-    the plane of incidence. Without ``sharp`` there are a third of the rings, and the broad degrees alone.
+    ``gamma`` (rings,) angles from R, ``azimuth`` (azimuths,) in 0 … π, from the normal's side; functions are even
+    about the plane of incidence. Without ``sharp`` there are less than half the rings, and the broad degrees alone.
+    ``orders`` is the highest that is looked at; there are a third more azimuths, 48 at most.
     """
 
-    def __init__(self, sharp: bool = True) -> None:
+    def __init__(self, sharp: bool = True, orders: int = BROAD_DEGREES) -> None:
         edges = np.zeros(1)
         if sharp:
             fine = np.arange(_PEAK_EDGES[-1] + _SHARP_STEP, _SHARP_EDGE + 1e-9, _SHARP_STEP)
@@ -52,31 +54,33 @@ class MirrorHarmonics:
         x, w = np.polynomial.legendre.leggauss(_POINTS)
         half = 0.5 * np.diff(edges)
         self.gamma: Floats = (edges[:-1, None] + half[:, None] * (1.0 + x)).ravel()
-        self.azimuth: Floats = (np.arange(AZIMUTHS) + 0.5) * np.pi / AZIMUTHS
+        azimuths = min(orders * 4 // 3, 48)
+        self.azimuth: Floats = (np.arange(azimuths) + 0.5) * np.pi / azimuths
         area = (half[:, None] * w).ravel() * np.sin(self.gamma)
-        orders = np.arange(BROAD_DEGREES + 1)
-        norm = np.where(orders == 0, 1.0, np.sqrt(2.0))
-        self._cosines: Floats = np.cos(np.outer(self.azimuth, orders)) * (2.0 * np.pi / AZIMUTHS * norm)
+        order = np.arange(orders + 1)
+        norm = np.where(order == 0, 1.0, np.sqrt(2.0))
+        self._cosines: Floats = np.cos(np.outer(self.azimuth, order)) * (2.0 * np.pi / azimuths * norm)
         power = np.sqrt(typical_power(SHARP_DEGREES))
         self._root_power: Floats = power
-        broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, self.gamma)
-        self._broad: Floats = broad * area * power[: BROAD_DEGREES + 1, None, None]
+        broad = _legendre(BROAD_DEGREES, orders, self.gamma)
+        broad = broad * area * power[: BROAD_DEGREES + 1, None, None]
+        self._broad: Floats = np.ascontiguousarray(broad.transpose(1, 0, 2))
         self._norm = norm
         near = _fading(self.gamma) if sharp else np.zeros(0)
         self._near = int(np.count_nonzero(near))
-        self._sharp: Floats = np.zeros((0, SHARP_ORDERS + 1, 0))
+        self._sharp: Floats = np.zeros((0, 0, 0))
         if sharp:
             values = _legendre(SHARP_DEGREES, SHARP_ORDERS, self.gamma)[BROAD_DEGREES + 1 :]
             values = values * (area * near) * power[BROAD_DEGREES + 1 :, None, None]
-            self._sharp = np.ascontiguousarray(values[..., : self._near])
+            self._sharp = np.ascontiguousarray(values[..., : self._near].transpose(1, 0, 2))
 
     @property
     def shape(self) -> tuple[int, int]:
         """Rings and azimuths."""
-        return len(self.gamma), AZIMUTHS
+        return len(self.gamma), len(self.azimuth)
 
     def lights(self, cosine: float) -> Floats:
-        """Return the directions (rings, 48, 3) for a view at -x whose N·V is ``cosine``: R lies at +x."""
+        """Return the directions (rings, azimuths, 3) for a view at -x whose N·V is ``cosine``: R lies at +x."""
         sine = float(np.sqrt(max(1.0 - cosine * cosine, 0.0)))
         mirrored = np.array([sine, 0.0, cosine])
         towards_normal = np.array([-cosine, 0.0, sine])
@@ -87,16 +91,21 @@ class MirrorHarmonics:
         )
 
     def analyse(self, values: Floats) -> Floats:
-        """Return the coefficients (k, c) of values (rings, 48, c), times √C_l; the first is that of the mean."""
-        orders = np.tensordot(self._cosines, values, axes=(0, 1))
-        broad = np.einsum("lmg,mgc->lmc", self._broad, orders, optimize=True)
-        channels = values.shape[-1]
-        if not self._near:
-            return np.asarray(broad.reshape(-1, channels))
-        sharp = np.einsum(
-            "lmg,mgc->lmc", self._sharp, orders[: SHARP_ORDERS + 1, : self._near], optimize=True
-        )
-        return np.concatenate((broad.reshape(-1, channels), sharp.reshape(-1, channels)))
+        """Return the coefficients (n, k, c) of n functions' values (n, rings, azimuths, c), times √C_l.
+
+        The first coefficient is that of the mean.
+        """
+        count, rings, _, channels = values.shape
+        orders = np.einsum("ngac,am->mgnc", values, self._cosines, optimize=True)
+        orders = orders.reshape(-1, rings, count * channels)
+        broad = np.zeros((BROAD_DEGREES + 1, len(self._broad), count * channels))
+        for order, degrees in enumerate(self._broad):
+            broad[order:, order] = degrees[order:] @ orders[order]
+        sharp = np.zeros((len(self._sharp), self._sharp.shape[1], count * channels))
+        for order, degrees in enumerate(self._sharp):
+            sharp[order] = degrees @ orders[order, : self._near]
+        found = np.concatenate((broad.reshape(-1, count, channels), sharp.reshape(-1, count, channels)))
+        return np.ascontiguousarray(np.moveaxis(found, 1, 0))
 
     def lobes(self, towards_normal: Floats, exponents: Floats) -> Floats:
         """Return the coefficients (k, n) of unit-gain lobes of ``exponents`` (n,), times √C_l.
@@ -109,19 +118,19 @@ class MirrorHarmonics:
         # A direction beyond R lies at the azimuth π, where odd orders change their sign.
         sign = np.where(towards_normal[None] < 0.0, (-1.0) ** np.arange(len(self._norm))[:, None], 1.0)
         turned = sign * self._norm[:, None]
-        broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, angle) * turned * k[: BROAD_DEGREES + 1, None]
+        broad = _legendre(BROAD_DEGREES, len(self._norm) - 1, angle) * turned * k[: BROAD_DEGREES + 1, None]
         count = len(exponents)
         if not self._near:
             return np.asarray(broad.reshape(-1, count))
         sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, angle)[BROAD_DEGREES + 1 :]
-        sharp = sharp * turned[: SHARP_ORDERS + 1] * k[BROAD_DEGREES + 1 :, None]
+        sharp = (sharp * turned[: SHARP_ORDERS + 1] * k[BROAD_DEGREES + 1 :, None]).transpose(1, 0, 2)
         return np.concatenate((broad.reshape(-1, count), sharp.reshape(-1, count)))
 
 
-@lru_cache(maxsize=2)
-def mirror_harmonics(sharp: bool = True) -> MirrorHarmonics:
+@lru_cache(maxsize=3)
+def mirror_harmonics(sharp: bool = True, orders: int = BROAD_DEGREES) -> MirrorHarmonics:
     """Return the rings for what has sharp lobes, or has none; made when first asked for (0.1 s)."""
-    return MirrorHarmonics(sharp)
+    return MirrorHarmonics(sharp, orders)
 
 
 def _fading(gamma: Floats) -> Floats:
