@@ -64,7 +64,7 @@ class MirrorHarmonics:
         self._root_power: Floats = power
         broad = _legendre(BROAD_DEGREES, orders, self.gamma)
         broad = broad * area * power[: BROAD_DEGREES + 1, None, None]
-        self._broad: Floats = np.ascontiguousarray(broad.transpose(1, 0, 2))
+        self._broad = [_some_rings(broad[m:, m]) for m in range(orders + 1)]
         self._norm = norm
         near = _fading(self.gamma) if sharp else np.zeros(0)
         self._near = int(np.count_nonzero(near))
@@ -99,8 +99,8 @@ class MirrorHarmonics:
         orders = np.einsum("ngac,am->mgnc", values, self._cosines, optimize=True)
         orders = orders.reshape(-1, rings, count * channels)
         broad = np.zeros((BROAD_DEGREES + 1, len(self._broad), count * channels))
-        for order, degrees in enumerate(self._broad):
-            broad[order:, order] = degrees[order:] @ orders[order]
+        for order, (some, degrees) in enumerate(self._broad):
+            broad[order:, order] = degrees @ orders[order, some]
         sharp = np.zeros((len(self._sharp), self._sharp.shape[1], count * channels))
         for order, degrees in enumerate(self._sharp):
             sharp[order] = degrees @ orders[order, : self._near]
@@ -131,6 +131,14 @@ class MirrorHarmonics:
 def mirror_harmonics(sharp: bool = True, orders: int = BROAD_DEGREES) -> MirrorHarmonics:
     """Return the rings for what has sharp lobes, or has none; made when first asked for (0.1 s)."""
     return MirrorHarmonics(sharp, orders)
+
+
+def _some_rings(values: Floats) -> tuple[slice, Floats]:
+    """Return where on the rings values (degrees, rings) are not next to nothing, and those."""
+    size = np.abs(values).max(axis=0)
+    there = np.flatnonzero(size > 1e-9 * size.max())
+    some = slice(int(there[0]), int(there[-1]) + 1)
+    return some, np.ascontiguousarray(values[:, some])
 
 
 def _fading(gamma: Floats) -> Floats:
