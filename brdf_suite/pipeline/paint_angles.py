@@ -23,7 +23,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
-from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, TURNS
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -232,7 +232,7 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 
     kdd = mixed(weights.kdd)
-    return WeightsOverAngle(mixed(weights.kd), kdd, mixed(weights.kg), np.zeros(kdd.shape))
+    return WeightsOverAngle(mixed(weights.kd), kdd, mixed(weights.kg), np.zeros((len(TURNS), *kdd.shape)))
 
 
 def material_weights(

@@ -8,21 +8,26 @@ a paint read under several lights has another colour at each of them.
 
 So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as
 the renderer's table has them, and the measure is the error in typical light
-(``lighting/filter/mirror_harmonics.py``). What is not a designed paint also gets lobes about the view, the mirror
-images of the others about N, for light that is sent back. The coat of a designed paint is fitted by itself, since its
-reflection is so much brighter than the base that errors of the base would not count. In the end all weights of an
-angle are scaled such that constant light comes back as it should. Of the lobes at most six broad and four sharp ones
-are kept, what the renderer has written-out programs for.
+(``lighting/filter/mirror_harmonics.py``). What is not a designed paint also gets lobes about the view, for light that
+is sent back, and lobes beside the mirror direction in the plane of incidence, for what is wider there than across it.
+
+A reflection as in a mirror is so much brighter than all else that errors of the rest would not count, but there is
+not always a light to be reflected. So coat and base of a designed paint are fitted by themselves, and of what is not
+divided the light from away from the mirror direction counts as much as all light.
+
+In the end all weights of an angle are scaled such that constant light comes back as it should. Of the lobes at most
+eight broad and four sharp ones are kept, what the renderer has written-out programs for.
 """
 
 from __future__ import annotations
 
 import logging
+import math
 import threading
 import weakref
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, get_args
 
 import numpy as np
 
@@ -31,7 +36,15 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.checks import check_targets
 from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
-from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
+from brdf_suite.realtime.environment.look_up_table import (
+    RAMP_COSINES,
+    RAMP_NODES,
+    TURNS,
+    Target,
+    Turn,
+    direction,
+    look_up_table,
+)
 from brdf_suite.realtime.values import WeightsOverAngle
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -43,7 +56,7 @@ if TYPE_CHECKING:
 PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 """The nodes of the ramp at which weights are fitted; between them they are mixed."""
 
-MOST_BROAD, MOST_SHARP = 6, 4
+MOST_BROAD, MOST_SHARP = 8, 4
 _LOWEST_COSINE = 1e-3
 #: Turns of the surface over which what differs with its azimuth is averaged.
 _TURNS = 8
@@ -53,21 +66,21 @@ _log = logging.getLogger(__name__)
 
 
 class _Column(NamedTuple):
-    """A look-up: of KD at N (``target`` None), of a lobe times N·L or of a lobe alone; ``back``: about V, not R."""
+    """A look-up: of KD at N (``target`` None), of a lobe times N·L, where the table says or turned, or alone."""
 
     target: Target | None
     lobe: int
-    back: bool = False
+    turn: Turn = "unturned"
 
 
 _DIFFUSE = _Column(None, 0)
 
 
 class _Layer(NamedTuple):
-    """What of a reflectance is fitted by itself: its values f_r (..., c), on which rings, and with which columns."""
+    """What of a reflectance is fitted by itself: its values f_r (..., c), in which measures, and with which columns."""
 
     eval: Callable[[Floats, Floats], Floats]
-    sphere: MirrorHarmonics
+    measures: tuple[MirrorHarmonics, ...]
     columns: tuple[_Column, ...]
 
 
@@ -87,19 +100,22 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
         coat = _coat_weights(reflectance.coat, exponents)
         target: Target = "coated" if under_coat else "plain"
         columns = (_DIFFUSE, *(_Column(target, lobe) for lobe in broad))
-        layer = _Layer(reflectance.base.eval, mirror_harmonics(sharp=False), columns)
+        layer = _Layer(reflectance.base.eval, (mirror_harmonics(sharp=False),), columns)
     else:
         coat = np.zeros((RAMP_NODES, len(exponents), 3))
-        lobes = (_Column("plain", lobe, back) for back in (False, True) for lobe in broad)
-        layer = _Layer(reflectance.eval, mirror_harmonics(), (_DIFFUSE, *lobes, *_gloss(exponents)))
+        lobes = (_Column("plain", lobe, turn) for turn in get_args(Turn) for lobe in broad)
+        measures = (mirror_harmonics(), mirror_harmonics(sharp=False, away=True))
+        layer = _Layer(reflectance.eval, measures, (_DIFFUSE, *lobes, *_gloss(exponents)))
     room = MOST_BROAD - int(np.count_nonzero(coat[:, broad].any(axis=(0, 2))))
     turns = _TURNS if differs_with_azimuth(reflectance) else 1
     found = _fitted(layer, exponents, under_coat, turns, room)
-    kd, kdd, kg, back = found[:, 0], np.zeros(coat.shape), coat.copy(), np.zeros(coat.shape)
+    kdd, kg, elsewhere = np.zeros(coat.shape), coat.copy(), np.zeros((len(TURNS), *coat.shape))
     for k, column in enumerate(layer.columns[1:], 1):
-        part = back if column.back else kg if column.target == "gloss" else kdd
+        part = kg if column.target == "gloss" else kdd
+        if column.turn != "unturned":
+            part = elsewhere[TURNS.index(column.turn)]
         part[:, column.lobe] = found[:, k]
-    return WeightsOverAngle(kd, kdd, kg, back, under_coat)
+    return WeightsOverAngle(found[:, 0], kdd, kg, elsewhere, under_coat)
 
 
 @lru_cache(maxsize=16)
@@ -108,7 +124,7 @@ def _coat_weights(coat: CoatLobe, exponents: tuple[float, ...]) -> Floats:
     from brdf_suite.lighting.filter.mirror_harmonics import COAT_ORDERS, mirror_harmonics
 
     sphere = mirror_harmonics(orders=COAT_ORDERS)
-    layer = _Layer(lambda wi, wo: coat.eval_grey(wi, wo)[..., None], sphere, _gloss(exponents))
+    layer = _Layer(lambda wi, wo: coat.eval_grey(wi, wo)[..., None], (sphere,), _gloss(exponents))
     return np.repeat(_fitted(layer, exponents, True, 1, MOST_BROAD), 3, axis=2)
 
 
@@ -119,25 +135,25 @@ def _gloss(exponents: tuple[float, ...]) -> tuple[_Column, ...]:
 
 def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns: int, room: int) -> Floats:
     """Return the weights (64, columns, c) of a layer, of whose broad columns at most ``room`` are kept."""
-    sphere = layer.sphere
-    systems, squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
     cosines = np.maximum(RAMP_COSINES[list(PLACES)], _LOWEST_COSINE).tolist()
-    wanted = sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in cosines]))
-    targets = (wanted**2).sum(axis=1)
-    # What is dark at its angle counts as much as what is bright at another.
-    scale = 1.0 / np.maximum(targets.mean(axis=1), 1e-300)
-    products = systems.transpose(0, 2, 1) @ wanted
+    squares, products, targets, means = 0.0, 0.0, 0.0, []
+    for sphere in layer.measures:
+        systems, own_squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
+        wanted = sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in cosines]))
+        size = (wanted**2).sum(axis=1)
+        # What is dark at its angle counts as much as what is bright at another.
+        scale = 1.0 / np.maximum(size.mean(axis=1), 1e-300)[:, None]
+        squares = squares + own_squares * scale[..., None]
+        products = products + systems.transpose(0, 2, 1) @ wanted * scale[..., None]
+        targets = targets + size * scale
+        means.append((systems[:, :1], wanted[:, :1]))
     broad = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] <= BROADEST_SHARP]
     sharp = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] > BROADEST_SHARP]
-    found = chained_weights(
-        squares * scale[:, None, None],
-        products * scale[:, None, None],
-        targets * scale[:, None],
-        (ColumnGroup(broad, room), ColumnGroup(sharp, MOST_SHARP)),
-    )
-    # The first coefficient is that of the mean.
-    returned = systems[:, :1] @ found
-    return _on_the_ramp(found * (wanted[:, :1] / np.maximum(returned, 1e-300)))
+    groups = (ColumnGroup(broad, room), ColumnGroup(sharp, MOST_SHARP))
+    found = chained_weights(np.asarray(squares), np.asarray(products), np.asarray(targets), groups)
+    # The first coefficient of the first measure is that of the mean.
+    of_columns, mean = means[0]
+    return _on_the_ramp(found * (mean / np.maximum(of_columns @ found, 1e-300)))
 
 
 @lru_cache(maxsize=4)
@@ -151,8 +167,8 @@ def _systems(
     found = []
     for place in PLACES:
         cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
-        turned, sharpness, amplitude = _look_ups(columns, exponents, place, cosine, under_coat)
-        found.append(lobes(turned, sharpness) * amplitude)
+        away, sharpness, amplitude = _look_ups(columns, exponents, place, cosine, under_coat)
+        found.append(lobes(away, sharpness) * amplitude)
     systems = np.stack(found)
     return systems, systems.transpose(0, 2, 1) @ systems
 
@@ -171,15 +187,14 @@ def _look_ups(
             continue
         exponent = exponents[column.lobe]
         found = table.find(column.target, exponent)
-        turned = 0.0
+        away = 0.0
         if exponent <= BROADEST_SHARP:
-            towards = float(found.toward_normal @ np.array([1.0, cosine, cosine * cosine]))
-            turned = theta - float(np.arctan2(np.sin(theta), cosine + towards))
-        if column.back:  # the mirror image about N
-            turned = 2.0 * theta - turned
-        rows.append((turned, float(found.exponent[place]), float(found.amplitude[place])))
-    turned, sharpness, amplitude = np.array(rows).T
-    return turned, sharpness, amplitude
+            *towards, sign = direction(found, exponent, column.turn)
+            height = sign * cosine + float(np.dot(towards, (1.0, cosine, cosine * cosine)))
+            away = theta - math.atan2(sign * math.sin(theta), height)
+        rows.append((away, float(found.exponent[place]), float(found.amplitude[place])))
+    away, sharpness, amplitude = np.array(rows).T
+    return away, sharpness, amplitude
 
 
 def _gathered(layer: _Layer, lights: Floats, cosine: float, turns: int) -> Floats:

@@ -154,21 +154,20 @@ class EnvironmentMaps:
 class WeightsOverAngle:
     """Weights fitted at several incidences, at the cosines N·V of :data:`look_up_table.RAMP_COSINES`.
 
-    ``kd`` is (64, 3), ``kdd``, ``kg`` and ``back`` are (64, m, 3) in 1/sr, finite and not negative. ``back`` weighs
-    the mirror images of KDD's lobes about N, for what sends light back to where it came from:
-    (N·L) Σ BACK_i (L·V)^E_i. Weights by the view that are ``under_coat`` were fitted to the look-ups of light that
-    crosses a coat on its way to the base.
+    ``kd`` is (64, 3), ``kdd`` and ``kg`` are (64, m, 3) in 1/sr, finite and not negative. ``turned`` (3, 64, m, 3)
+    weighs KDD's lobes where they are looked up instead, in the order of :data:`look_up_table.TURNS`. Weights by the
+    view that are ``under_coat`` were fitted to the look-ups of light that crosses a coat on its way to the base.
     """
 
     kd: NDArray[Any]
     kdd: NDArray[Any]
     kg: NDArray[Any]
-    back: NDArray[Any]
+    turned: NDArray[Any]
     under_coat: bool = False
 
     def __post_init__(self) -> None:
         lobes = np.shape(self.kdd)[1] if np.ndim(self.kdd) == 3 else -1
-        shapes = {"kd": (64, 3), **dict.fromkeys(("kdd", "kg", "back"), (64, lobes, 3))}
+        shapes = {"kd": (64, 3), "kdd": (64, lobes, 3), "kg": (64, lobes, 3), "turned": (3, 64, lobes, 3)}
         for name, shape in shapes.items():
             value = _finite(getattr(self, name), np.float64, shape, f"over_angle.{name}")
             if (value < 0).any():

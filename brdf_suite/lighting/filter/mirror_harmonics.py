@@ -35,6 +35,8 @@ _BROAD_PANELS = 20
 _POINTS = 5
 #: Exponent from which on nothing sharp is expected: the sharp degrees are not constrained there.
 _TAPER = (0.3, 0.6)
+#: Angle from R, radians, below which nothing counts as away from it, and beyond which all does.
+_AWAY = (np.radians(5.0), np.radians(15.0))
 
 
 class MirrorHarmonics:
@@ -42,10 +44,11 @@ class MirrorHarmonics:
 
     ``gamma`` (rings,) angles from R, ``azimuth`` (azimuths,) in 0 … π, from the normal's side; functions are even
     about the plane of incidence. Without ``sharp`` there are less than half the rings, and the broad degrees alone.
-    ``orders`` is the highest that is looked at; there are a third more azimuths, 48 at most.
+    ``orders`` is the highest that is looked at; there are a third more azimuths, 48 at most. ``away``: what lies about
+    R is left out, with a smooth edge.
     """
 
-    def __init__(self, sharp: bool = True, orders: int = BROAD_DEGREES) -> None:
+    def __init__(self, sharp: bool = True, orders: int = BROAD_DEGREES, away: bool = False) -> None:
         edges = np.zeros(1)
         if sharp:
             fine = np.arange(_PEAK_EDGES[-1] + _SHARP_STEP, _SHARP_EDGE + 1e-9, _SHARP_STEP)
@@ -57,6 +60,10 @@ class MirrorHarmonics:
         azimuths = min(orders * 4 // 3, 48)
         self.azimuth: Floats = (np.arange(azimuths) + 0.5) * np.pi / azimuths
         area = (half[:, None] * w).ravel() * np.sin(self.gamma)
+        self._away = away
+        if away:
+            share = np.clip((self.gamma - _AWAY[0]) / (_AWAY[1] - _AWAY[0]), 0.0, 1.0)
+            area *= share * share * (3.0 - 2.0 * share)
         order = np.arange(orders + 1)
         norm = np.where(order == 0, 1.0, np.sqrt(2.0))
         self._cosines: Floats = np.cos(np.outer(self.azimuth, order)) * (2.0 * np.pi / azimuths * norm)
@@ -112,6 +119,12 @@ class MirrorHarmonics:
 
         ``towards_normal`` (n,): radians by which a lobe's direction is turned from R to the normal.
         """
+        if self._away:
+            along, across = np.cos(self.gamma)[:, None, None], np.sin(self.gamma)[:, None, None]
+            cosine = along * np.cos(towards_normal)
+            cosine = cosine + across * np.cos(self.azimuth)[:, None] * np.sin(towards_normal)
+            values = (exponents + 1.0) / (2.0 * np.pi) * np.maximum(cosine, 0.0) ** exponents
+            return np.asarray(self.analyse(np.where(values > 1e-100, values, 0.0)[None])[0])
         k = np.stack([lobe_coefficients(float(e), SHARP_DEGREES) for e in exponents], axis=-1)
         k *= self._root_power[:, None]
         angle = np.abs(towards_normal)
@@ -127,10 +140,10 @@ class MirrorHarmonics:
         return np.concatenate((broad.reshape(-1, count), sharp.reshape(-1, count)))
 
 
-@lru_cache(maxsize=3)
-def mirror_harmonics(sharp: bool = True, orders: int = BROAD_DEGREES) -> MirrorHarmonics:
+@lru_cache(maxsize=4)
+def mirror_harmonics(sharp: bool = True, orders: int = BROAD_DEGREES, away: bool = False) -> MirrorHarmonics:
     """Return the rings for what has sharp lobes, or has none; made when first asked for (0.1 s)."""
-    return MirrorHarmonics(sharp, orders)
+    return MirrorHarmonics(sharp, orders, away)
 
 
 def _some_rings(values: Floats) -> tuple[slice, Floats]:

@@ -23,6 +23,12 @@ from brdf_suite.resources import resource
 Target = Literal["plain", "coated", "gloss"]
 """A lobe times N·L, the same through a coat, a lobe alone."""
 
+Turn = Literal["unturned", "back", "inwards", "outwards"]
+TURNS: tuple[Turn, ...] = ("back", "inwards", "outwards")
+"""Where a lobe may be looked up instead: mirrored about N, which is about the view; nearer to N; and away from it."""
+
+_TILT = 1.5
+
 RAMP_NODES = 64
 RAMP_COSINES: Floats = (np.arange(RAMP_NODES) / (RAMP_NODES - 1)) ** 2
 """The cosines N·V at which a material's ramp has its texels: even in the root, dense at grazing."""
@@ -39,6 +45,19 @@ class LookUp:
     toward_normal: Floats
     exponent: Floats
     amplitude: Floats
+
+
+def direction(look_up: LookUp, exponent: float, turn: Turn = "unturned") -> Floats:
+    """Return where a lobe is looked up, (4,): b's coefficients, and the sign of R in ± R + b N.
+
+    Two lobes beside one in the plane of incidence are together as wide there as the lobe of a facet model is, which is
+    narrower across the plane by the cosine. They lie a lobe's width times the sine of the angle apart from it.
+    """
+    c0, c1, c2 = look_up.toward_normal
+    if turn == "back":  # R + b N mirrored about N: 2 c N - R + b N
+        return np.array([c0, c1 + 2.0, c2, -1.0])
+    tilt = {"unturned": 0.0, "inwards": _TILT, "outwards": -_TILT}[turn] / math.sqrt(exponent + 1.0)
+    return np.array([c0 + tilt, c1, c2, 1.0])
 
 
 class LookUpTable:

@@ -82,7 +82,7 @@ class LookUps:
         Fitted paints have weights on three to five broad lobes and one sharp one, glass on one sharp alone. A loop
         costs a software renderer half as much again as the look-ups written out, but serves any material.
 
-        >>> LookUps.enough_for(3, 1), LookUps.enough_for(7, 3)
+        >>> LookUps.enough_for(3, 1), LookUps.enough_for(9, 3)
         (LookUps(broad=4, sharp=1), LookUps(broad=0, sharp=4))
         """
         return LookUps(
@@ -91,7 +91,7 @@ class LookUps:
         )
 
 
-_WRITTEN_OUT = (1, 4, 6)
+_WRITTEN_OUT = (1, 4, 6, 8)
 
 PAINTS = (LookUps(4, 1), LookUps(6, 1), LookUps(4, 2), LookUps(6, 2))
 """What most paints need: made ready before the first frame, so that an edit which adds a lobe does not wait."""

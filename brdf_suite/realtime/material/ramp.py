@@ -21,13 +21,21 @@ from brdf_suite.documents.view import LookUp as LookUpMode
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
-from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
+from brdf_suite.realtime.environment.look_up_table import (
+    RAMP_COSINES,
+    RAMP_NODES,
+    TURNS,
+    Target,
+    Turn,
+    direction,
+    look_up_table,
+)
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 
 MAX_BROAD = 24
 MAX_SHARP = 8
 MAX_ROWS = 1 + MAX_SHARP + MAX_BROAD
-_WRITTEN = 6
+_WRITTEN = 8
 """Broad look-ups that are written at least: a program may look up more than a material has."""
 
 NEGLIGIBLE = 1e-6
@@ -39,8 +47,8 @@ class Ramp:
     """Ramp rows ``rows`` (n, 64, 4) float32 and their meaning.
 
     ``base`` and ``coat`` are the numbers of broad look-ups; ``toward_normal`` (base + coat, 4) holds b's three
-    coefficients and the lobe's exponent, negative where the direction is b N - R, about the view; ``sharp`` are the
-    exponents of the sharp lobes.
+    coefficients and the lobe's exponent, negative where the direction is b N - R; ``sharp`` are the exponents of the
+    sharp lobes.
     """
 
     rows: NDArray[np.float32]
@@ -70,24 +78,25 @@ def make_ramp(
     if over_angle is not None and over_angle is weights.by_view:
         under_coat = over_angle.under_coat
     if over_angle is not None:
-        kd, kdd, kg, back = over_angle.kd, over_angle.kdd, over_angle.kg, over_angle.back
+        kd, kdd, kg, turned_weights = over_angle.kd, over_angle.kdd, over_angle.kg, over_angle.turned
     else:
         kd, kdd, kg = weights.kd[None], weights.kdd[None], weights.kg[None]
-        back = np.zeros(kdd.shape)
+        turned_weights = np.zeros((len(TURNS), *kdd.shape))
     base_gain, gloss_gain = _gains(weights, under_coat) if raised else (np.ones((1, 1)), np.ones((1, 3)))
 
     exponents = np.asarray(weights.exponents)
     solid = 2.0 * np.pi / (exponents + 1.0)
     by_base = solid * kdd.max(axis=(0, 2))
     by_gloss = solid * kg.max(axis=(0, 2))
-    by_back = solid * back.max(axis=(0, 2))
-    lobes_reflect = float(by_base.sum()) + float(by_gloss.sum()) + float(by_back.sum())
+    by_turn = solid * turned_weights.max(axis=(1, 3))
+    lobes_reflect = float(by_base.sum()) + float(by_gloss.sum()) + float(by_turn.sum())
     least = NEGLIGIBLE * (np.pi * float(kd.max()) + lobes_reflect)
     broad = exponents <= BROADEST_SHARP
     base_lobes = np.flatnonzero(broad & (by_base > least))
-    back_lobes = np.flatnonzero(broad & (by_back > least))
+    turned_lobes = [np.flatnonzero(broad & (by > least)) for by in by_turn]
     gloss_lobes = np.flatnonzero(broad & (by_gloss > least))
-    count = len(base_lobes) + len(back_lobes) + len(gloss_lobes)
+    base_count = len(base_lobes) + sum(map(len, turned_lobes))
+    count = base_count + len(gloss_lobes)
     sharp_lobes = np.flatnonzero(~broad & (by_base + by_gloss > least))
     if count > MAX_BROAD or len(sharp_lobes) > MAX_SHARP:
         raise GraphicsError(
@@ -103,20 +112,21 @@ def make_ramp(
     rows[0, :, 3] = ladder.through_coat if under else ladder.level(1.0)
     base_target: Target = "coated" if under else "plain"
     place = 0
-    for target, lobes, weight, gain, is_back in (
-        (base_target, base_lobes, kdd, base_gain, False),
-        (base_target, back_lobes, back, base_gain, True),
-        ("gloss", gloss_lobes, kg, gloss_gain, False),
-    ):
+    groups: list[tuple[Target, NDArray[np.intp], Floats, Floats, Turn]] = [
+        (base_target, base_lobes, kdd, base_gain, "unturned"),
+        *(
+            (base_target, lobes, weight, base_gain, turn)
+            for turn, lobes, weight in zip(TURNS, turned_lobes, turned_weights, strict=True)
+        ),
+        ("gloss", gloss_lobes, kg, gloss_gain, "unturned"),
+    ]
+    for target, lobes, weight, gain, turn in groups:
         for lobe in lobes:
-            amplitude, level, direction = _look_up(target, float(exponents[lobe]), shifted, ladder)
+            amplitude, level, towards = _look_up(target, float(exponents[lobe]), shifted, ladder, turn)
             row = rows[1 + MAX_SHARP + place]
             row[:, :3] = weight[:, lobe] * gain * amplitude[:, None]
             row[:, 3] = level
-            toward[place, :3] = direction
-            toward[place, 3] = exponents[lobe]
-            if is_back:  # R + b N mirrored about N: 2 c N - R + b N
-                toward[place] += (0.0, 2.0, 0.0, -2.0 * exponents[lobe])
+            toward[place] = towards * (1.0, 1.0, 1.0, exponents[lobe])
             place += 1
     for place, lobe in enumerate(sharp_lobes, 1):
         exponent = float(exponents[lobe])
@@ -127,19 +137,21 @@ def make_ramp(
         )
     return Ramp(
         rows.astype(np.float32),
-        len(base_lobes) + len(back_lobes),
+        base_count,
         len(gloss_lobes),
         toward.astype(np.float32),
         tuple(exponents[sharp_lobes].tolist()),
     )
 
 
-def _look_up(target: Target, exponent: float, shifted: bool, ladder: Ladder) -> tuple[Floats, Floats, Floats]:
-    """Return amplitude (64,), level (64,) or (), and b's coefficients (3,)."""
+def _look_up(
+    target: Target, exponent: float, shifted: bool, ladder: Ladder, turn: Turn
+) -> tuple[Floats, Floats, Floats]:
+    """Return amplitude (64,), level (64,) or (), and b's coefficients with the sign of R (4,)."""
     if not shifted:
-        return _amplitude(target, exponent, False), ladder.level(exponent), np.zeros(3)
+        return _amplitude(target, exponent, False), ladder.level(exponent), np.array([0.0, 0.0, 0.0, 1.0])
     found = look_up_table().find(target, exponent)
-    return found.amplitude, ladder.level(found.exponent), found.toward_normal
+    return found.amplitude, ladder.level(found.exponent), direction(found, exponent, turn)
 
 
 def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:

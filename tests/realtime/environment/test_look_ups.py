@@ -42,7 +42,9 @@ def white(albedo: float, exponents: tuple[float, ...], **others: object) -> Mate
     """A base of this albedo, at every incidence."""
     none = np.zeros((len(exponents), 3))
     kd = np.full(3, albedo / np.pi)
-    over = WeightsOverAngle(np.tile(kd, (64, 1)), *(np.tile(none, (64, 1, 1)),) * 3)
+    over = WeightsOverAngle(
+        np.tile(kd, (64, 1)), *(np.tile(none, (64, 1, 1)),) * 2, np.zeros((3, 64, len(exponents), 3))
+    )
     return MaterialWeights(exponents, kd, none, none, over_angle=over, **others)  # type: ignore[arg-type]
 
 
@@ -184,7 +186,7 @@ def test_the_ramp_follows_the_table():
 def test_weights_over_the_incidence_are_not_raised():
     rng = np.random.default_rng(3)
     lobes = rng.random((2, 64, 1, 3))
-    over = WeightsOverAngle(rng.random((64, 3)), *lobes, np.zeros((64, 1, 3)))
+    over = WeightsOverAngle(rng.random((64, 3)), *lobes, np.zeros((3, 64, 1, 3)))
     weights = MaterialWeights((2000.0,), np.full(3, 0.1), np.zeros((1, 3)), np.full((1, 3), 9.0))
     ramp = make_ramp(weights, "multi_angle", "paper", Ladder((1.0,)), over)
     np.testing.assert_allclose(ramp.rows[0, :, :3], np.pi * over.kd, rtol=1e-6)

@@ -148,7 +148,8 @@ def test_block(scenes):
 def test_programs_for_few_look_ups():
     assert LookUps.enough_for(0, 0) == LookUps(1, 1)
     assert LookUps.enough_for(5, 2) == LookUps(6, 2)
-    assert LookUps.enough_for(7, MAX_SHARP) == LookUps(0, MAX_SHARP)
+    assert LookUps.enough_for(7, 1) == LookUps(8, 1)
+    assert LookUps.enough_for(9, MAX_SHARP) == LookUps(0, MAX_SHARP)
 
 
 def test_every_number_of_weighted_lobes(renderer, scenes):
