@@ -25,7 +25,7 @@ LONG_FILE = 500
 
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
-    "imports inside functions": 63,
+    "imports inside functions": 61,
     "attributes by text": 5,
 }
 

@@ -22,7 +22,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
+from brdf_suite.pipeline.seen_queue import SeenQueue, SeenWeights
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, TURNS
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights

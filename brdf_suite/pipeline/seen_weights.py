@@ -21,20 +21,18 @@ eight broad and four sharp ones are kept, what the renderer has written-out prog
 
 from __future__ import annotations
 
-import logging
 import math
-import threading
-import weakref
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, get_args
+from typing import NamedTuple, get_args
 
 import numpy as np
 
 from brdf_suite.arrays import Floats
-from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.checks import check_targets
+from brdf_suite.fitting.lobes.measured_samples import differs_with_azimuth
 from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
+from brdf_suite.lighting.filter.mirror_harmonics import COAT_ORDERS, MirrorHarmonics, mirror_harmonics
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.environment.look_up_table import (
     RAMP_COSINES,
@@ -50,9 +48,6 @@ from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
-if TYPE_CHECKING:
-    from brdf_suite.lighting.filter.mirror_harmonics import MirrorHarmonics
-
 PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 """The nodes of the ramp at which weights are fitted; between them they are mixed."""
 
@@ -60,9 +55,6 @@ MOST_BROAD, MOST_SHARP = 8, 4
 _LOWEST_COSINE = 1e-3
 #: Turns of the surface over which what differs with its azimuth is averaged.
 _TURNS = 8
-REST_S = 0.05
-"""How long no weights may have been asked for before any are found on the thread."""
-_log = logging.getLogger(__name__)
 
 
 class _Column(NamedTuple):
@@ -89,10 +81,6 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
 
     Raises :class:`FittingError`: a value is negative or not finite; the message says where.
     """
-    # No paint that is edited needs these; they would add 15 ms to the start of the Viewer.
-    from brdf_suite.fitting.lobes.measured_samples import differs_with_azimuth
-    from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
-
     broad = [lobe for lobe, exponent in enumerate(exponents) if exponent <= BROADEST_SHARP]
     under_coat = isinstance(reflectance, PaintReflectance) and reflectance.ior > 1.0
     if isinstance(reflectance, PaintReflectance):
@@ -121,8 +109,6 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
 @lru_cache(maxsize=16)
 def _coat_weights(coat: CoatLobe, exponents: tuple[float, ...]) -> Floats:
     """Return the weights (64, m, 3) of a clearcoat; an edit of the colour does not change them."""
-    from brdf_suite.lighting.filter.mirror_harmonics import COAT_ORDERS, mirror_harmonics
-
     sphere = mirror_harmonics(orders=COAT_ORDERS)
     layer = _Layer(lambda wi, wo: coat.eval_grey(wi, wo)[..., None], (sphere,), _gloss(exponents))
     return np.repeat(_fitted(layer, exponents, True, 1, MOST_BROAD), 3, axis=2)
@@ -233,96 +219,3 @@ def _on_the_ramp(found: Floats) -> Floats:
     lower = np.clip(np.searchsorted(nodes, at, side="right") - 1, 0, len(nodes) - 2)
     share = ((at - nodes[lower]) / (nodes[lower + 1] - nodes[lower]))[:, None, None]
     return np.asarray((1.0 - share) * found[lower] + share * found[lower + 1])
-
-
-class SeenWeights:
-    """The weights of one reflectance, found when first asked for.
-
-    ``later``: where given, it is called with this object to have :meth:`find` called on a thread, and until that is
-    done ``found`` is None. Where they cannot be found, the log says why and there are none.
-    """
-
-    def __init__(
-        self,
-        reflectance: Reflectance,
-        exponents: tuple[float, ...],
-        later: Callable[[SeenWeights], None] | None = None,
-    ) -> None:
-        self.reflectance = reflectance
-        self.exponents = exponents
-        self._later = later
-        self._begun = self._ended = False
-        self.found: WeightsOverAngle | None = None
-
-    @property
-    def is_pending(self) -> bool:
-        """Whether the weights were asked for and the search for them has not ended."""
-        return self._begun and not self._ended
-
-    def weights(self) -> WeightsOverAngle | None:
-        """Return the weights, the same object from the first time on; None: not yet, or never."""
-        if not self._begun:
-            self._begun = True
-            if self._later is None:
-                self.find()
-            else:
-                self._later(self)
-        return self.found
-
-    def find(self) -> None:
-        """Find the weights, in 20 ms for a designed paint and up to half a second for others."""
-        try:
-            self.found = seen_weights(self.reflectance, self.exponents)
-        except FittingError as error:
-            _log.warning("The picture shows the fit of one incidence. %s", error)
-        finally:
-            self._ended = True
-
-
-class SeenQueue:
-    """Finds weights on one thread, the newest request first, and calls ``changed`` (on it) after each.
-
-    A paint that is being edited asks for weights at every step: the work begins when no request has come for
-    :data:`REST_S`, and what is no longer referenced by then, the paints of the steps between, is left out.
-    """
-
-    def __init__(self, changed: Callable[[], None]) -> None:
-        self._changed = changed
-        self._waiting: list[weakref.ref[SeenWeights]] = []
-        self._asked = threading.Condition()
-        self._running = self._closed = False
-
-    def add(self, wanted: SeenWeights) -> None:
-        """Have these weights found."""
-        with self._asked:
-            self._waiting.append(weakref.ref(wanted))
-            self._asked.notify()
-            if not self._running and not self._closed:
-                self._running = True
-                threading.Thread(target=self._run, name="weights by the view", daemon=True).start()
-
-    def close(self) -> None:
-        """Find nothing more."""
-        with self._asked:
-            self._closed = True
-            self._waiting.clear()
-            self._asked.notify()
-
-    def _run(self) -> None:
-        while True:
-            with self._asked:
-                while self._asked.wait(REST_S):
-                    pass
-                if not self._waiting:
-                    self._running = False
-                    return
-                wanted = self._waiting.pop()()
-            if wanted is not None:
-                try:
-                    wanted.find()
-                    self._changed()
-                except BaseException:  # ends this thread; the next request starts another
-                    with self._asked:
-                        self._running = False
-                    raise
-            del wanted

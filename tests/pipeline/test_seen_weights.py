@@ -23,7 +23,8 @@ from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_surface, prepare_environment
-from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights, seen_weights
+from brdf_suite.pipeline.seen_queue import SeenQueue, SeenWeights
+from brdf_suite.pipeline.seen_weights import seen_weights
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, look_up_table
 from brdf_suite.realtime.material.ramp import make_ramp

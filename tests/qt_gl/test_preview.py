@@ -20,7 +20,7 @@ from PySide6.QtTest import QTest
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.scene import narrowed
-from brdf_suite.pipeline.seen_weights import SeenWeights
+from brdf_suite.pipeline.seen_queue import SeenWeights
 
 pytestmark = pytest.mark.usefixtures("shared_cache")
 

@@ -18,6 +18,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import solveh_banded
 
 from brdf_suite.arrays import Floats
 
@@ -104,8 +105,6 @@ class _Chain:
         return x
 
     def _solve(self, bands: Floats, x: Floats, products: Floats) -> Floats:
-        from scipy.linalg import solveh_banded  # the start of a program fits no measured paint
-
         rows = np.zeros(x.size + len(bands) - 1)
         slope = self._times(x) - products
         error = float(np.vdot(x, slope - products))

@@ -16,6 +16,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
+from scipy.special import sph_legendre_p_all
 
 from brdf_suite.arrays import Floats
 from brdf_suite.lighting.filter.harmonics import lobe_coefficients
@@ -161,7 +162,5 @@ def _fading(gamma: Floats) -> Floats:
 
 def _legendre(degrees: int, orders: int, angles: Floats) -> Floats:
     """Return Y_lm(angle, 0) as (degrees + 1, orders + 1, angles)."""
-    from scipy.special import sph_legendre_p_all  # the start of a program fits no measured paint
-
     found = sph_legendre_p_all(degrees, orders, angles)
     return np.asarray(found[0, :, : orders + 1], np.float64)
