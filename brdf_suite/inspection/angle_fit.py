@@ -18,7 +18,7 @@ from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.fit_errors import JUDGED_GAMMAS_DEG
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S
 from brdf_suite.pipeline.material import load_material
-from brdf_suite.reflectance.designed.layers import split_layers
+from brdf_suite.reflectance.designed.layers import depends_on_halfway, split_layers
 
 #: Where the errors are evaluated: incidences, each at the judged aspecular angles as far as a view stands no lower.
 JUDGED_INCIDENCES_DEG = (10.0, 20.0, 30.0, 45.0, 60.0, 65.0, 75.0, 80.0)
@@ -68,7 +68,7 @@ class AnglePaintFit:
             "kg": weights.kg.tolist(),
             "ior": weights.ior,
             "base_under_coat": weights.base_under_coat,
-            "base_of_facets": weights.base_of_facets,
+            "base_at_halfway": weights.base_at_halfway,
             "ms": self.fit.seconds * 1e3,
             "time_limited": self.fit.time_limited,
             "l1_relative": {
@@ -115,8 +115,8 @@ def fit_at_angles(
                 if material.facts
                 else "it has no coat and base to be fitted at several angles; leave out the number of angles."
             )
-        facets = not layers.base_under_coat
-        fitter = AngleFitter(basis, grid=grid, facets=facets, time_limit_s=time_limit_s)
+        halfway = depends_on_halfway(layers)
+        fitter = AngleFitter(basis, grid=grid, halfway=halfway, time_limit_s=time_limit_s)
         try:
             fit = fitter.fit(layers)
         finally:

@@ -103,13 +103,17 @@ class PaintAngles:
 
     def of(self, fit: LobeFit) -> FitOverAngle | None:
         """Return the fit of ``fit`` over the incidence; None where nothing divides it into layers."""
-        from brdf_suite.reflectance.designed.layers import split_layers  # 8 ms at the start of the Viewer
+        from brdf_suite.reflectance.designed.layers import (  # 8 ms at the start of the Viewer
+            depends_on_halfway,
+            split_layers,
+        )
 
         if fit not in self._over:
             layers = split_layers(fit.reflectance)
             if layers is None:
                 return None
-            self._over[fit] = FitOverAngle(self, layers, tuple(fit.weights.exponents.tolist()))
+            exponents = tuple(fit.weights.exponents.tolist())
+            self._over[fit] = FitOverAngle(self, layers, exponents, depends_on_halfway(layers))
         return self._over[fit]
 
     def by_view(self, fit: LobeFit) -> SeenWeights | None:
@@ -147,9 +151,9 @@ class PaintAngles:
                 fitter.close()
             self._fitters = {}
 
-    def fitter(self, exponents: tuple[float, ...], facets: bool) -> AngleFitter | None:
+    def fitter(self, exponents: tuple[float, ...], halfway: bool) -> AngleFitter | None:
         """Return the fitter for a basis; None while it is set up on its thread, and where that has failed."""
-        key = (exponents, facets)
+        key = (exponents, halfway)
         with self._lock:
             if key in self._fitters or key in self._begun:
                 return self._fitters.get(key)
@@ -173,7 +177,7 @@ class PaintAngles:
 
         limit = TIME_LIMIT_S if self._time_limit_s is None else self._time_limit_s
         try:
-            fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
+            fitter = AngleFitter(LobeBasis(key[0]), halfway=key[1], time_limit_s=limit)
         except BaseException:
             self.failed.add(key)
             raise
@@ -185,10 +189,12 @@ class PaintAngles:
 class FitOverAngle:
     """The weights of one paint over the incidence, fitted when first asked for; ``found`` by now, or None."""
 
-    def __init__(self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...]) -> None:
+    def __init__(
+        self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...], halfway: bool
+    ) -> None:
         self._angles = angles
         self._layers = layers
-        self._key = (exponents, not layers.base_under_coat)
+        self._key = (exponents, halfway)
         self._asked = False
         self.found: WeightsOverAngle | None = None
         self._late: AngleFit | None = None

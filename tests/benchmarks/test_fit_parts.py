@@ -71,7 +71,7 @@ def test_the_angles(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(part, "cook_torrance", lambda: some)
     reported: list[tuple[float, str]] = []
     figures = finite(part.run(lambda share, what: reported.append((share, what))), part)
-    assert figures["de00_worst_usual"] < 2.5 < figures["de00_worst"]
+    assert figures["de00_worst_usual"] < figures["de00_worst"] < 4.0
     assert figures["de00_at_measured"] < 0.2
     assert figures["de00_at_measured_cook_torrance"] < figures["de00_worst_cook_torrance"] < 7.0
     for key in ("de00_worst_usual", "de00_at_measured_cook_torrance", "de00_worst_cook_torrance"):

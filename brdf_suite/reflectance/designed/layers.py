@@ -25,6 +25,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorranceLobe
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.channels import luminance
 from brdf_suite.reflectance.models.coated import Coated
@@ -75,6 +76,11 @@ class SeenThrough:
 def has_cook_torrance_base(reflectance: Reflectance) -> bool:
     """Whether it is a sum of Cook-Torrance lobes, with a clearcoat or without."""
     return isinstance(reflectance.base if isinstance(reflectance, Coated) else reflectance, CookTorrance)
+
+
+def depends_on_halfway(layers: Layered) -> bool:
+    """Whether the base depends on the angle between light and view: wide facet lobes, or several lights."""
+    return not layers.base_under_coat or isinstance(layers.base, SeveralLights)
 
 
 def split_layers(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered | None:

@@ -234,7 +234,7 @@ def floors() -> None:
 def cook_torrance() -> None:
     """Table 1's paints, whole, in their two layers."""
     for facets in (False, True):
-        fitter = AngleFitter(facets=facets, time_limit_s=LIMIT_S)
+        fitter = AngleFitter(halfway=facets, time_limit_s=LIMIT_S)
         rows = []
         for name in TABLE_1:
             model = build_reflectance(load_document(name))

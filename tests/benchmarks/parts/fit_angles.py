@@ -25,7 +25,7 @@ from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.designed.layers import split_layers
+from brdf_suite.reflectance.designed.layers import depends_on_halfway, split_layers
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -94,13 +94,13 @@ def held_out() -> list[tuple[float, tuple[float, ...]]]:
     ]
 
 
-def held_out_fitter(*, facets: bool = False) -> AngleFitter:
+def held_out_fitter(*, halfway: bool = False) -> AngleFitter:
     """Return a patient fitter whose base samples leave out γ = -15, 25 and 75."""
     kept = [
         (g, w) for g, w in zip(BASE_GAMMAS_DEG, BASE_WEIGHTS, strict=True) if g not in HELD_OUT_GAMMAS_DEG
     ]
     return AngleFitter(
-        facets=facets,
+        halfway=halfway,
         time_limit_s=10.0,
         base_gammas_deg=tuple(g for g, _ in kept),
         base_weights=tuple(w for _, w in kept),
@@ -118,19 +118,21 @@ def cook_torrance(count: int | None = None) -> dict[str, CookTorrance]:
 
 
 def judged(
-    paints: Mapping[str, Reflectance], progress: Progress | None, *, facets: bool = False
+    paints: Mapping[str, Reflectance], progress: Progress | None
 ) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]]:
     """Return by name ΔE00 at the measured angles of the default fit, and at the held-out ones of a blind one."""
-    usual, blind = AngleFitter(facets=facets, time_limit_s=10.0), held_out_fitter(facets=facets)
+    usual = [AngleFitter(halfway=halfway, time_limit_s=10.0) for halfway in (False, True)]
+    blind = [held_out_fitter(halfway=halfway) for halfway in (False, True)]
     measured, held = {}, {}
     for number, (name, target) in enumerate(paints.items()):
         report(progress, number / len(paints), f"{name} at several incidences")
         layers = split_layers(target)
         if layers is None:
             raise SuiteError(f"Nothing divides {name} into coat and base.")
-        measured[name] = aspecular_delta_e(target, usual.fit(layers).weights, MEASURED_DEG)
-        held[name] = errors(target, blind.fit(layers).weights)
-    for fitter in (usual, blind):
+        kind = int(depends_on_halfway(layers))
+        measured[name] = aspecular_delta_e(target, usual[kind].fit(layers).weights, MEASURED_DEG)
+        held[name] = errors(target, blind[kind].fit(layers).weights)
+    for fitter in (*usual, *blind):
         fitter.close()
     return measured, held
 
@@ -183,7 +185,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     )
     paints = designed()
     measured, held = judged(paints, subrange(progress, 0.6, 0.9))
-    facets_measured, facets_held = judged(cook_torrance(), subrange(progress, 0.9, 1.0), facets=True)
+    facets_measured, facets_held = judged(cook_torrance(), subrange(progress, 0.9, 1.0))
     matte = {name for name, target in paints.items() if target.coat.roughness > MATTE}
     shift = {name for name, target in paints.items() if not hasattr(target.base, "rule")}
     worst = sorted(held, key=lambda name: held[name].max(), reverse=True)[:5]

@@ -60,18 +60,23 @@ def test_rings_of_a_constant_are_the_constant_and_lie_at_their_angle() -> None:
     mirror = samples.views * np.array([-1.0, -1.0, 1.0])
     cosine = (samples.lights * mirror).sum(axis=-1)
     np.testing.assert_allclose(cosine, np.cos(samples.gamma_rad)[..., None] * np.ones(8), atol=1e-9)
-    assert samples.lit.max() == pytest.approx(1.0, abs=1e-12)
-    assert samples.lit.min() >= 0.0
     # The whole cap of 90° about the normal is 2π.
     assert samples.solid_angle[-1].sum() == pytest.approx(2.0 * np.pi, rel=0.01)
-    energy = samples.lobe_energy(np.array([5.0, 5000.0]))
-    np.testing.assert_allclose(energy[-1], 2.0 * np.pi / np.array([6.0, 5001.0]), rtol=0.01)
+    energy = samples.lobe_energy(np.array([80.0, 5000.0]))
+    np.testing.assert_allclose(energy[-1], 2.0 * np.pi / np.array([81.0, 5001.0]), rtol=0.01)
 
 
-def test_samples_of_facets_come_in_reciprocal_pairs_about_each_angle() -> None:
-    samples = AngleBaseSamples(GRID, facets=True)
+def test_samples_halfway_come_in_reciprocal_pairs_about_each_angle() -> None:
+    samples = AngleBaseSamples(GRID, halfway=True)
     half = np.sqrt(0.5 * (1.0 + (samples.lights * samples.views).sum(axis=1)))
-    np.testing.assert_allclose(half, GRID.cosines[samples.angle], atol=1e-9)
+    at = samples.share == 0.0
+    np.testing.assert_allclose(half[at], GRID.cosines[samples.angle[at]], atol=1e-9)
+    # Between the angles are the pairs of an instrument, with the light at 45°.
+    np.testing.assert_allclose(samples.lights[~at, 2], np.sqrt(0.5))
+    lower, share = GRID.shares(half[~at])
+    np.testing.assert_array_equal(samples.angle[~at], lower)
+    np.testing.assert_allclose(samples.share[~at], share, atol=1e-9)
+    assert {15, 45, 110} <= set(np.rint(np.degrees(samples.gamma_rad[~at])))
     np.testing.assert_allclose(
         np.abs(aspecular_angle(samples.lights, samples.views)), samples.gamma_rad, atol=1e-7
     )

@@ -24,7 +24,7 @@ from brdf_suite.fitting.lobes.angles.program import (
     coat_program,
     coat_target,
 )
-from brdf_suite.fitting.lobes.angles.weights import AngleGrid, AngleWeights
+from brdf_suite.fitting.lobes.angles.weights import DEFAULT_COUNT, AngleGrid, AngleWeights
 from brdf_suite.fitting.lobes.background import chain_futures
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit
@@ -42,6 +42,8 @@ if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path o
 #: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/method/incidence.md).
 SMOOTHNESS = 0.03
 COAT_FACTOR = 10.0
+#: Angles for a base that is looked up halfway: the pairs of instruments lie between them.
+HALFWAY_COUNT = 20
 TIME_LIMIT_S = 0.016
 #: Limit of the first solve, made with the fitter itself: no edit waits for it.
 WARM_UP_S = 2.0
@@ -76,14 +78,15 @@ class AngleFitter:
     basis
         The fixed exponents; the default set if left out.
     grid
-        Where along the incidence; 16 angles if left out.
+        Where along the incidence; 16 angles if left out, 20 of a base that is looked up ``halfway``.
     smoothness
         Weight μ ≥ 0 of the base's change between neighbouring incidences (see ``program``), ten times that for the
         coat's; 0: each incidence for itself.
     time_limit_s
         Limit of a whole fit, samples in hand to weights, in seconds: hard, as that of the single fit.
-    facets
-        For paints whose base is wide facet lobes (Cook-Torrance): see ``program``. Others are refused.
+    halfway
+        For bases that depend on the angle between light and view, which are looked up there: wide facet lobes
+        (Cook-Torrance), and paints read under several lights. See ``program``.
     base_gammas_deg, base_weights
         Aspecular angles of the base's samples and their weights; those of the single fit if left out.
 
@@ -96,20 +99,20 @@ class AngleFitter:
         basis: LobeBasis | None = None,
         grid: AngleGrid | None = None,
         *,
-        facets: bool = False,
+        halfway: bool = False,
         smoothness: float = SMOOTHNESS,
         time_limit_s: float = TIME_LIMIT_S,
         base_gammas_deg: tuple[float, ...] | None = None,
         base_weights: tuple[float, ...] | None = None,
     ) -> None:
         self.basis = default_basis() if basis is None else basis
-        self.grid = grid or AngleGrid()
+        self.grid = grid or AngleGrid(HALFWAY_COUNT if halfway else DEFAULT_COUNT)
         self.smoothness = float(smoothness)
         self.time_limit_s = check_limit(time_limit_s)
         if (base_gammas_deg is None) != (base_weights is None):
             raise FittingError("Give the base's aspecular angles and their weights together.")
         gammas, weights = base_gammas_deg or BASE_GAMMAS_DEG, base_weights or BASE_WEIGHTS
-        self.base_samples = AngleBaseSamples(self.grid, gammas, weights, facets)
+        self.base_samples = AngleBaseSamples(self.grid, gammas, weights, halfway)
         self.coat_samples = AngleCoatSamples(self.grid)
         exponents = self.basis.array()
         self.programs: tuple[PartProgram, PartProgram] = (
@@ -146,8 +149,7 @@ class AngleFitter:
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         rings = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
         look = np.repeat(base[:, None], 3, 1)
-        under = not self.base_samples.facets
-        samples = AngleSamples(look, 0.0 * look, np.repeat(rings[..., None], 3, 2), 1.5, under)
+        samples = AngleSamples(look, 0.0 * look, np.repeat(rings[..., None], 3, 2), 1.5)
         self._fit(samples, time.perf_counter(), 2.0 * WARM_UP_S)
 
     def sample(self, reflectance: Layered) -> AngleSamples:
@@ -182,9 +184,6 @@ class AngleFitter:
         Raises :class:`FittingError` for a sample that is negative or not finite, and for an index below 1.
         """
         start = time.perf_counter()
-        if self.base_samples.facets and samples.base_under_coat:
-            advice = "fit it without facets, which are for Cook-Torrance paints"
-            raise FittingError(f"The base is seen through a coat; {advice}.")
         check_ior(samples.ior)
         checked = check_samples(samples, self.base_samples, self.coat_samples)
         return self._fit(checked, start, self.time_limit_s)
@@ -266,7 +265,7 @@ class AngleFitter:
                 kg=coat.table,
                 ior=samples.ior,
                 base_under_coat=samples.base_under_coat,
-                base_of_facets=self.base_samples.facets,
+                base_at_halfway=self.base_samples.halfway,
                 time_limited=limited,
             ),
             base_error=base.error,

@@ -13,21 +13,21 @@ The x are *relative* weights: what the layer's Fresnel factor does over the inci
 first, and multiplied in again where the weights are made. The weights of a paint whose flop has one shape at all
 angles are then constant, and cost nothing.
 
-**The coat's rest.** Round lobes cannot be as wide in the plane of incidence as a coat's facets are there and narrow
-across. They hold the coat's energy, and so a matte coat (Beckmann α = .08) comes out a quarter too dark at 15° in the
-plane, where colours are read: 1.3 to 2.1 ΔE00. What the coat shows there beyond its fitted lobes, on the normal's
-side from the first angle at which paints are read, is therefore left to the base. A glossy coat has no such rest.
+**The coat's rest.** What a coat shows beyond its fitted lobes where colours are read, in the plane of incidence on
+the normal's side from the first angle on, is left to the base: a basis has exponents, and coats lie between them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.angles.weights import AngleGrid, gloss_brdf, leaving
+from brdf_suite.fitting.lobes.angles.weights import AngleGrid, crossing, gloss_brdf, gloss_lobes, leaving
 from brdf_suite.fitting.lobes.checks import check_targets
 from brdf_suite.fitting.lobes.program import ENERGY_WEIGHT, SMALLEST_ENTRY, PartProgram, build_program
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS, COAT_FIRST_RING_RAD
@@ -35,10 +35,14 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 
 #: Largest polar angle of a base sample's view, but for those of the measured incidence.
 HORIZON_DEG = 75.0
-#: The same for a base of facets, whose pairs divide γ between light and view, and that no coat darkens there.
-FACET_HORIZON_DEG = 82.0
+#: The same for a base looked up halfway, whose pairs divide γ between light and view.
+HALFWAY_HORIZON_DEG = 82.0
+#: How much more pairs with the light at 45° weigh than the others, where they lie between the nodes of θd.
+READ_WEIGHT = 3.0
 COAT_RINGS = 22
 COAT_AZIMUTHS = 8
+#: From this ring on, radians, a residual weighs so many times as much: it is small beside the peak, not beside a base.
+COAT_TAIL, COAT_TAIL_WEIGHT = np.deg2rad(8.0), 100.0
 #: Smallest aspecular angle at which paints are read.
 NEAREST_READING_RAD = np.deg2rad(15.0) - 1e-9
 
@@ -52,13 +56,14 @@ class AngleBaseSamples:
     counted as one of those that are measured, would pull down what is seen at 75°. At 45° the samples are those of the
     single fit, all of them.
 
-    Wide facet lobes (Cook-Torrance) take no light's way through a coat; they are brighter beyond the mirror direction
-    than on the normal's side, which lobes cannot be. But at a fixed θd, half the angle between light and view, any
-    reciprocal reflectance is even in γ. So the samples of a base of ``facets`` stand at θ + γ/2 and θ - γ/2 about
-    each θ.
+    Wide facet lobes (Cook-Torrance) are brighter beyond the mirror direction than on the normal's side, and a paint
+    read under several lights has another colour there; lobes are even in γ. But at a fixed θd, half the angle between
+    light and view, any reciprocal reflectance is. So the samples of a base that is looked up ``halfway`` stand at
+    θ + γ/2 and θ - γ/2 about each θ. The pairs with the light at 45° are added, as instruments measure them. They lie
+    between two θ: their rows are those of both, mixed as the table is when it is read.
 
-    ``lights``, ``views`` (N, 3); ``gamma_rad``, ``weights`` (N,); ``angle`` (N,) the index of the incidence, or of
-    θd for a base of ``facets``.
+    ``lights``, ``views`` (N, 3); ``gamma_rad``, ``weights`` (N,); ``angle`` (N,) the index of the incidence or of θd,
+    ``share`` (N,) that of the one above.
     """
 
     def __init__(
@@ -66,27 +71,40 @@ class AngleBaseSamples:
         grid: AngleGrid,
         gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG,
         raw_weights: tuple[float, ...] = BASE_WEIGHTS,
-        facets: bool = False,
+        halfway: bool = False,
     ) -> None:
-        self.grid, self.facets = grid, facets
+        self.grid, self.halfway = grid, halfway
         theta = np.arccos(grid.cosines)
         gamma = np.deg2rad(np.array(gammas_deg, np.float64))
-        towards = 0.5 * gamma if facets else np.zeros_like(gamma)
+        towards = 0.5 * gamma if halfway else np.zeros_like(gamma)
         above, below = theta[:, None] + towards, theta[:, None] + towards - gamma
-        if facets:
+        if halfway:
             # The mirror direction is always there, also where the angle itself is lower than the others may be.
-            lowest = np.maximum(np.deg2rad(FACET_HORIZON_DEG), theta + 1e-9)[:, None]
+            lowest = np.maximum(np.deg2rad(HALFWAY_HORIZON_DEG), theta + 1e-9)[:, None]
             kept = (np.maximum(above, np.abs(below)) <= lowest) & (gamma >= 0.0)
         else:
             kept = np.abs(below) <= np.deg2rad(HORIZON_DEG)
             kept[grid.measured] = np.abs(below[grid.measured]) < np.pi / 2.0
-        self.angle, sample = np.nonzero(kept)
-        seen, light = below[self.angle, sample], above[self.angle, sample]
+        angle, sample = np.nonzero(kept)
+        seen, light = below[angle, sample], above[angle, sample]
+        share, weights = np.zeros(len(angle)), np.array(raw_weights, np.float64)[sample]
+        if halfway:
+            measured = float(theta[grid.measured])
+            there = (gamma > 0.0) & (np.abs(measured - gamma) <= np.deg2rad(HORIZON_DEG))
+            read_sample = np.flatnonzero(there)
+            leaves = measured - gamma[there]
+            between, part = grid.shares(np.cos(0.5 * (measured + leaves)))
+            angle, share = np.concatenate([angle, between]), np.concatenate([share, part])
+            sample = np.concatenate([sample, read_sample])
+            seen = np.concatenate([seen, leaves])
+            light = np.concatenate([light, np.full(leaves.size, measured)])
+            more = READ_WEIGHT * np.array(raw_weights, np.float64)[read_sample]
+            weights = np.concatenate([weights, more])
+        self.angle, self.share, self.weights = angle, share, weights
         zero = np.zeros_like(seen)
         self.lights = np.stack([-np.sin(light), zero, np.cos(light)], -1)
         self.views = np.stack([np.sin(seen), zero, np.cos(seen)], -1)
         self.gamma_rad: Floats = gamma[sample]
-        self.weights = np.array(raw_weights, np.float64)[sample]
 
     def columns(self, exponents: Floats) -> Floats:
         """Return ``(N, 1 + m)``: 1, and ``(R·V)^E``, 0 where the dot is negative."""
@@ -103,8 +121,8 @@ class AngleCoatSamples:
     coats then comes out within 1.5 % (docs/method/incidence.md).
 
     ``gamma_rad`` (K, n), the mirror direction first; ``views`` (K, 1, 1, 3); ``lights`` (K, n, a, 3); ``cosines``
-    (K, n, a): N·L times what the azimuth adds to its ring's mean, 0 below the horizon; ``lit`` (K, n) the share of
-    each ring above the horizon; ``solid_angle`` (K, n) in sr, a trapezium rule over log γ up to 90°.
+    (K, n, a): N·L times what the azimuth adds to its ring's mean, 0 below the horizon; ``solid_angle`` (K, n) in sr, a
+    trapezium rule over log γ up to 90°; ``weights`` (K, n) of the fit.
     """
 
     def __init__(
@@ -128,6 +146,7 @@ class AngleCoatSamples:
         ring_angle = 2.0 * np.pi * np.sin(angles) * angles * step
         self.solid_angle = np.concatenate([ring_angle[:, :1] * inner, ring_angle], axis=1)
         self.gamma_rad = np.concatenate([zero[:, None], angles], axis=1)
+        self.weights = self.solid_angle * np.where(self.gamma_rad > COAT_TAIL, COAT_TAIL_WEIGHT, 1.0)
         self.views = np.stack([-sine, zero, cosine], -1)[:, None, None, :]
         phi, share = _azimuths(cosine, azimuths // 2)
         turned = np.cos(phi)[:, None, :, None] * towards_normal
@@ -136,19 +155,22 @@ class AngleCoatSamples:
         self.lights: Floats = np.cos(tilt) * mirror + np.sin(tilt) * turned
         shares = np.where(self.lights[..., 2] > 0.0, share[:, None, :], 0.0)
         self.cosines: Floats = shares * self.lights[..., 2]
-        self.lit: Floats = shares.sum(axis=2)
+        self._lit: Floats = np.sqrt(shares * self.cosines / cosine[:, None, None])
 
     def cosine_lobes(self, exponents: Floats) -> Floats:
-        """Return ``(K, n, m)``: ring means of ``(R·L)^E`` above the horizon, exact for sharp lobes."""
-        log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
-        return np.asarray(self.lit[..., None] * np.exp(log_cosine[..., None] * exponents))
+        """Return ``(K, n, m)``: ring means of the gloss lobes times √(N·L/N·V), above the horizon."""
+        found = np.zeros((*self.gamma_rad.shape, exponents.size))
+        for place in range(self.lights.shape[2]):
+            lobes = gloss_lobes(exponents, self.lights[:, :, place], self.views[:, :, 0])
+            found += self._lit[:, :, place, None] * lobes
+        return found
 
     def lobe_energy(self, exponents: Floats) -> Floats:
-        """Return ``(K, m)``: ``(R·L)^E`` integrated above the horizon, sr."""
+        """Return ``(K, m)``: the gloss lobes integrated above the horizon, sr."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
-        whole = self.solid_angle[..., None] * np.exp(log_cosine[..., None] * exponents)
-        share = (self.lit[..., None] * whole).sum(axis=1) / whole.sum(axis=1)
-        return np.asarray(2.0 * np.pi / (exponents + 1.0) * share)
+        whole = (self.solid_angle[..., None] * np.exp(log_cosine[..., None] * exponents)).sum(axis=1)
+        lit = (self.solid_angle[..., None] * self.cosine_lobes(exponents)).sum(axis=1)
+        return np.asarray(2.0 * np.pi / (exponents + 1.0) * lit / whole)
 
 
 def _azimuths(cosine: Floats, quarter: int) -> tuple[Floats, Floats]:
@@ -168,34 +190,39 @@ def _azimuths(cosine: Floats, quarter: int) -> tuple[Floats, Floats]:
 
 def base_program(samples: AngleBaseSamples, exponents: Floats, smoothness: float) -> PartProgram:
     """Return the base's joint program; unknowns angle by angle, KD and then KDD_i in each."""
-    columns = samples.columns(exponents)
-    blocks = [samples.angle == k for k in range(samples.grid.count)]
-    matrices, weights = [columns[rows] for rows in blocks], [samples.weights[rows] for rows in blocks]
-    return joint_program(matrices, weights, samples.grid, smoothness)
+    rows = Rows(samples.columns(exponents), samples.weights, samples.angle, samples.share)
+    return joint_program(rows, samples.grid, smoothness)
 
 
 def coat_program(samples: AngleCoatSamples, exponents: Floats, smoothness: float) -> PartProgram:
     """Return the coat's joint program; at each angle KG_i, the last data row the coat's energy."""
     rings, energy = samples.cosine_lobes(exponents), samples.lobe_energy(exponents)
+    count = samples.grid.count
     # A lobe's energy, moved or lost, gains at most 1 on the rings and 2 μ in smoothness: losing it never pays.
-    weight = [ENERGY_WEIGHT * (1.0 + 2.0 * smoothness)]
-    return joint_program(
-        [np.concatenate([rings[k], energy[k][None, :]]) for k in range(samples.grid.count)],
-        [np.concatenate([angle, weight]) for angle in samples.solid_angle],
-        samples.grid,
-        smoothness,
-        1.0 / energy[samples.grid.measured],
-    )
+    dominating = np.full((count, 1), COAT_TAIL_WEIGHT * ENERGY_WEIGHT * (1.0 + 2.0 * smoothness))
+    matrix = np.concatenate([rings, energy[:, None, :]], axis=1)
+    weights = np.concatenate([samples.weights, dominating], axis=1)
+    angle = np.repeat(np.arange(count), matrix.shape[1])
+    rows = Rows(matrix.reshape(-1, exponents.size), weights.ravel(), angle, np.zeros(angle.size))
+    return joint_program(rows, samples.grid, smoothness, 1.0 / energy[samples.grid.measured])
+
+
+class Rows(NamedTuple):
+    """Rows ``matrix`` (n, m) of one incidence or of two, with ``weights``, ``angle`` and ``share`` (n,).
+
+    ``angle`` is the incidence, ``share`` that of the one above, between 0 and 1.
+    """
+
+    matrix: Floats
+    weights: Floats
+    angle: NDArray[np.intp]
+    share: Floats
 
 
 def joint_program(
-    matrices: list[Floats],
-    weights: list[Floats],
-    grid: AngleGrid,
-    smoothness: float,
-    column_scale: Floats | None = None,
+    rows: Rows, grid: AngleGrid, smoothness: float, column_scale: Floats | None = None
 ) -> PartProgram:
-    """Join K systems (n_k, m) with row weights (n_k,) by smoothness μ ≥ 0 in one scaled program.
+    """Join the rows of K systems by smoothness μ ≥ 0 in one scaled program.
 
     The columns of all incidences are scaled by one factor per lobe (m,), so that differences between incidences mean
     the same for each lobe: ``column_scale``, or what scales a column's weighted sum at 45° to 1.
@@ -207,27 +234,27 @@ def joint_program(
     """
     if not (np.isfinite(smoothness) and smoothness >= 0.0):
         raise FittingError(f"The smoothness over the angles is {smoothness:g}; it must be 0 or more.")
-    count, unknowns = len(matrices), matrices[0].shape[1]
-    measured = build_program(matrices[grid.measured], weights[grid.measured])
-    scale = measured.column_scale if column_scale is None else column_scale
-    samples = sum(matrix.shape[0] for matrix in matrices)
+    count, (samples, unknowns) = grid.count, rows.matrix.shape
+    if not (np.isfinite(rows.matrix).all() and (rows.matrix >= 0.0).all() and (rows.weights > 0.0).all()):
+        raise FittingError("The system of one incidence holds a negative or not finite entry.")
+    measured = (rows.angle == grid.measured) & (rows.share == 0.0)
+    scale = build_program(rows.matrix[measured], rows.weights[measured]).column_scale
+    if column_scale is not None:
+        scale = column_scale
     ties = (count - 1) * unknowns if smoothness > 0.0 else 0
     joint = np.zeros((samples + ties, count * unknowns))
-    row_weights = np.ones(samples + ties)
-    row = 0
-    for k, (matrix, weight) in enumerate(zip(matrices, weights, strict=True)):
-        if not (np.isfinite(matrix).all() and (matrix >= 0.0).all() and (weight > 0.0).all()):
-            raise FittingError("The system of one incidence holds a negative or not finite entry.")
-        rows = slice(row, row + len(weight))
-        joint[rows, k * unknowns : (k + 1) * unknowns] = weight[:, None] * matrix * scale
-        row_weights[rows] = weight
-        row = rows.stop
+    weighted = rows.weights[:, None] * rows.matrix * scale
+    row = np.arange(samples)[:, None]
+    column = rows.angle[:, None] * unknowns + np.arange(unknowns)
+    joint[row, column] = (1.0 - rows.share)[:, None] * weighted
+    between = rows.share > 0.0
+    joint[row[between], column[between] + unknowns] = rows.share[between, None] * weighted[between]
     if ties:
         tie = np.arange(ties)
         joint[samples + tie, tie] = smoothness
         joint[samples + tie, tie + unknowns] = -smoothness
     joint[np.abs(joint) < SMALLEST_ENTRY] = 0.0
-    return PartProgram(joint, row_weights, np.tile(scale, count))
+    return PartProgram(joint, np.concatenate([rows.weights, np.ones(ties)]), np.tile(scale, count))
 
 
 @dataclass(frozen=True, eq=False)
@@ -285,7 +312,6 @@ def base_target(
     kg: Floats,
 ) -> tuple[Floats, Floats]:
     """Return the base's weighted relative target, and what its weights are multiplied by, (K,)."""
-    entered = flat.grid.cosines[flat.angle]
     whole = samples.base.copy()
     # The coat's rest: see the module.
     gloss = gloss_brdf(flat.grid, exponents, kg, flat.lights, flat.views)
@@ -293,10 +319,16 @@ def base_target(
     whole[read] = np.maximum(whole[read] + samples.coat[read] - gloss[read], 0.0)
     scale = np.ones(flat.grid.count)
     if samples.base_under_coat:
-        # Relative targets: the share of the incidence that the coat lets pass, and of the view beyond the mirror.
+        # Relative targets: the share of the incidence that the coat lets pass, and of the other directions.
         scale = (1.0 - fresnel_dielectric(flat.grid.cosines, samples.ior)) ** 2
-        beyond = leaving(entered, flat.views[:, 2], np.cos(flat.gamma_rad), samples.ior)
-        whole /= (scale[flat.angle] * beyond)[:, None]
+        there = (1.0 - flat.share) * scale[flat.angle]
+        there += flat.share * scale[np.minimum(flat.angle + 1, flat.grid.count - 1)]
+        if flat.halfway:
+            passing = crossing(flat.lights, flat.views, samples.ior)
+        else:
+            entered = flat.grid.cosines[flat.angle]
+            passing = leaving(entered, flat.views[:, 2], np.cos(flat.gamma_rad), samples.ior)
+        whole /= (there * passing)[:, None]
     return _weighted(program, whole), scale
 
 

@@ -123,14 +123,35 @@ def leaving(cos_light: Floats, cos_view: Floats, cos_gamma: Floats, ior: float) 
     return np.asarray(out / (1.0 - fresnel_dielectric(inner, ior)))
 
 
+def crossing(light: Floats, view: Floats, ior: float) -> Floats:
+    """Return T(N·L)·T(N·V)/T(cos θd)² (...) for ``light``, ``view`` (..., 3): 1 in the mirror direction."""
+    light_cosine, view_cosine, half = light[..., 2], view[..., 2], halfway_cosine(light, view)
+    enters, leaves, there = (
+        1.0 - fresnel_dielectric(np.maximum(cosine, GRAZING), ior)
+        for cosine in (light_cosine, view_cosine, half)
+    )
+    return np.asarray(enters * leaves / there**2)
+
+
 def gloss_brdf(grid: AngleGrid, exponents: Floats, kg: Floats, light: Floats, view: Floats) -> Floats:
     """Return the gloss lobes' f_r (n, 3) of a table ``kg`` (K, m, 3) for ``light``, ``view`` (n, 3)."""
     up = light[:, 2] * view[:, 2]
-    tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
-    lobes = np.clip(up - tangential, 0.0, 1.0)[:, None] ** exponents
     above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
+    lobes = gloss_lobes(exponents, light, view)
     value = np.einsum("nm,nmc->nc", lobes, _mixed(grid, kg, halfway_cosine(light, view)))
     return np.where(above[:, None], value / np.sqrt(np.where(above, up, 1.0))[:, None], 0.0)
+
+
+def gloss_lobes(exponents: Floats, light: Floats, view: Floats) -> Floats:
+    """Return cos(2 θh)^E / cos θd (..., m) for ``light``, ``view`` (..., 3), 0 from a right angle on.
+
+    θh is the angle between the normal and the half vector H, θd that between H and the light.
+    """
+    half = light + view
+    angle = np.minimum(2.0 * np.arctan2(np.hypot(half[..., 0], half[..., 1]), half[..., 2]), np.pi / 2.0)
+    log_cosine = np.log1p(-np.minimum(2.0 * np.sin(angle / 2.0) ** 2, 1.0 - 1e-16))
+    width = np.maximum(halfway_cosine(light, view), GRAZING)
+    return np.asarray(np.exp(log_cosine[..., None] * exponents) / width[..., None])
 
 
 def halfway_cosine(light: Floats, view: Floats) -> Floats:
@@ -151,15 +172,18 @@ class AngleWeights:
 
     With the weights of the table at the cosines c = N·L and d = L·H, H halfway between light and view::
 
-        f_r·(N·L) ≈ t·(N·L)·(KD(c) + Σ KDD_i(c)·(R·V)^E_i) + g·Σ KG_i(d)·(R·V)^E_i
+        f_r·(N·L) ≈ t·(N·L)·(KD(c) + Σ KDD_i(c)·(R·V)^E_i) + g·Σ KG_i(d)·cos(2 θh)^E_i / d
 
-    Where the light leaves in the mirror direction c = d = N·V and t = g = 1: a picture, which takes its lights to be
-    there, reads one table at N·V. Away from it the lobes alone, even in γ, cannot say what paints do:
+    with θh between N and H. Where the light leaves in the mirror direction c = d = N·V and t = g = 1: a picture, which
+    takes its lights to be there, reads one table at N·V, and draws round lobes of the same energy. Away from it the
+    lobes alone, even in γ, cannot say what paints do:
 
     - A base under a coat is darker beyond the mirror direction than at the same γ on the normal's side, because the
       coat lets out less at grazing: ``t = T(N·V)/T(cos(θi - γ))``, T = 1 - F of ``ior``; 1 on the normal's side.
     - A coat's facets reflect by F at the angle d, half of that between light and view, and f_r·√(N·L·N·V) is
-      what they have in common: ``g = √(N·L/N·V)``. The gloss part alone is reciprocal.
+      what they have in common: ``g = √(N·L/N·V)``. They reflect where their normals lie about N, which seen from L
+      or V is an ellipse about the mirror direction: as wide in the plane of incidence as 2 θh, and narrower by d
+      across it. So a lobe's peak is higher by 1/d than that of a round one. The gloss part alone is reciprocal.
 
     Parameters
     ----------
@@ -173,9 +197,9 @@ class AngleWeights:
         Refractive index of the coat.
     base_under_coat
         False: nothing is taken from the base for the coat, t = 1.
-    base_of_facets
-        KD and KDD are looked up at d, as KG, not at c: a base of wide facet lobes, whose samples were taken so.
-        Not with ``base_under_coat``.
+    base_at_halfway
+        KD and KDD are looked up at d, as KG, not at c: a base that depends on the angle between light and view, whose
+        samples were taken so. Then t = T(N·L)·T(N·V)/T(d)² under a coat, and the base is reciprocal too.
     time_limited
         The time limit came before the optimum.
 
@@ -191,7 +215,7 @@ class AngleWeights:
     kg: Floats
     ior: float
     base_under_coat: bool = True
-    base_of_facets: bool = False
+    base_at_halfway: bool = False
     time_limited: bool = False
     #: Channels of a texel of :meth:`texture`.
     TEXEL: ClassVar[int] = 4
@@ -200,8 +224,6 @@ class AngleWeights:
         angles, lobes = self.grid.count, np.asarray(self.exponents).size
         kdd = (angles, lobes, 3)
         set_weights(self, {"exponents": (lobes,), "kd": (angles, 3), "kdd": kdd, "kg": kdd})
-        if self.base_of_facets and self.base_under_coat:
-            raise FittingError("A base of facet lobes is not seen through a coat; it is one or the other.")
         check_ior(self.ior)
 
     @property
@@ -226,11 +248,14 @@ class AngleWeights:
             base_under_coat=self.base_under_coat,
         )
 
-    def leaving(self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike) -> Floats:
-        """Return t (...), see the class, for cosines (...) of light, view and aspecular angle."""
-        given = (np.asarray(cosine, float) for cosine in (cos_light, cos_view, cos_gamma))
-        light, view, cosine = np.broadcast_arrays(*given)
-        return leaving(light, view, cosine, self.ior) if self.base_under_coat else np.ones(light.shape)
+    def passing(self, light: Floats, view: Floats) -> Floats:
+        """Return t (...), see the class, for directions ``light``, ``view`` (..., 3)."""
+        if not self.base_under_coat:
+            return np.ones(light.shape[:-1])
+        if self.base_at_halfway:
+            return crossing(light, view, self.ior)
+        cos_gamma = light[..., 2] * view[..., 2] - (light[..., :2] * view[..., :2]).sum(axis=-1)
+        return leaving(light[..., 2], view[..., 2], cos_gamma, self.ior)
 
     def _sums(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Return N·L (...), base and gloss as f_r (..., 3), both 0 below the horizon."""
@@ -241,10 +266,10 @@ class AngleWeights:
         above = (cos_i > 0.0) & (cos_o > 0.0)
         cos_gamma = cos_i * cos_o - light[:, 0] * view[:, 0] - light[:, 1] * view[:, 1]
         lobes = np.clip(cos_gamma, 0.0, 1.0)[:, None] ** self.exponents
-        place = halfway_cosine(light, view) if self.base_of_facets else cos_i
+        place = halfway_cosine(light, view) if self.base_at_halfway else cos_i
         base = _mixed(self.grid, self.kd, place)
         base = base + np.einsum("nm,nmc->nc", lobes, _mixed(self.grid, self.kdd, place))
-        base = np.where(above[:, None], base * self.leaving(cos_i, cos_o, cos_gamma)[:, None], 0.0)
+        base = np.where(above[:, None], base * self.passing(light, view)[:, None], 0.0)
         gloss = gloss_brdf(self.grid, self.exponents, self.kg, light, view)
         return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
 
