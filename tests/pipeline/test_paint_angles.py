@@ -40,7 +40,7 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
     asked = []
     fit_at_once = AngleFitter.fit
     monkeypatch.setattr(AngleFitter, "fit", lambda self, layers: asked.append(1) or fit_at_once(self, layers))
-    fits = [fitter.fit(load_shipped_paint(name)) for name in ("blue", "satin_white")]
+    fits = [fitter.fit(load_shipped_paint(name)) for name in ("satin_white", "blue")]
     n = np.array([[0.0, 0.0, 1.0]] * 3)
     sheet = MeshPart("sheet", "paint", [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], n, [[0, 1, 2]])
     exponents = (1.0, 8.0, *(e for e in fits[0].weights.exponents if e > 100))

@@ -38,6 +38,9 @@ MAX_ROWS = 1 + MAX_SHARP + MAX_BROAD
 _WRITTEN = 8
 """Broad look-ups that are written at least: a program may look up more than a material has."""
 
+#: View of the reading at γ = 110°, radians, and how much of what it lost constant light shows at grazing.
+_LOW_READING, _RISE = np.deg2rad(65.0), 0.42
+
 NEGLIGIBLE = 1e-6
 """A lobe that reflects less than this share of what the material does in constant light is left out."""
 
@@ -109,6 +112,8 @@ def make_ramp(
     table = look_up_table()
     under = under_coat
     rows[0, :, :3] = kd * base_gain * (table.diffuse_amplitude if under else np.pi)
+    if raised and under:
+        rows[0, :, :3] *= _diffuse_rise(weights)
     rows[0, :, 3] = ladder.through_coat if under else ladder.level(1.0)
     base_target: Target = "coated" if under else "plain"
     place = 0
@@ -160,6 +165,18 @@ def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
         return look_up_table().find(target, exponent).amplitude
     solid = 2.0 * np.pi / (exponent + 1.0)
     return solid * (np.ones(RAMP_NODES) if target == "gloss" else RAMP_COSINES)
+
+
+def _diffuse_rise(weights: MaterialWeights) -> Floats:
+    """Return by how much the diffuse base under a coat rises towards grazing (64, 1): 3 % with an index of 1.5.
+
+    Light from beside the view comes at large γ, where the base of the aspecular model is brighter by the T that its
+    readings, at low views, have lost (docs/method/shading.md).
+    """
+    angles = np.array([weights.theta_fit_rad, _LOW_READING])
+    passed = 1.0 - fresnel_dielectric(np.cos(angles), weights.ior)
+    lost = float(passed[0] / passed[1]) - 1.0
+    return np.asarray(1.0 + _RISE * lost * (1.0 - RAMP_COSINES) ** 1.5)[:, None]
 
 
 def _gains(weights: MaterialWeights, crossing_in_table: bool) -> tuple[Floats, Floats]:
