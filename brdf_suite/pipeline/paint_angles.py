@@ -1,6 +1,6 @@
 """A material's weights over the angle, fitted before the frame, and only in the modes that take them.
 
-In the mode ``multi_angle`` a paint is fitted at 16 incidences (1.2 ms in the median, hard limit 16 ms) and the weights
+In the mode ``multi_angle`` a paint is fitted at 16 incidences (2 ms in the median, hard limit 16 ms) and the weights
 are brought to the cosines of the renderer's ramp. Materials for which Fresnel's gains do not serve get weights for
 every angle of the view (``seen_weights``). In the other modes nothing is fitted, and an edit costs nothing more. The
 renderer receives the tables as arrays.
@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from functools import lru_cache
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
@@ -23,7 +24,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_queue import SeenQueue, SeenWeights
-from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, TURNS
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, TURNS, constant_light
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -31,7 +32,7 @@ from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
-    from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
+    from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleGrid, AngleWeights
     from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.reflectance.protocol import Layered
 
@@ -237,8 +238,23 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
         part = share.reshape(share.shape + (1,) * (table.ndim - 1))
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 
-    kdd = mixed(weights.kdd)
-    return WeightsOverAngle(mixed(weights.kd), kdd, mixed(weights.kg), np.zeros((len(TURNS), *kdd.shape)))
+    kdd, turned = mixed(weights.kdd), np.zeros((len(TURNS), RAMP_COSINES.size, *weights.kdd.shape[1:]))
+    kg = mixed(weights.kg * _round_lobes(weights.grid, tuple(weights.exponents.tolist()))[..., None])
+    return WeightsOverAngle(mixed(weights.kd), kdd, kg, turned)
+
+
+@lru_cache(maxsize=8)
+def _round_lobes(grid: AngleGrid, exponents: tuple[float, ...]) -> Floats:
+    """Return (K, m) by how much the energy of a gloss lobe is above that of the round one that a picture draws.
+
+    Above the horizon they differ towards grazing, where a round lobe has lost half, and for broad lobes.
+    """
+    from brdf_suite.fitting.lobes.angles.program import AngleCoatSamples
+
+    array = np.array(exponents)
+    _, above = constant_light(array, grid.cosines[:, None])
+    whole = 2.0 * np.pi / (array + 1.0)
+    return AngleCoatSamples(grid).lobe_energy(array) / (whole * above)
 
 
 def material_weights(

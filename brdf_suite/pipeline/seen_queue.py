@@ -52,7 +52,7 @@ class SeenWeights:
 
     def find(self) -> None:
         """Find the weights, in 20 ms for a designed paint and up to half a second for others."""
-        # No paint that is edited needs it; it would add 20 ms to the start of the Viewer.
+        # Most paints do not need it, and it would add 20 ms to the start of the Viewer.
         from brdf_suite.pipeline.seen_weights import seen_weights
 
         try:

@@ -53,6 +53,8 @@ PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 
 MOST_BROAD, MOST_SHARP = 8, 4
 _LOWEST_COSINE = 1e-3
+#: Share of the brightest angle below which an angle counts less, and of the first measure at the same angle.
+_DARKEST, _LEAST_AWAY = 1e-4, 1e-3
 #: Turns of the surface over which what differs with its azimuth is averaged.
 _TURNS = 8
 
@@ -122,17 +124,22 @@ def _gloss(exponents: tuple[float, ...]) -> tuple[_Column, ...]:
 def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns: int, room: int) -> Floats:
     """Return the weights (64, columns, c) of a layer, of whose broad columns at most ``room`` are kept."""
     cosines = np.maximum(RAMP_COSINES[list(PLACES)], _LOWEST_COSINE).tolist()
-    squares, products, targets, means = 0.0, 0.0, 0.0, []
+    squares, products, targets, means, least = 0.0, 0.0, 0.0, [], np.zeros((1, 1))
     for sphere in layer.measures:
         systems, own_squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
         wanted = sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in cosines]))
         size = (wanted**2).sum(axis=1)
-        # What is dark at its angle counts as much as what is bright at another.
-        scale = 1.0 / np.maximum(size.mean(axis=1), 1e-300)[:, None]
+        # What is dark at its angle counts as much as what is bright at another, but for next to nothing.
+        brightness = size.mean(axis=1, keepdims=True)
+        scale = 1.0 / np.maximum(
+            brightness, np.maximum(_DARKEST * brightness.max(), np.maximum(least, 1e-300))
+        )
         squares = squares + own_squares * scale[..., None]
         products = products + systems.transpose(0, 2, 1) @ wanted * scale[..., None]
         targets = targets + size * scale
         means.append((systems[:, :1], wanted[:, :1]))
+        # In a further measure a polished surface has nothing but what is left of its peak.
+        least = _LEAST_AWAY * brightness
     broad = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] <= BROADEST_SHARP]
     sharp = [k for k, c in enumerate(layer.columns) if c.target and exponents[c.lobe] > BROADEST_SHARP]
     groups = (ColumnGroup(broad, room), ColumnGroup(sharp, MOST_SHARP))

@@ -2,30 +2,51 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from brdf_suite.lighting.filter.mirror_harmonics import BROAD_DEGREES, mirror_harmonics
 from brdf_suite.lighting.filter.shading_table import typical_power
 
-BROAD = (BROAD_DEGREES + 1) ** 2
-
 
 @pytest.mark.parametrize(
-    ("turned", "exponent"), [(0.0, 1.5), (0.0, 675.0), (0.0, 116000.0), (0.4, 20.0), (-0.3, 20.0)]
+    ("turned", "exponent", "kind"),
+    [
+        (0.0, 1.5, {}),
+        (0.0, 675.0, {}),
+        (0.0, 116000.0, {}),
+        (0.4, 20.0, {}),
+        (-0.3, 20.0, {}),
+        (0.0, 116000.0, {"orders": 24}),
+        (0.1, 20.0, {"orders": 24}),
+        (0.4, 20.0, {"sharp": False}),
+        (-0.3, 80.0, {"sharp": False}),
+    ],
 )
-def test_a_lobe_by_its_values_is_the_lobe_by_its_formula(turned: float, exponent: float) -> None:
-    sphere = mirror_harmonics()
+def test_a_lobe_by_its_values_is_the_lobe_by_its_formula(
+    turned: float, exponent: float, kind: dict[str, Any]
+) -> None:
+    sphere = mirror_harmonics(**kind)
     lights = sphere.lights(0.5)
     sine = np.sqrt(0.75)
     direction = np.cos(turned) * np.array([sine, 0.0, 0.5]) + np.sin(turned) * np.array([-0.5, 0.0, sine])
     values = (exponent + 1.0) / (2.0 * np.pi) * np.maximum(lights @ direction, 0.0) ** exponent
     (found,) = sphere.analyse(values[None, ..., None] * [1.0, 2.0, 0.0])
     wanted = sphere.lobes(np.array([turned]), np.array([exponent]))[:, 0]
-    assert np.abs(found[:BROAD, 0] - wanted[:BROAD]).max() < 2e-4 * np.abs(wanted).max()
-    assert np.abs(found[BROAD:, 0] - wanted[BROAD:]).max() < 5e-4 * np.abs(wanted).max()
+    broad = (BROAD_DEGREES + 1) * (kind.get("orders", BROAD_DEGREES) + 1)
+    assert np.abs(found[:broad, 0] - wanted[:broad]).max() < 2e-4 * np.abs(wanted).max()
+    assert np.abs(found[broad:, 0] - wanted[broad:]).max(initial=0.0) < 5e-4 * np.abs(wanted).max()
     np.testing.assert_allclose(found[:, 1], 2.0 * found[:, 0])
     assert not found[:, 2].any()
+
+
+def test_away_from_the_mirror_direction_a_sharp_lobe_is_nothing_and_a_broad_one_nearly_whole() -> None:
+    whole, away = mirror_harmonics(sharp=False), mirror_harmonics(sharp=False, away=True)
+    sizes = [np.linalg.norm(of.lobes(np.zeros(2), np.array([2.0, 3000.0])), axis=0) for of in (whole, away)]
+    assert 0.8 < sizes[1][0] / sizes[0][0] < 1.0
+    assert sizes[1][1] < 0.02 * sizes[0][1]
 
 
 def test_rings_are_a_whole_sphere_about_the_mirror_direction() -> None:

@@ -13,7 +13,7 @@ from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, load_shipped_paint
 from brdf_suite.pipeline.paint_angles import PaintAngles, at_ramp
 from brdf_suite.pipeline.picture import OffscreenScene
-from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, look_up_table
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 
 WHITE = CubeFaces(np.ones((6, 32, 32, 3), np.float16))
@@ -33,7 +33,8 @@ def test_the_ramp_has_what_the_table_says(fitter):
         at = weights.at(RAMP_COSINES[k])
         np.testing.assert_allclose(ramp.kd[k], at.kd, rtol=1e-12, atol=1e-15)
         np.testing.assert_allclose(ramp.kdd[k], at.kdd, rtol=1e-12, atol=1e-15)
-        np.testing.assert_allclose(ramp.kg[k], at.kg, rtol=1e-12, atol=1e-15)
+        # The coat of a glossy paint is as narrow as its lobes: round ones have its energy, but for the last degrees.
+        np.testing.assert_allclose(ramp.kg[k], at.kg, rtol=0.1 if k < 9 else 0.01, atol=1e-15)
 
 
 def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
@@ -105,3 +106,18 @@ def test_facet_lobes_and_what_nothing_divides():
 
     assert angles.of(Measured()) is None
     angles.close()
+
+
+@pytest.mark.parametrize("name", ["satin_blue", "satin_graphite"])
+def test_the_table_draws_the_energy_of_the_coat_up_to_grazing(name: str) -> None:
+    """A picture draws round lobes, of which half is below the horizon where the fitted ones are narrow."""
+    reflectance = load_material(name).reflectance
+    fitter = AngleFitter(time_limit_s=10.0)
+    fit = fitter.fit(reflectance)
+    drawn = at_ramp(fit.weights)
+    wanted = fitter.sample(reflectance).rings[..., 0] * fitter.coat_samples.solid_angle
+    fitter.close()
+    for k, cosine in enumerate(fitter.grid.cosines):
+        node = int(np.argmin(np.abs(RAMP_COSINES - cosine)))
+        amplitudes = [look_up_table().find("gloss", e).amplitude[node] for e in fit.weights.exponents]
+        assert drawn.kg[node, :, 0] @ amplitudes == pytest.approx(wanted[k].sum(), rel=0.08)

@@ -11,10 +11,12 @@ import pytest
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import FittingError
 from brdf_suite.files.measured.samples import as_samples
+from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.prefilter import prefilter
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -31,6 +33,7 @@ from brdf_suite.realtime.material.ramp import make_ramp
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 from brdf_suite.reflectance.albedo import white_furnace
 from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.ggx import Ggx
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
@@ -239,6 +242,39 @@ def test_facet_lobes_near_the_rim_and_dark_bases_look_as_their_reflectance(spher
     """
     for paint, most in (("table1_opel_titan", 0.4), ("table1_blue_matte", 0.43)):
         assert sphere_error(fit_material(load_material(paint)), sphere) < most
+
+
+@pytest.mark.parametrize("slope", [0.03, 0.02])
+def test_a_polished_surface_without_a_base_keeps_its_peak(slope: float) -> None:
+    """Away from the mirror direction it has nothing but the last of its peak, which must not count as a base does."""
+    lobe = CookTorranceLobe(ks=(0.1, 0.1, 0.1), m=slope, r=0.5)
+    polished = CookTorrance(CookTorrancePaint("polished", (0.0, 0.0, 0.0), (lobe,)))
+    exponents = default_basis().exponents
+    weights = seen_weights(polished, exponents)
+    place = 54
+    cosine = float(RAMP_COSINES[place])
+    sine = np.sqrt(1.0 - cosine**2)
+    true = polished.eval([sine, 0.0, cosine], [-sine, 0.0, cosine])[0] * cosine
+    at = [look_up_table().find("gloss", e) for e in exponents]
+    peaks = [f.amplitude[place] * (f.exponent[place] + 1.0) / (2.0 * np.pi) for f in at]
+    assert float(np.dot(weights.kg[place, :, 0], peaks)) == pytest.approx(true, rel=0.2)
+
+
+class DarkAtGrazing:
+    """A grey sheet that is black where it is seen at more than 89.4°."""
+
+    def eval(self, wi, wo):
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        seen = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.01)
+        return np.where(seen, 0.3, 0.0)[..., None] * np.ones(3)
+
+
+def test_an_angle_that_is_black_leaves_the_others_alone() -> None:
+    weights = seen_weights(DarkAtGrazing(), default_basis().exponents)
+    for place in (15, 33, 63):
+        np.testing.assert_allclose(
+            returned(weights, default_basis().exponents, place), 0.3 * np.pi, rtol=0.02
+        )
 
 
 def test_found_once_and_in_a_window_on_a_thread(silver) -> None:

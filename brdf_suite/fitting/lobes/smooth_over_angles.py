@@ -5,7 +5,8 @@
 A_n and b_n come as their products only. S counts a column by its own size, so that μ has no unit. The channels are
 independent of each other. Each is solved by Newton's method with projection (Bertsekas, 1982): the weights that are
 positive or would rise are solved for, a block tridiagonal system, and what comes out negative is set to zero; a step
-is shortened until the error falls. It ends at the optimum, after some ten steps.
+is shortened until the error falls. Where that does not help, as with columns that are nearly redundant, it goes along
+the line to the first weight that would become negative. It ends at the optimum after a few steps.
 
 Each column costs drawing time, and many columns are nearly redundant. So the least useful are dropped one by one, by
 what their loss adds to the error when the others take over (the surgeon's rule of Hassibi and Stork, 1993: x² over the
@@ -20,7 +21,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import solveh_banded
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Bools, Floats
+from brdf_suite.errors import FittingError
 
 SMOOTHNESS = 1e-3
 #: Columns are dropped until the squared error would rise by more than this share.
@@ -31,7 +33,7 @@ _RIDGE = 1e-10
 #: A weight of zero whose slope is nearer to zero than this would not rise.
 _LEVEL = 1e-9
 #: Steps and halvings of a step after which the search ends in any case.
-_MOST_STEPS, _MOST_HALVINGS = 100, 10
+_MOST_STEPS, _MOST_HALVINGS = 60, 4
 
 
 @dataclass(frozen=True)
@@ -52,8 +54,18 @@ def chained_weights(
     """Return the weights (n, k, c) of k columns at n angles for c channels.
 
     ``squares`` (n, k, k) is A_nᵀA_n, ``products`` (n, k, c) A_nᵀb_n and ``targets`` (n, c) |b_n|²; the order of the
-    angles is that of the chain. Columns of no group are always kept; a column of zeros gets no weight.
+    angles is that of the chain. Columns of no group are always kept; a column of zeros gets no weight. Raises
+    :class:`FittingError` where the numbers are too far apart to be solved.
     """
+    try:
+        return _chained_weights(squares, products, targets, groups, smoothness)
+    except np.linalg.LinAlgError as error:
+        raise FittingError("The weights over the angles cannot be solved for.") from error
+
+
+def _chained_weights(
+    squares: Floats, products: Floats, targets: Floats, groups: Sequence[ColumnGroup], smoothness: float
+) -> Floats:
     size = np.einsum("nkk->nk", squares).mean(axis=0)
     scale = 1.0 / np.sqrt(np.where(size > 0.0, size, np.inf))
     squares = squares * scale[:, None] * scale
@@ -100,35 +112,54 @@ class _Chain:
         """Return the optimum (n, k, c), searched for from weights ``start`` (n, k, c)."""
         bands = self._bands()
         x = np.empty(start.shape)
-        for channel in range(start.shape[2]):
+        for channel in range(start.shape[2] if start.size else 0):
             x[..., channel] = self._solve(bands, start[..., channel], self.products[..., channel])
         return x
 
     def _solve(self, bands: Floats, x: Floats, products: Floats) -> Floats:
-        rows = np.zeros(x.size + len(bands) - 1)
         slope = self._times(x) - products
         error = float(np.vdot(x, slope - products))
         for _ in range(_MOST_STEPS):
             free = (x > 0.0) | (slope < -_LEVEL)
-            rows[: x.size] = free.ravel()
-            system = bands * rows[: x.size] * np.lib.stride_tricks.sliding_window_view(rows, x.size)
-            system[0] += 1.0 - rows[: x.size]
-            wanted = np.where(free, products, 0.0).ravel()
-            found = solveh_banded(system, wanted, lower=True, overwrite_ab=True, check_finite=False)
-            step = found.reshape(x.shape) - x
-            for _ in range(_MOST_HALVINGS):
-                following = np.maximum(x + step, 0.0)
-                following_slope = self._times(following) - products
-                following_error = float(np.vdot(following, following_slope - products))
-                if following_error < error:
-                    break
-                step = 0.5 * step
-            else:
-                break
-            x, slope, error = following, following_slope, following_error
-            if (found >= 0.0).all() and not ((slope < -_LEVEL) & ~free).any():
+            found = self._solved(bands, free, products)
+            following = self._projected(x, found - x, products, error)
+            if following is None:
+                # A weight of zero that would fall holds the others up: without those the line is free to its first
+                # bound.
+                while (blocked := free & (x == 0.0) & (found < 0.0)).any():
+                    free &= ~blocked
+                    found = self._solved(bands, free, products)
+                falling = (x > 0.0) & (found < x)
+                reach = np.divide(x, x - found, out=np.full(x.shape, np.inf), where=falling)
+                first = min(float(reach.min()), 1.0)
+                following = np.where(reach <= first, 0.0, np.maximum(x + first * (found - x), 0.0))
+            slope = self._times(following) - products
+            reached = float(np.vdot(following, slope - products))
+            is_optimum = bool((found >= 0.0).all()) and not ((slope < -_LEVEL) & ~free).any()
+            if reached < error:
+                x, error = following, reached
+            if is_optimum or reached > error:
                 break
         return x
+
+    def _projected(self, x: Floats, step: Floats, products: Floats, error: float) -> Floats | None:
+        """Return weights of less error along a step, cut off at zero; None where a few halvings find none."""
+        for _ in range(_MOST_HALVINGS):
+            following = np.maximum(x + step, 0.0)
+            if float(np.vdot(following, self._times(following) - 2.0 * products)) < error:
+                return np.asarray(following)
+            step = 0.5 * step
+        return None
+
+    def _solved(self, bands: Floats, free: Bools, products: Floats) -> Floats:
+        """Return the solution (n, k) in which only ``free`` (n, k) weights are not zero, of either sign."""
+        rows = np.zeros(free.size + len(bands) - 1)
+        rows[: free.size] = free.ravel()
+        system = bands * rows[: free.size] * np.lib.stride_tricks.sliding_window_view(rows, free.size)
+        system[0] += 1.0 - rows[: free.size]
+        wanted = np.where(free, products, 0.0).ravel()
+        found = solveh_banded(system, wanted, lower=True, overwrite_ab=True, check_finite=False)
+        return np.asarray(found.reshape(free.shape))
 
     def _times(self, x: Floats) -> Floats:
         """Return the system's product with weights (n, k)."""

@@ -171,11 +171,11 @@ def _diffuse_rise(weights: MaterialWeights) -> Floats:
     """Return by how much the diffuse base under a coat rises towards grazing (64, 1): 3 % with an index of 1.5.
 
     Light from beside the view comes at large γ, where the base of the aspecular model is brighter by the T that its
-    readings, at low views, have lost (docs/method/shading.md).
+    readings, at low views, have lost (docs/method/shading.md). For an index up to about 3, as clearcoats have.
     """
     angles = np.array([weights.theta_fit_rad, _LOW_READING])
     passed = 1.0 - fresnel_dielectric(np.cos(angles), weights.ior)
-    lost = float(passed[0] / passed[1]) - 1.0
+    lost = max(float(passed[0] / passed[1]) - 1.0, 0.0)
     return np.asarray(1.0 + _RISE * lost * (1.0 - RAMP_COSINES) ** 1.5)[:, None]
 
 

@@ -23,13 +23,14 @@
 uniform samplerCube sharp_maps[SHARP];
 uniform vec3 sharp_lobes[SHARP];        // scale of the map, log2(texels per radian), exponent
 
-// Where a broad lobe is looked up: between R and N, or V and N, not normalized. In the paper's form at R.
+// Where a broad lobe is looked up: beside R towards N or away from it, or beside V; not normalized. In the paper's
+// form at R.
 vec3 looked_at(vec3 r, vec3 n, float c, vec4 b)
 {
 #ifdef LOOK_UP_PAPER
     return r;
 #else
-    return sign(b.w) * r + (b.x + c * (b.y + c * b.z)) * n;
+    return (b.w < 0.0 ? -r : r) + (b.x + c * (b.y + c * b.z)) * n;
 #endif
 }
 

@@ -198,7 +198,8 @@ def coat_program(samples: AngleCoatSamples, exponents: Floats, smoothness: float
     """Return the coat's joint program; at each angle KG_i, the last data row the coat's energy."""
     rings, energy = samples.cosine_lobes(exponents), samples.lobe_energy(exponents)
     count = samples.grid.count
-    # A lobe's energy, moved or lost, gains at most 1 on the rings and 2 μ in smoothness: losing it never pays.
+    # A lobe's energy, moved or lost, gains at most the tail's weight on the rings and 2 μ in smoothness: losing it
+    # never pays.
     dominating = np.full((count, 1), COAT_TAIL_WEIGHT * ENERGY_WEIGHT * (1.0 + 2.0 * smoothness))
     matrix = np.concatenate([rings, energy[:, None, :]], axis=1)
     weights = np.concatenate([samples.weights, dominating], axis=1)
@@ -283,11 +284,12 @@ def check_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoa
 
         return check_targets(f"The {part}", values, (*gamma_rad.shape, 3), where)
 
+    light = np.arccos(np.clip(flat.lights[:, 2], 0.0, 1.0))
     around = np.broadcast_to(theta[:, None], rings.gamma_rad.shape)
     return replace(
         samples,
-        base=checked("base", samples.base, flat.gamma_rad, theta[flat.angle]),
-        coat=checked("coat", samples.coat, flat.gamma_rad, theta[flat.angle]),
+        base=checked("base", samples.base, flat.gamma_rad, light),
+        coat=checked("coat", samples.coat, flat.gamma_rad, light),
         rings=checked("coat", samples.rings, rings.gamma_rad, around),
     )
 
