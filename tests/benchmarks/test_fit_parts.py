@@ -143,9 +143,8 @@ def test_the_comparison_of_incidences_prints_its_tables(
         monkeypatch.setattr(compared, name, value)
     compared.by_incidence()
     compared.coats()
-    compared.floors()
     compared.cook_torrance()
     compared.table(["angles", *compared.HEAD], [["8", *compared.score(compared.AngleFitter())]])
     rows = [line for line in capsys.readouterr().out.splitlines() if line.startswith("| ")]
-    assert len(rows) >= 3 * 6 + 4 + 2 + 2 * 3 + 2
+    assert len(rows) >= 3 * 6 + 4 + 2 * 3 + 2
     assert not any("nan" in line for line in rows)

@@ -79,8 +79,9 @@ class LookUps:
     def enough_for(broad: int, sharp: int) -> LookUps:
         """Return the smallest numbers that there is a program for.
 
-        Fitted paints have weights on three to five broad lobes and one sharp one, glass on one sharp alone. A loop
-        costs a software renderer half as much again as the look-ups written out, but serves any material.
+        Fitted paints have weights on three to five broad lobes and one sharp one, weights by the view on up to eight
+        and four, glass on one sharp alone. A loop costs a software renderer half as much again as the look-ups written
+        out, but serves any material.
 
         >>> LookUps.enough_for(3, 1), LookUps.enough_for(9, 3)
         (LookUps(broad=4, sharp=1), LookUps(broad=0, sharp=4))

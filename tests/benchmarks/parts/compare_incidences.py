@@ -13,19 +13,16 @@ from dataclasses import replace
 import fit_angles
 import numpy as np
 
-from brdf_suite.appearance.colour.colorimetry import working_to_lab
-from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes.angles import AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.lobes.angles import program as angle_samples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf
 from brdf_suite.fitting.lobes.weights import RaisedWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e
-from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.material import load_document
 from brdf_suite.reflectance.designed.build import build_reflectance
-from brdf_suite.reflectance.designed.layers import split_layers
+from brdf_suite.reflectance.designed.layers import depends_on_halfway, split_layers
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
@@ -81,17 +78,19 @@ def misplaced(fitter: AngleFitter, paint: PaintReflectance, weights: AngleWeight
 def by_incidence() -> None:
     """Single weights, raised by Fresnel, and fitted at several angles."""
     single = LobeFitter(time_limit_s=LIMIT_S)
-    several = AngleFitter(time_limit_s=LIMIT_S)
+    several = [AngleFitter(halfway=halfway, time_limit_s=LIMIT_S) for halfway in (False, True)]
     one = {name: single.fit(paint).weights for name, paint in PAINTS.items()}
     ways: dict[str, dict[str, Reflectance]] = {
         "one incidence": dict(one),
         "raised, θ of the light": {name: RaisedWeights(w) for name, w in one.items()},
         "raised, θ of the view": {name: RaisedWeights(w, "view") for name, w in one.items()},
-        "16 incidences": {name: several.fit(paint).weights for name, paint in PAINTS.items()},
+        "several incidences": {
+            name: several[depends_on_halfway(paint)].fit(paint).weights for name, paint in PAINTS.items()
+        },
     }
     bare = {}
     for name, paint in PAINTS.items():
-        bare[name] = several.fit_samples(replace(several.sample(paint), base_under_coat=False)).weights
+        bare[name] = several[0].fit_samples(replace(several[0].sample(paint), base_under_coat=False)).weights
     ways["16, lobes even in γ (t = 1)"] = dict(bare)
     for label, names in (("usual", USUAL), ("matte", sorted(MATTE)), ("two lights", sorted(SHIFT))):
         print(f"{label}: {len(names)} paints, median / worst")
@@ -203,38 +202,10 @@ def coats() -> None:
     table(["paint", "α", "15/45/110 without", "with", "light added at 20°", "45°", "65°"], rows)
 
 
-def floors() -> None:
-    """The best that non-negative lobes can do for paints read under two lights, each incidence by itself."""
-    from scipy.optimize import nnls
-
-    exponents = LobeFitter().basis.array()[:6]
-    rows = []
-    for name in sorted(SHIFT):
-        cells = [name]
-        for theta in (20.0, 45.0, 65.0):
-            gammas = np.array(seen(theta))
-            target = PAINTS[name].eval(illumination(theta), aspecular_view(theta, gammas))
-            columns = np.concatenate(
-                [
-                    np.ones((gammas.size, 1)),
-                    np.clip(np.cos(np.radians(gammas)), 0.0, None)[:, None] ** exponents,
-                ],
-                axis=1,
-            )
-            fitted = np.stack(
-                [columns @ nnls(columns / target[:, c : c + 1], np.ones(gammas.size))[0] for c in range(3)],
-                axis=1,
-            )
-            e = delta_e_2000(working_to_lab(np.pi * target), working_to_lab(np.pi * fitted))
-            cells.append(f"{np.median(e):.1f} / {e.max():.1f}")
-        rows.append(cells)
-    table(["paint", "20°", "45°", "65°"], rows)
-
-
 def cook_torrance() -> None:
     """Table 1's paints, whole, in their two layers."""
-    for facets in (False, True):
-        fitter = AngleFitter(halfway=facets, time_limit_s=LIMIT_S)
+    for halfway in (False, True):
+        fitter = AngleFitter(halfway=halfway, time_limit_s=LIMIT_S)
         rows = []
         for name in TABLE_1:
             model = build_reflectance(load_document(name))
@@ -251,7 +222,7 @@ def cook_torrance() -> None:
                 normal = max(v for g, v in zip(gammas, e, strict=True) if g > 0.0)
                 cells += [float(normal), float(e[0])]
             rows.append(cells)
-        print("base looked up at θd" if facets else "base looked up at the light's angle")
+        print("base looked up at θd" if halfway else "base looked up at the light's angle")
         table(
             ["paint", "15/45/110", "20°, γ > 0", "γ = -15", "45°, γ > 0", "γ = -15", "65°, γ > 0", "γ = -15"],
             rows,
@@ -262,5 +233,4 @@ if __name__ == "__main__":
     by_incidence()
     choices()
     coats()
-    floors()
     cook_torrance()
