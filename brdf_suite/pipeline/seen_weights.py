@@ -27,6 +27,7 @@ from functools import lru_cache
 from typing import NamedTuple, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.checks import check_targets
@@ -53,6 +54,8 @@ PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 
 MOST_BROAD, MOST_SHARP = 8, 4
 _LOWEST_COSINE = 1e-3
+#: Angles of the view that are analysed at once.
+_AT_ONCE = 6
 #: Share of the brightest angle below which an angle counts less, and of the first measure at the same angle.
 _DARKEST, _LEAST_AWAY = 1e-4, 1e-3
 #: Turns of the surface over which what differs with its azimuth is averaged.
@@ -127,7 +130,14 @@ def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns
     squares, products, targets, means, least = 0.0, 0.0, 0.0, [], np.zeros((1, 1))
     for sphere in layer.measures:
         systems, own_squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
-        wanted = sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in cosines]))
+        # In pieces, because a process that draws thumbnails shall stay small.
+        pieces = [cosines[k : k + _AT_ONCE] for k in range(0, len(cosines), _AT_ONCE)]
+        wanted = np.concatenate(
+            [
+                sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in piece]))
+                for piece in pieces
+            ]
+        )
         size = (wanted**2).sum(axis=1)
         # What is dark at its angle counts as much as what is bright at another, but for next to nothing.
         brightness = size.mean(axis=1, keepdims=True)
@@ -155,7 +165,7 @@ def _systems(
     columns: tuple[_Column, ...],
     under_coat: bool,
     lobes: Callable[[Floats, Floats], Floats],
-) -> tuple[Floats, Floats]:
+) -> tuple[NDArray[np.float32], Floats]:
     """Return the coefficients A (places, k, columns) of all look-ups, which no reflectance changes, and AᵀA."""
     found = []
     for place in PLACES:
@@ -163,7 +173,8 @@ def _systems(
         away, sharpness, amplitude = _look_ups(columns, exponents, place, cosine, under_coat)
         found.append(lobes(away, sharpness) * amplitude)
     systems = np.stack(found)
-    return systems, systems.transpose(0, 2, 1) @ systems
+    # Kept for all reflectances, and exact enough by half.
+    return systems.astype(np.float32), systems.transpose(0, 2, 1) @ systems
 
 
 def _look_ups(

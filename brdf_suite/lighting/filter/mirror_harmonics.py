@@ -74,6 +74,8 @@ class MirrorHarmonics:
         broad = broad * area * power[: BROAD_DEGREES + 1, None, None]
         self._broad = [_some_rings(broad[m:, m]) for m in range(orders + 1)]
         self._norm = norm
+        # There is no order beyond its degree.
+        self._there = (np.arange(BROAD_DEGREES + 1)[:, None] >= order).ravel()
         near = _fading(self.gamma) if sharp else np.zeros(0)
         self._near = int(np.count_nonzero(near))
         self._sharp: Floats = np.zeros((0, 0, 0))
@@ -112,7 +114,8 @@ class MirrorHarmonics:
         sharp = np.zeros((len(self._sharp), self._sharp.shape[1], count * channels))
         for order, degrees in enumerate(self._sharp):
             sharp[order] = degrees @ orders[order, : self._near]
-        found = np.concatenate((broad.reshape(-1, count, channels), sharp.reshape(-1, count, channels)))
+        broad = broad.reshape(-1, count, channels)[self._there]
+        found = np.concatenate((broad, sharp.reshape(-1, count, channels)))
         return np.ascontiguousarray(np.moveaxis(found, 1, 0))
 
     def lobes(self, towards_normal: Floats, exponents: Floats) -> Floats:
@@ -135,10 +138,10 @@ class MirrorHarmonics:
         broad = _legendre(BROAD_DEGREES, len(self._norm) - 1, angle) * turned * k[: BROAD_DEGREES + 1, None]
         count = len(exponents)
         if not self._near:
-            return np.asarray(broad.reshape(-1, count))
+            return np.asarray(broad.reshape(-1, count)[self._there])
         sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, angle)[BROAD_DEGREES + 1 :]
         sharp = (sharp * turned[: SHARP_ORDERS + 1] * k[BROAD_DEGREES + 1 :, None]).transpose(1, 0, 2)
-        return np.concatenate((broad.reshape(-1, count), sharp.reshape(-1, count)))
+        return np.concatenate((broad.reshape(-1, count)[self._there], sharp.reshape(-1, count)))
 
 
 @lru_cache(maxsize=4)
