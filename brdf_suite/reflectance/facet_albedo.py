@@ -36,6 +36,7 @@ DISTRIBUTIONS: tuple[Distribution, ...] = get_args(Distribution)
 
 ROUGHNESS_NODES, COSINE_NODES, FRESNEL_NODES = 33, 65, 8
 ROUGHNESSES: Floats = np.linspace(0.0, 1.0, ROUGHNESS_NODES) ** 2
+_PLACES: Floats = np.arange(float(COSINE_NODES))
 COSINES: Floats = np.linspace(0.0, 1.0, COSINE_NODES) ** 2
 FRESNEL_COSINES: Floats = 0.5 + 0.5 * np.cos((np.arange(FRESNEL_NODES) + 0.5) * math.pi / FRESNEL_NODES)
 
@@ -86,7 +87,10 @@ class FacetAlbedo:
     def at(self, cosine: npt.ArrayLike) -> Floats:
         """Return E (..., channels), 0 to 1, at ``cosine`` (...)."""
         cosine = np.asarray(cosine, float)
-        return np.asarray(np.clip(self.fresnel(cosine) + _between(self.change, cosine), 0.0, 1.0))
+        # Not np.clip, which takes four times as long for few numbers.
+        return np.asarray(
+            np.minimum(np.maximum(self.fresnel(cosine) + _between(self.change, cosine), 0.0), 1.0)
+        )
 
     def further(self, cos_i: Floats, cos_o: Floats) -> Floats:
         """Return f_r (..., channels), 1/sr, of multiple scattering at cosines (...) above the horizon."""
@@ -160,6 +164,8 @@ def _mean_of(fresnel: Callable[[Floats], Floats]) -> Floats:
 def _between(nodes: Floats, cosine: npt.ArrayLike) -> Floats:
     """Return ``nodes`` (65, channels) at cosines (...), (..., channels), by straight lines over √μ."""
     place = np.sqrt(np.minimum(np.maximum(np.asarray(cosine, float), 0.0), 1.0)) * (COSINE_NODES - 1)
+    if nodes.ndim == 1:  # a coat, of which an edit asks a few places at a time
+        return np.asarray(np.interp(place, _PLACES, nodes))
     low = np.minimum(place.astype(int), COSINE_NODES - 2)
     share = (place - low).reshape(place.shape + (1,) * (nodes.ndim - 1))
     return np.asarray(nodes[low] + share * (nodes[low + 1] - nodes[low]))

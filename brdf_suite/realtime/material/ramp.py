@@ -11,6 +11,7 @@ blue are the weight; alpha is the third coordinate in the stack of broad lobes. 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -113,7 +114,7 @@ def make_ramp(
     under = under_coat
     rows[0, :, :3] = kd * base_gain * (table.diffuse_amplitude if under else np.pi)
     if raised and under:
-        rows[0, :, :3] *= _diffuse_rise(weights)
+        rows[0, :, :3] *= _diffuse_rise(weights.theta_fit_rad, weights.ior)
     rows[0, :, 3] = ladder.through_coat if under else ladder.level(1.0)
     base_target: Target = "coated" if under else "plain"
     place = 0
@@ -167,14 +168,14 @@ def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
     return solid * (np.ones(RAMP_NODES) if target == "gloss" else RAMP_COSINES)
 
 
-def _diffuse_rise(weights: MaterialWeights) -> Floats:
+@lru_cache(maxsize=16)
+def _diffuse_rise(theta_fit_rad: float, ior: float) -> Floats:
     """Return by how much the diffuse base under a coat rises towards grazing (64, 1): 3 % with an index of 1.5.
 
     Light from beside the view comes at large γ, where the base of the aspecular model is brighter by the T that its
     readings, at low views, have lost (docs/method/shading.md). For an index up to about 3, as clearcoats have.
     """
-    angles = np.array([weights.theta_fit_rad, _LOW_READING])
-    passed = 1.0 - fresnel_dielectric(np.cos(angles), weights.ior)
+    passed = 1.0 - fresnel_dielectric(np.cos([theta_fit_rad, _LOW_READING]), ior)
     lost = max(float(passed[0] / passed[1]) - 1.0, 0.0)
     return np.asarray(1.0 + _RISE * lost * (1.0 - RAMP_COSINES) ** 1.5)[:, None]
 
