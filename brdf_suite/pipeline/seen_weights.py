@@ -53,7 +53,8 @@ PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 """The nodes of the ramp at which weights are fitted; between them they are mixed."""
 
 MOST_BROAD, MOST_SHARP = 8, 4
-_LOWEST_COSINE = 1e-3
+#: N·V there, and at grazing a little above 0.
+_COSINES: tuple[float, ...] = tuple(max(float(RAMP_COSINES[place]), 1e-3) for place in PLACES)
 #: Angles of the view that are analysed at once.
 _AT_ONCE = 6
 #: Share of the brightest angle below which an angle counts less, and of the first measure at the same angle.
@@ -126,18 +127,10 @@ def _gloss(exponents: tuple[float, ...]) -> tuple[_Column, ...]:
 
 def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns: int, room: int) -> Floats:
     """Return the weights (64, columns, c) of a layer, of whose broad columns at most ``room`` are kept."""
-    cosines = np.maximum(RAMP_COSINES[list(PLACES)], _LOWEST_COSINE).tolist()
     squares, products, targets, means, least = 0.0, 0.0, 0.0, [], np.zeros((1, 1))
     for sphere in layer.measures:
         systems, own_squares = _systems(exponents, layer.columns, under_coat, sphere.lobes)
-        # In pieces, because a process that draws thumbnails shall stay small.
-        pieces = [cosines[k : k + _AT_ONCE] for k in range(0, len(cosines), _AT_ONCE)]
-        wanted = np.concatenate(
-            [
-                sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in piece]))
-                for piece in pieces
-            ]
-        )
+        wanted = _analysed(layer, sphere, turns)
         size = (wanted**2).sum(axis=1)
         # What is dark at its angle counts as much as what is bright at another, but for next to nothing.
         brightness = size.mean(axis=1, keepdims=True)
@@ -159,6 +152,15 @@ def _fitted(layer: _Layer, exponents: tuple[float, ...], under_coat: bool, turns
     return _on_the_ramp(found * (mean / np.maximum(of_columns @ found, 1e-300)))
 
 
+def _analysed(layer: _Layer, sphere: MirrorHarmonics, turns: int) -> Floats:
+    """Return the coefficients (places, k, c) of a layer; in pieces, so that a process of thumbnails stays small."""
+    found = []
+    for first in range(0, len(PLACES), _AT_ONCE):
+        views = _COSINES[first : first + _AT_ONCE]
+        found.append(sphere.analyse(np.stack([_gathered(layer, sphere.lights(c), c, turns) for c in views])))
+    return np.concatenate(found)
+
+
 @lru_cache(maxsize=4)
 def _systems(
     exponents: tuple[float, ...],
@@ -168,8 +170,7 @@ def _systems(
 ) -> tuple[NDArray[np.float32], Floats]:
     """Return the coefficients A (places, k, columns) of all look-ups, which no reflectance changes, and AᵀA."""
     found = []
-    for place in PLACES:
-        cosine = max(float(RAMP_COSINES[place]), _LOWEST_COSINE)
+    for place, cosine in zip(PLACES, _COSINES, strict=True):
         away, sharpness, amplitude = _look_ups(columns, exponents, place, cosine, under_coat)
         found.append(lobes(away, sharpness) * amplitude)
     systems = np.stack(found)

@@ -117,8 +117,7 @@ class _Chain:
         return x
 
     def _solve(self, bands: Floats, x: Floats, products: Floats) -> Floats:
-        slope = self._times(x) - products
-        error = float(np.vdot(x, slope - products))
+        slope, error = self._judged(x, products)
         for _ in range(_MOST_STEPS):
             free = (x > 0.0) | (slope < -_LEVEL)
             found = self._solved(bands, free, products)
@@ -133,8 +132,7 @@ class _Chain:
                 reach = np.divide(x, x - found, out=np.full(x.shape, np.inf), where=falling)
                 first = min(float(reach.min()), 1.0)
                 following = np.where(reach <= first, 0.0, np.maximum(x + first * (found - x), 0.0))
-            slope = self._times(following) - products
-            reached = float(np.vdot(following, slope - products))
+            slope, reached = self._judged(following, products)
             is_optimum = bool((found >= 0.0).all()) and not ((slope < -_LEVEL) & ~free).any()
             if reached < error:
                 x, error = following, reached
@@ -146,10 +144,15 @@ class _Chain:
         """Return weights of less error along a step, cut off at zero; None where a few halvings find none."""
         for _ in range(_MOST_HALVINGS):
             following = np.maximum(x + step, 0.0)
-            if float(np.vdot(following, self._times(following) - 2.0 * products)) < error:
+            if self._judged(following, products)[1] < error:
                 return np.asarray(following)
             step = 0.5 * step
         return None
+
+    def _judged(self, x: Floats, products: Floats) -> tuple[Floats, float]:
+        """Return the slope (n, k) of half the error at weights (n, k), and the error but for |b|²."""
+        slope = self._times(x) - products
+        return slope, float(np.vdot(x, slope - products))
 
     def _solved(self, bands: Floats, free: Bools, products: Floats) -> Floats:
         """Return the solution (n, k) in which only ``free`` (n, k) weights are not zero, of either sign."""

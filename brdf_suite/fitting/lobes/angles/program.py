@@ -87,20 +87,18 @@ class AngleBaseSamples:
             kept[grid.measured] = np.abs(below[grid.measured]) < np.pi / 2.0
         angle, sample = np.nonzero(kept)
         seen, light = below[angle, sample], above[angle, sample]
-        share, weights = np.zeros(len(angle)), np.array(raw_weights, np.float64)[sample]
+        share, nodes = np.zeros(len(angle)), len(angle)
         if halfway:
             measured = float(theta[grid.measured])
-            there = (gamma > 0.0) & (np.abs(measured - gamma) <= np.deg2rad(HORIZON_DEG))
-            read_sample = np.flatnonzero(there)
-            leaves = measured - gamma[there]
+            read = np.flatnonzero((gamma > 0.0) & (np.abs(measured - gamma) <= np.deg2rad(HORIZON_DEG)))
+            leaves = measured - gamma[read]
             between, part = grid.shares(np.cos(0.5 * (measured + leaves)))
             angle, share = np.concatenate([angle, between]), np.concatenate([share, part])
-            sample = np.concatenate([sample, read_sample])
-            seen = np.concatenate([seen, leaves])
+            sample, seen = np.concatenate([sample, read]), np.concatenate([seen, leaves])
             light = np.concatenate([light, np.full(leaves.size, measured)])
-            more = READ_WEIGHT * np.array(raw_weights, np.float64)[read_sample]
-            weights = np.concatenate([weights, more])
-        self.angle, self.share, self.weights = angle, share, weights
+        self.angle, self.share = angle, share
+        self.weights = np.array(raw_weights, np.float64)[sample]
+        self.weights[nodes:] *= READ_WEIGHT
         zero = np.zeros_like(seen)
         self.lights = np.stack([-np.sin(light), zero, np.cos(light)], -1)
         self.views = np.stack([np.sin(seen), zero, np.cos(seen)], -1)
