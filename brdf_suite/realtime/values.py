@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
@@ -217,7 +218,7 @@ class MaterialWeights:
         object.__setattr__(self, "exponents", exponents)
         for name, shape in (("kd", (3,)), ("kdd", (len(exponents), 3)), ("kg", (len(exponents), 3))):
             value = _finite(getattr(self, name), np.float64, shape, name)
-            if (value < 0).any():
+            if value.min() < 0:
                 raise ValueRangeError(name, "weights must not be negative")
             object.__setattr__(self, name, value)
         if not 0 <= self.theta_fit_rad < np.pi / 2:
@@ -230,12 +231,12 @@ class MaterialWeights:
 
 def check_exponents(exponents: ArrayLike) -> tuple[float, ...]:
     """Return the exponents as a tuple of 1 to :data:`MAX_LOBES` finite numbers, each ≥ 1, or raise."""
-    values = tuple(float(e) for e in np.atleast_1d(np.asarray(exponents, np.float64)))
+    values: list[float] = np.asarray(exponents, np.float64).reshape(-1).tolist()
     if not 1 <= len(values) <= MAX_LOBES:
         raise ValueRangeError("exponents", f"1 to {MAX_LOBES} lobes are drawn, not {len(values)}")
-    if not all(np.isfinite(e) and e >= 1 for e in values):
+    if not all(1 <= e < math.inf for e in values):
         raise ValueRangeError("exponents", "each must be finite and at least 1")
-    return values
+    return tuple(values)
 
 
 def _finite(array: ArrayLike, dtype: type, shape: tuple[int, ...], place: str) -> NDArray[Any]:

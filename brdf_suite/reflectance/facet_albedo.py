@@ -20,7 +20,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import cached_property, lru_cache, partial
 from typing import Literal, get_args
 
 import numpy as np
@@ -62,8 +62,6 @@ class FacetAlbedo:
         (65, channels): E - F at :data:`COSINES`, multiple scattering included.
     lost
         (65,): 1 - E of facets with F = 1.
-    mean
-        (channels): mean of E over even light.
     multiple
         (channels): F_ms / (π (1 - Ē)), what ``lost`` of light and view are multiplied by; 0 where negligible.
     """
@@ -71,13 +69,17 @@ class FacetAlbedo:
     fresnel: Callable[[Floats], Floats]
     change: Floats
     lost: Floats
-    mean: Floats
     multiple: Floats
+
+    @cached_property
+    def mean(self) -> Floats:
+        """The mean (channels) of E over even light."""
+        return np.asarray(_mean_of(self.fresnel) + np.tensordot(_MEAN, self.change, 1))
 
     @property
     def is_multiple(self) -> bool:
         """Whether multiple scattering is more than negligible."""
-        return bool(np.any(self.multiple > 0.0))
+        return bool(self.multiple.any())
 
     @property
     def multiple_albedo(self) -> Floats:
@@ -105,13 +107,15 @@ def facet_albedo(
     change = _at_roughness(distribution, alpha)
     lost = np.maximum(-change.sum(axis=-1), 0.0)  # the quadrature's error has either sign
     mean_lost = float(_MEAN @ lost)
-    even = _mean_of(fresnel)
-    again = even**2 * (1.0 - mean_lost) / (1.0 - even * mean_lost)
-    if float(np.max(again)) * mean_lost < NEGLIGIBLE:
-        again = np.zeros_like(again)
-    of_fresnel = change @ fresnel(FRESNEL_COSINES) + np.multiply.outer(lost, again)
-    mean = even + np.tensordot(_MEAN, of_fresnel, 1)
-    return FacetAlbedo(fresnel, of_fresnel, lost, mean, np.asarray(again / (math.pi * max(mean_lost, 1e-12))))
+    of_fresnel = change @ fresnel(FRESNEL_COSINES)
+    again = np.zeros(of_fresnel.shape[1:])
+    if mean_lost >= NEGLIGIBLE:  # less does not come back even where F = 1
+        even = _mean_of(fresnel)
+        returned = even**2 * (1.0 - mean_lost) / (1.0 - even * mean_lost)
+        if float(np.max(returned)) * mean_lost >= NEGLIGIBLE:
+            again = returned
+            of_fresnel = of_fresnel + np.multiply.outer(lost, again)
+    return FacetAlbedo(fresnel, of_fresnel, lost, np.asarray(again / (math.pi * max(mean_lost, 1e-12))))
 
 
 def single_scattering_albedo(distribution: Distribution, alpha: float, cosine: npt.ArrayLike) -> Floats:
@@ -163,9 +167,10 @@ def _mean_of(fresnel: Callable[[Floats], Floats]) -> Floats:
 
 def _between(nodes: Floats, cosine: npt.ArrayLike) -> Floats:
     """Return ``nodes`` (65, channels) at cosines (...), (..., channels), by straight lines over √μ."""
-    place = np.sqrt(np.minimum(np.maximum(np.asarray(cosine, float), 0.0), 1.0)) * (COSINE_NODES - 1)
+    place = np.sqrt(np.maximum(np.asarray(cosine, float), 0.0)) * (COSINE_NODES - 1)
     if nodes.ndim == 1:  # a coat, of which an edit asks a few places at a time
-        return np.asarray(np.interp(place, _PLACES, nodes))
+        return np.asarray(np.interp(place, _PLACES, nodes))  # held beyond both ends
+    place = np.minimum(place, COSINE_NODES - 1)
     low = np.minimum(place.astype(int), COSINE_NODES - 2)
     share = (place - low).reshape(place.shape + (1,) * (nodes.ndim - 1))
     return np.asarray(nodes[low] + share * (nodes[low + 1] - nodes[low]))

@@ -10,6 +10,7 @@ blue are the weight; alpha is the third coordinate in the stack of broad lobes. 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -39,8 +40,12 @@ MAX_ROWS = 1 + MAX_SHARP + MAX_BROAD
 _WRITTEN = 8
 """Broad look-ups that are written at least: a program may look up more than a material has."""
 
-#: View of the reading at γ = 110°, radians, and how much of what it lost constant light shows at grazing.
-_LOW_READING, _RISE = np.deg2rad(65.0), 0.42
+#: View of the reading at γ = 110°, radians, and how much of what it lost constant light shows (64, 1).
+_LOW_READING = math.radians(65.0)
+_RISE: Floats = (0.42 * (1.0 - RAMP_COSINES) ** 1.5)[:, None]
+
+#: R itself: b is 0, and R has its own sign.
+_UNSHIFTED: Floats = np.array([0.0, 0.0, 0.0, 1.0])
 
 NEGLIGIBLE = 1e-6
 """A lobe that reflects less than this share of what the material does in constant light is left out."""
@@ -82,18 +87,18 @@ def make_ramp(
     if over_angle is not None and over_angle is weights.by_view:
         under_coat = over_angle.under_coat
     if over_angle is not None:
-        kd, kdd, kg, turned_weights = over_angle.kd, over_angle.kdd, over_angle.kg, over_angle.turned
+        kd, kdd, kg = over_angle.kd, over_angle.kdd, over_angle.kg
+        turned = list(zip(TURNS, over_angle.turned, strict=True))
     else:
-        kd, kdd, kg = weights.kd[None], weights.kdd[None], weights.kg[None]
-        turned_weights = np.zeros((len(TURNS), *kdd.shape))
+        kd, kdd, kg, turned = weights.kd[None], weights.kdd[None], weights.kg[None], []
     base_gain, gloss_gain = _gains(weights, under_coat) if raised else (np.ones((1, 1)), np.ones((1, 3)))
 
     exponents = np.asarray(weights.exponents)
     solid = 2.0 * np.pi / (exponents + 1.0)
     by_base = solid * kdd.max(axis=(0, 2))
     by_gloss = solid * kg.max(axis=(0, 2))
-    by_turn = solid * turned_weights.max(axis=(1, 3))
-    lobes_reflect = float(by_base.sum()) + float(by_gloss.sum()) + float(by_turn.sum())
+    by_turn = [solid * weight.max(axis=(0, 2)) for _, weight in turned]
+    lobes_reflect = sum(float(part.sum()) for part in (by_base, by_gloss, *by_turn))
     least = NEGLIGIBLE * (np.pi * float(kd.max()) + lobes_reflect)
     broad = exponents <= BROADEST_SHARP
     base_lobes = np.flatnonzero(broad & (by_base > least))
@@ -122,17 +127,16 @@ def make_ramp(
         (base_target, base_lobes, kdd, base_gain, "unturned"),
         *(
             (base_target, lobes, weight, base_gain, turn)
-            for turn, lobes, weight in zip(TURNS, turned_lobes, turned_weights, strict=True)
+            for (turn, weight), lobes in zip(turned, turned_lobes, strict=True)
         ),
         ("gloss", gloss_lobes, kg, gloss_gain, "unturned"),
     ]
     for target, lobes, weight, gain, turn in groups:
         for lobe in lobes:
-            amplitude, level, towards = _look_up(target, float(exponents[lobe]), shifted, ladder, turn)
+            amplitude, level, toward[place] = _look_up(target, float(exponents[lobe]), shifted, ladder, turn)
             row = rows[1 + MAX_SHARP + place]
-            row[:, :3] = weight[:, lobe] * gain * amplitude[:, None]
+            row[:, :3] = weight[:, lobe] * gain * amplitude
             row[:, 3] = level
-            toward[place] = towards * (1.0, 1.0, 1.0, exponents[lobe])
             place += 1
     for place, lobe in enumerate(sharp_lobes, 1):
         exponent = float(exponents[lobe])
@@ -150,14 +154,21 @@ def make_ramp(
     )
 
 
+@lru_cache(maxsize=256)
 def _look_up(
     target: Target, exponent: float, shifted: bool, ladder: Ladder, turn: Turn
 ) -> tuple[Floats, Floats, Floats]:
-    """Return amplitude (64,), level (64,) or (), and b's coefficients with the sign of R (4,)."""
+    """Return amplitude (64, 1), level (64,) or (), and the row of ``toward_normal`` (4,); none to be written."""
     if not shifted:
-        return _amplitude(target, exponent, False), ladder.level(exponent), np.array([0.0, 0.0, 0.0, 1.0])
-    found = look_up_table().find(target, exponent)
-    return found.amplitude, ladder.level(found.exponent), direction(found, exponent, turn)
+        amplitude, level, toward = _amplitude(target, exponent, False), ladder.level(exponent), _UNSHIFTED
+    else:
+        found = look_up_table().find(target, exponent)
+        amplitude, level, toward = (
+            found.amplitude,
+            ladder.level(found.exponent),
+            direction(found, exponent, turn),
+        )
+    return amplitude[:, None], level, toward * np.array([1.0, 1.0, 1.0, exponent])
 
 
 def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
@@ -168,16 +179,14 @@ def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
     return solid * (np.ones(RAMP_NODES) if target == "gloss" else RAMP_COSINES)
 
 
-@lru_cache(maxsize=16)
 def _diffuse_rise(theta_fit_rad: float, ior: float) -> Floats:
     """Return by how much the diffuse base under a coat rises towards grazing (64, 1): 3 % with an index of 1.5.
 
     Light from beside the view comes at large γ, where the base of the aspecular model is brighter by the T that its
     readings, at low views, have lost (docs/method/shading.md). For an index up to about 3, as clearcoats have.
     """
-    passed = 1.0 - fresnel_dielectric(np.cos([theta_fit_rad, _LOW_READING]), ior)
-    lost = max(float(passed[0] / passed[1]) - 1.0, 0.0)
-    return np.asarray(1.0 + _RISE * lost * (1.0 - RAMP_COSINES) ** 1.5)[:, None]
+    here, low = (1.0 - float(fresnel_dielectric(math.cos(at), ior)) for at in (theta_fit_rad, _LOW_READING))
+    return 1.0 + max(here / low - 1.0, 0.0) * _RISE
 
 
 def _gains(weights: MaterialWeights, crossing_in_table: bool) -> tuple[Floats, Floats]:

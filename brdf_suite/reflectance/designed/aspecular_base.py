@@ -86,12 +86,8 @@ class AspecularBase:
         cos_i, cos_o = wi[..., 2], wo[..., 2]
         cos_gamma = product[..., 2] - product[..., 0] - product[..., 1]
         gamma = np.minimum(np.arccos(np.minimum(np.maximum(cos_gamma, -1.0), 1.0)), self.farthest)
-        cos_view = np.cos(self.illumination - gamma)
-        passed = self.entering(cos_i) * self.entering(cos_o)
-        there = self.entering(cos_view)
-        here = math.pi * float(self.entering(math.cos(self.illumination)))
         above = (cos_i > 0.0) & (cos_o > 0.0)
-        scale = np.where(above, passed, 0.0) / (here * there)
+        scale = np.where(above, self._crossing(cos_i, cos_o, gamma), 0.0)
         if self.by_half_vector and isinstance(self.rule, FlakeRule):
             # Beyond the farthest reading its value is held, here too.
             farthest = squared_tilt(np.array(self.farthest), self.illumination, self.ior)
@@ -100,6 +96,15 @@ class AspecularBase:
         else:
             rho = self._near_specular(self.rule(gamma), gamma)
         return np.asarray(rho * scale[..., None])
+
+    def _crossing(self, cos_i: Floats, cos_o: Floats, gamma: Floats) -> Floats:
+        """Return T(θi) T(θo) / (π T(θ0) T(θ0 - γ)) (...); all four in one look-up, which few numbers take long for."""
+        views = np.cos(self.illumination - gamma)
+        here = [math.cos(self.illumination)]
+        passed = self.entering(np.concatenate((here, views.ravel(), cos_i.ravel(), cos_o.ravel())))
+        there, lit = 1 + views.size, 1 + views.size + cos_i.size
+        both = passed[there:lit].reshape(cos_i.shape) * passed[lit:].reshape(cos_o.shape)
+        return np.asarray(both / (math.pi * passed[0] * passed[1:there].reshape(views.shape)))
 
 
 # Radians of θd: lights nearer than this are mixed. Instruments' readings lie farther apart.

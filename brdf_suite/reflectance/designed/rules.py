@@ -22,6 +22,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -102,9 +103,9 @@ class FlakeRule:
 
         ``weight`` (n,) is that of each reading in the least squares that more than three need; left out, all equal.
         """
-        if np.any(np.diff(x) <= 0.0):
-            return None
         tilts = x.tolist()
+        if not all(before < after for before, after in pairwise(tilts)):
+            return None
         fitted: list[tuple[float, float, float] | None] = [None] * 3
         if len(tilts) > 3:
             fitted = _least_squares(tilts, rho, np.ones(len(tilts)) if weight is None else weight)
