@@ -117,11 +117,8 @@ KEEP = "BRDF_SUITE_REFERENCE_KEEP"
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Trace, draw and compare."""
-    shared = _shared()
-    environments = [
-        *environment_names(),
-        *(str(path) for path in sorted((shared / "environments").glob("*.*"))),
-    ]
+    shared = shared_data()
+    _, environments = lights(shared)
     keep = Path(os.environ[KEEP]) if KEEP in os.environ else default_root() / "bench_reference"
     found: dict[str, float | None] = dict(_terminator.run())
     found |= _raytraced.figures(subrange(progress, 0.0, 0.1))
@@ -132,8 +129,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
         step = subrange(
             progress, 0.2 + 0.79 * number / len(CLASSES), 0.2 + 0.79 * (number + 1) / len(CLASSES)
         )
-        paints = [str(path) if (path := shared / "brdf" / name).exists() else name for name in names]
-        there = [paint for paint in paints if "." not in paint or Path(paint).exists()]
+        there = paints_there(names, shared)
         own = _cases(there, environments, keep, step) if there else []
         found[f"{key}_de00_mean"] = summary(own)["de00_mean"] if own else None
         cases += own
@@ -176,6 +172,23 @@ def _speed() -> float:
     return traced / seconds / 1e6
 
 
-def _shared() -> Path:
+def lights(shared: Path) -> tuple[list[str], list[str]]:
+    """Return the shipped environments, and these with the shared ones."""
+    shipped = list(environment_names())
+    return shipped, [*shipped, *(str(path) for path in sorted((shared / "environments").glob("*.*")))]
+
+
+def paints_there(names: tuple[str, ...], shared: Path) -> list[str]:
+    """Return the shipped paints among ``names``, and the paths of those files of the shared data that are there."""
+    paths = [shared / "brdf" / name for name in names]
+    return [
+        str(path) if path.exists() else name
+        for name, path in zip(names, paths, strict=True)
+        if "." not in name or path.exists()
+    ]
+
+
+def shared_data() -> Path:
+    """Return the folder of the shared data, whether it is there or not."""
     checkout = Path(__file__).resolve().parents[2]
     return Path(os.environ.get("BRDF_SUITE_SHARED", checkout.parent / "shared")) / "data"

@@ -11,11 +11,15 @@ import numpy as np
 import pytest
 
 from brdf_suite.cli.main import main
-from brdf_suite.errors import FileError, MissingExtraError
-from brdf_suite.files.images.environments import write_exr
+from brdf_suite.errors import FileError, MissingExtraError, ValueRangeError
+from brdf_suite.files.images.environments import read_environment_image, write_exr
+from brdf_suite.files.measured.astm import write_astm
+from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.tracing.agreement import comparison as agreement
 from brdf_suite.tracing.agreement.comparison import (
     LOBES,
@@ -26,7 +30,8 @@ from brdf_suite.tracing.agreement.comparison import (
     flip_of,
     summary,
 )
-from brdf_suite.tracing.agreement.forms import DEFAULT_FORM
+from brdf_suite.tracing.agreement.flakes import block_means, compare_flakes
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, HELD_OUT_FORM, fit_for
 from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
 SIZE = (32, 28)
@@ -38,6 +43,16 @@ def light(tmp_path_factory: pytest.TempPathFactory) -> Path:
     d = direction(ring_angles(32)[:, None], column_angles(64)[None])
     path = tmp_path_factory.mktemp("light") / "soft.exr"
     write_exr(path, np.asarray(0.6 + 0.5 * d[..., 1:2] + np.array([0.1, 0.1, 0.2]) * d[..., :1], np.float32))
+    return path
+
+
+@pytest.fixture(scope="module")
+def sun(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A small bright light in an even sky."""
+    d = direction(ring_angles(64)[:, None], column_angles(128)[None])
+    there = d @ (np.array([2.0, 2.0, 1.0]) / 3.0) > np.cos(np.radians(3.0))
+    path = tmp_path_factory.mktemp("light") / "sun.exr"
+    write_exr(path, np.where(there[..., None], 500.0, 0.3).repeat(3, axis=-1).astype(np.float32))
     return path
 
 
@@ -157,3 +172,71 @@ def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> Non
         check_page(tmp_path / "a.html")
     with pytest.raises(FileError, match="does not exist"):
         check_page(tmp_path / "none" / "a.md")
+
+
+def test_means_over_blocks_take_the_object_alone() -> None:
+    light = np.zeros((40, 33, 3))
+    inside = np.zeros((40, 33), bool)
+    inside[:16, :20], light[:16, :16] = True, (1.0, 2.0, 3.0)
+    light[:16, 16:20] = 4.0  # a quarter of its block, which just counts
+    light[~inside] = 99.0
+    np.testing.assert_allclose(block_means(light, inside), [[1.0, 2.0, 3.0], [4.0, 4.0, 4.0]])
+    inside[0, 16] = False
+    assert len(block_means(light, inside)) == 1
+
+
+@pytest.mark.usefixtures("variant")
+def test_flakes_of_both_renderers_have_the_same_means(tmp_path: Path, sun: Path, capsys) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
+    keep, page = tmp_path / "kept", tmp_path / "page.md"
+    words = ["agreement", "--paints", "coarse_silver", "solid_red", "--environments", str(sun), "--flakes"]
+    words += [
+        "--forms",
+        DEFAULT_FORM,
+        "--size",
+        "48x48",
+        "--spp",
+        "128",
+        "--keep",
+        str(keep),
+        "-o",
+        str(page),
+        "--json",
+    ]
+    assert main(words) == 0
+    (case,) = json.loads(capsys.readouterr().out)["flakes"]  # a solid paint has none
+    assert (case["paint"], case["environment"], case["surface"]) == ("Coarse silver", "sun", "sphere")
+    assert 0.0 < case["de00_mean"] < 1.0
+    assert case["de00_mean"] <= case["de00_worst"]
+    assert 0.0 < case["noise"] < 2.0
+    assert case["luminance"] == pytest.approx(1.0, abs=0.05)
+    text = page.read_text()
+    assert "## With flakes on the sphere" in text
+    assert f"| Coarse silver | {case['de00_mean']:.2f} / " in text
+    files = [keep / f"sphere__Coarse_silver__sun__flakes_{number}.exr" for number in (0, 1)]
+    first, second = (read_environment_image(path).pixels for path in files)
+    assert np.abs(first - second).mean() > 2e-4 * first.mean()  # the same paths meet other flakes
+
+
+def test_pictures_smaller_than_a_block_are_refused(light: Path) -> None:
+    with pytest.raises(ValueRangeError, match="blocks of 16×16 pixels"):
+        next(compare_flakes(Order(["coarse_silver"], [str(light)], (64, 12))))
+
+
+def test_a_held_out_form_knows_a_part_of_the_measured_directions(tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    wi, wo = (spherical(rng.uniform(0.0, 1.3, 400), rng.uniform(0.0, 6.28, 400)) for _ in range(2))
+    values = np.repeat(0.1 + 0.2 * rng.random((400, 1)), 3, 1)
+    path = tmp_path / "measured.astm"
+    write_astm(ScatteredSamples(wi, wo, values), path)
+    fitted = fit_for(FORMS[HELD_OUT_FORM], str(path), FitSettings())
+    assert fitted is not None
+    assert isinstance(fitted.reflectance, ScatteredSamples)
+    assert len(fitted.reflectance.wi) == 320
+    assert fit_for(FORMS[HELD_OUT_FORM], "copper", FitSettings()) is None
+
+
+def test_a_paint_that_has_none_of_the_forms_is_named(light: Path) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
+    with pytest.raises(ValueRangeError, match=f"copper cannot be drawn in any of {HELD_OUT_FORM}"):
+        next(compare(Order(["copper"], [str(light)], SIZE, 64, (HELD_OUT_FORM,))))

@@ -32,6 +32,8 @@ def add(command: argparse.ArgumentParser) -> None:
             f"{DEFAULT_FORM} alone)",
             "--size WxH=128x128": "pixels (default: 128x128)",
             "--spp N=512": "samples a pixel of each of the two traces (default: 512)",
+            "--flakes": "also compare with single flakes, every paint that has them, by means over 16×16 pixels and "
+            "eight populations of flakes",
             "--lobes": "trace the fitted lobes too: separates the fit's error from the look-up's",
             "--keep FOLDER": "keep what is traced in this folder",
             "-o/--output FILE": "a page (.md) to write; its pictures go into images/ beside it",
@@ -49,7 +51,8 @@ def run(options: argparse.Namespace) -> int:
     # Named first: it is found out sooner.
     import_extra("flip_evaluator", purpose="the comparison of pictures")
     from brdf_suite.tracing.agreement.comparison import Case, Order, compare, summary
-    from brdf_suite.tracing.agreement.page import check_page, groups, write_page
+    from brdf_suite.tracing.agreement.flakes import FlakeCase, compare_flakes
+    from brdf_suite.tracing.agreement.page import check_page, drawn_forms, groups, write_page
 
     if options.output is not None:
         check_page(options.output)
@@ -72,38 +75,49 @@ def run(options: argparse.Namespace) -> int:
     )
     orders = [first, *(replace(further, surface=mesh) for mesh in surfaces[1:])]
     cases: list[Case] = []
+    flakes: list[FlakeCase] = []
     with progress_bar("comparing", quiet=options.json) as progress:
         for number, order in enumerate(orders):
             step = subrange(progress, number / len(orders), (number + 1) / len(orders))
-            cases += compare(order, step)
+            cases += compare(order, subrange(step, 0.0, 0.5 if options.flakes else 1.0))
+            if options.flakes:
+                flakes += compare_flakes(order, subrange(step, 0.5, 1.0))
     if options.output is not None:
-        write_page(options.output, cases, first)
+        write_page(options.output, cases, first, flakes)
     if options.json:
         print_json(
             {
                 "summary": {
-                    title: {form: summary(group, form) for form in group[0].errors}
+                    title: {form: summary(group, form) for form in drawn_forms(group)}
                     for title, group in groups(cases)
                 },
                 "cases": [case.to_json() for case in cases],
+                "flakes": [case.to_json() for case in flakes],
             }
         )
         return 0
     print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}")
     for case in cases:
-        e = case.errors[first.forms[0]]
+        e = next(iter(case.errors.values()))
         print(
             f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "
             f"{case.noise.mean:6.2f}"
         )
     for title, group in groups(cases):
         print(title)
-        for form in group[0].errors:
+        for form in drawn_forms(group):
             s = summary(group, form)
             print(
                 f"  {form}: mean ΔE00 {s['de00_mean']:.2f}, worst paint {s['de00_worst']:.2f}, "
                 f"99th percentile {s['de00_p99']:.2f}, FLIP {s['flip']:.3f}"
             )
+    if flakes:
+        print("With flakes, means of 16×16 pixels over eight populations: mean ΔE00, worst, noise, luminance")
+    for shown in flakes:
+        print(
+            f"  {shown.paint[:24]:24} {shown.environment[:18]:18} {shown.surface[:12]:12} {shown.de00_mean:6.2f} "
+            f"{shown.de00_worst:6.2f} {shown.noise:6.2f} {shown.luminance:6.3f}"
+        )
     if options.output is not None:
         print(f"{options.output}: written")
     return 0

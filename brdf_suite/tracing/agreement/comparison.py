@@ -28,6 +28,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.extras import import_extra
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import ev_of
@@ -138,8 +139,8 @@ def delta_e_of(first: Floats, second: Floats) -> Floats:
 
 
 LOBES = "the fitted lobes, traced"
-_WHOLE = 0.999
-_OTHER_SEED = 100_000
+WHOLE = 0.999
+OTHER_SEED = 100_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -226,6 +227,8 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         Mitsuba or FLIP is missing or cannot be loaded; the message says how to install it.
     ReferenceUnavailableError
         LLVM is missing; the message says what to install.
+    ValueRangeError
+        A paint has none of the forms.
     SuiteError
         A paint or an environment cannot be read.
     """
@@ -238,6 +241,9 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         form: {paint: fit_for(FORMS[form], paint, order.fitting) for paint in order.paints}
         for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
     }
+    for paint in order.paints:
+        if all(fits[form][paint] is None for form in order.forms):
+            raise ValueRangeError("forms", f"{paint} cannot be drawn in any of {', '.join(order.forms)}")
     count = max(1, len(order.environments))
     with OffscreenScene() as scene:
         baked = None
@@ -287,15 +293,15 @@ def _truth(
     name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
     if order.surface != "sphere":
         name += f"__{Path(order.surface).stem}"
-    one = _traced(order, traced, name, subrange(progress, 0.0, 0.5))
-    other = _traced(order, traced, f"{name}__2", subrange(progress, 0.5, 1.0), _OTHER_SEED)
+    one = trace_kept(order, traced, name, subrange(progress, 0.0, 0.5))
+    other = trace_kept(order, traced, f"{name}__2", subrange(progress, 0.5, 1.0), OTHER_SEED)
     coverage = 0.5 * (one.coverage + other.coverage)
     seen = np.concatenate((0.5 * (one.radiance + other.radiance), coverage[..., None]), axis=-1)
     return _Truth(
         fit,
         traced,
         (traced.whole(one), traced.whole(other)),
-        coverage >= _WHOLE,
+        coverage >= WHOLE,
         replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
         name,
     )
@@ -323,11 +329,11 @@ def _drawn(
                     continue
                 view = replace(truth.view, **FORMS[form].view)
                 scene.set_material(fit, view=view)
-                drawn[paint][form] = _shown(_pixel_means(scene, view, order.size), view)
+                drawn[paint][form] = displayed(pixel_means(scene, view, order.size), view)
     return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}
 
 
-def _pixel_means(scene: OffscreenScene, view: View, size: tuple[int, int]) -> Floats:
+def pixel_means(scene: OffscreenScene, view: View, size: tuple[int, int]) -> Floats:
     """Return the mean radiance (h, w, 3) of each pixel, which is what a path-traced pixel is."""
     width, height = size
     fine = scene.renderer.linear_image(view, (FINER * width, FINER * height))
@@ -345,18 +351,18 @@ def _case(
 ) -> Case:
     view, inside = truth.view, truth.inside
     one, other = truth.traces
-    pictures = {"reference": _shown(0.5 * (one + other), view), **drawn}
+    pictures = {"reference": displayed(0.5 * (one + other), view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
     look_up: dict[str, PictureErrors] = {}
     if order.lobes:
         material = Material(truth.fit.name, truth.fit.weights)
         lobes = build_reference(material, truth.scene.view, order.size, prepared.environment, mesh)
-        found = _traced(order, lobes, f"{truth.name}__lobes", progress)
-        pictures[LOBES] = _shown(lobes.whole(found), view)
+        found = trace_kept(order, lobes, f"{truth.name}__lobes", progress)
+        pictures[LOBES] = displayed(lobes.whole(found), view)
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
-    noise = errors_of(_shown(one, view), _shown(other, view), inside)
-    first = order.forms[0]
+    noise = errors_of(displayed(one, view), displayed(other, view), inside)
+    first = next(iter(drawn))
     return Case(
         paint=truth.fit.name,
         environment=Path(prepared.name).stem,
@@ -397,9 +403,10 @@ def _plain(order: Order) -> View:
     return View(surface=order.surface, sparkle=Sparkle(mode="off"))
 
 
-def _traced(
+def trace_kept(
     order: Order, scene: ReferenceScene, name: str, progress: Progress | None, first_seed: int = 0
 ) -> Estimate:
+    """Return a trace of a scene, from the order's folder where it lies there, and kept there afterwards."""
     kept = None
     stem = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
     path = None if order.keep is None else order.keep / f"{stem}.exr"
@@ -422,5 +429,6 @@ def _traced(
     return found
 
 
-def _shown(radiance: Floats, view: View) -> Floats:
+def displayed(radiance: Floats, view: View) -> Floats:
+    """Return radiance (..., 3) as it is shown in ``view``, encoded sRGB."""
     return srgb_encode(display_light(radiance, view.exposure_ev, view.tone_curve))

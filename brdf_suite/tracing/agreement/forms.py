@@ -10,15 +10,19 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.documents.paint import Paint
-from brdf_suite.errors import UnreachableError
+from brdf_suite.errors import FittingError, UnreachableError
 from brdf_suite.fitting.lobes.basis import shipped_basis
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.inspection.representations import hold_out
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_document, load_material, material_of
 from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 DEFAULT_FORM = "default"
+HELD_OUT_FORM = "a fifth held out"
 
 _NOTHING: Mapping[str, Any] = MappingProxyType({})
 
@@ -40,6 +44,9 @@ class DrawingForm:
     paint
         Fields of a designed paint's document. The picture is then of another paint than the traced one: it shows how
         much the rule matters, not an error.
+    held_out
+        Whether the lobes know a part of the measured directions only (:func:`hold_out`), of which the traced paint has
+        all.
     """
 
     effect: str
@@ -47,6 +54,7 @@ class DrawingForm:
     lobes: int | None = None
     halvings: int = 0
     paint: Mapping[str, Any] = field(default_factory=lambda: _NOTHING)
+    held_out: bool = False
 
     @property
     def light(self) -> tuple[int | None, int]:
@@ -68,6 +76,7 @@ FORMS: Mapping[str, DrawingForm] = MappingProxyType(
         "monotone rule": DrawingForm("below 15°", paint={"interpolation": "monotone"}),
         "polynomial rule": DrawingForm("below 15°", paint={"interpolation": "polynomial"}),
         "near-specular × 0.7": DrawingForm("below 15°", paint={"near_specular": 0.7}),
+        HELD_OUT_FORM: DrawingForm("measured directions", held_out=True),
     }
 )
 """Ways in which the real-time picture is drawn, by name."""
@@ -79,11 +88,20 @@ def settings_of(form: DrawingForm, fitting: FitSettings) -> FitSettings:
 
 
 def fit_for(form: DrawingForm, paint: str, fitting: FitSettings) -> LobeFit | None:
-    """Return the lobes of a paint in a form; None where the form is of designed paints and it is none, or cannot be so.
+    """Return the lobes of a paint in a form; None where the form is not of its kind, or it cannot be so.
 
     ``fitting`` as for :func:`settings_of`. Errors as :func:`load_material` and :func:`fit_material`.
     """
     settings = settings_of(form, fitting)
+    if form.held_out:
+        material = load_material(paint)
+        if not isinstance(material.reflectance, ScatteredSamples | IsotropicTable):
+            return None  # what is evaluated anywhere has no directions of its own
+        try:
+            seen = hold_out(material.reflectance).seen
+        except FittingError:  # too few to be divided
+            return None
+        return fit_material(replace(material, reflectance=seen), settings)
     if not form.paint:
         return fit_material(load_material(paint), settings)
     document = load_document(paint)

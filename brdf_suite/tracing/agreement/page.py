@@ -21,7 +21,8 @@ from brdf_suite.tracing.agreement.comparison import (
     summary,
     worst_paint,
 )
-from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
+from brdf_suite.tracing.agreement.flakes import BLOCK, POPULATIONS, FlakeCase
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, HELD_OUT_FORM
 
 MOST_ROWS = 6
 """Of a sheet: the worst case of an environment, and the middle one, until there are so many."""
@@ -50,14 +51,14 @@ def check_page(path: Path) -> None:
         raise FileError(path, "its folder does not exist")
 
 
-def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
+def write_page(path: Path, cases: Sequence[Case], order: Order, flakes: Sequence[FlakeCase] = ()) -> None:
     """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
     images = path.absolute().parent / "images"
     images.mkdir(exist_ok=True)
     for title, group in groups(cases):
         metadata = {"Software": "BRDF Suite", "Title": "Agreement of the renderers"}
         write_png(images / sheet_name(title), sheet(chosen(group)), metadata)
-    write_atomically(path, page(cases, order).encode())
+    write_atomically(path, page(cases, order, flakes).encode())
 
 
 def groups(cases: Sequence[Case]) -> list[tuple[str, list[Case]]]:
@@ -69,6 +70,11 @@ def groups(cases: Sequence[Case]) -> list[tuple[str, list[Case]]]:
         (f"{_HEADINGS[kind]} on the {surface.replace('_', ' ')}", group)
         for (surface, kind), group in found.items()
     ]
+
+
+def drawn_forms(cases: Sequence[Case]) -> list[str]:
+    """Return the forms that any of the cases was drawn in; few have all."""
+    return list(dict.fromkeys(form for case in cases for form in case.errors))
 
 
 def sheet_name(title: str) -> str:
@@ -116,7 +122,7 @@ def sheet(cases: Sequence[Case]) -> Bytes:
     return np.asarray(np.rint(255.0 * np.clip(_beside(padded, axis=1), 0.0, 1.0)), np.uint8)
 
 
-def page(cases: Sequence[Case], order: Order) -> str:
+def page(cases: Sequence[Case], order: Order, flakes: Sequence[FlakeCase] = ()) -> str:
     """Return the page as Markdown."""
     lines = [
         "# Agreement of the two renderers",
@@ -138,6 +144,8 @@ def page(cases: Sequence[Case], order: Order) -> str:
         ]
     for title, group in groups(cases):
         lines += _part(title, group)
+    for surface in dict.fromkeys(case.surface for case in flakes):
+        lines += _with_flakes(surface, [case for case in flakes if case.surface == surface])
     return "\n".join(lines)
 
 
@@ -156,8 +164,7 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
             "all paths.",
             "",
         ]
-    forms = list(dict.fromkeys(form for case in cases for form in case.errors))
-    lines += _by_effect(cases, forms)
+    lines += _by_effect(cases, drawn_forms(cases))
     noise = float(np.mean([case.noise.mean for case in cases]))
     form = _form(cases[0])
     worst, mean = worst_paint(cases, form)
@@ -212,7 +219,34 @@ def _by_effect(cases: Sequence[Case], forms: Sequence[str]) -> list[str]:
             "No instrument reads below 15°. These rows draw the paint by another rule than the traced one; they show "
             "the influence of the rule and are not errors.",
         ]
+    if HELD_OUT_FORM in forms:
+        lines += [
+            "",
+            f"Where a row says “{HELD_OUT_FORM}”, the lobes know four fifths of the measured directions and the traced "
+            "paint all of them.",
+        ]
     return lines
+
+
+def _with_flakes(surface: str, cases: Sequence[FlakeCase]) -> list[str]:
+    environments = list(dict.fromkeys(case.environment for case in cases))
+    found = {(case.paint, case.environment): case for case in cases}
+    mean, noise = (float(np.mean([getattr(case, name) for case in cases])) for name in ("de00_mean", "noise"))
+    lines = [
+        f"## With flakes on the {surface.replace('_', ' ')}",
+        "",
+        f"Single flakes in both pictures, compared by means over {BLOCK}×{BLOCK} pixels and {POPULATIONS} populations "
+        f"of flakes: mean ΔE00 {mean:.2f}; the two traces differ by {noise:.2f}. Mean ΔE00 / worst block / "
+        "luminance over that of the trace, median of the blocks:",
+        "",
+        "| paint | " + " | ".join(environments) + " |",
+        "|---|" + "---|" * len(environments),
+    ]
+    for paint in dict.fromkeys(case.paint for case in cases):
+        row = [found[paint, environment] for environment in environments]
+        cells = (f"{case.de00_mean:.2f} / {case.de00_worst:.1f} / {case.luminance:.3f}" for case in row)
+        lines.append(f"| {paint} | " + " | ".join(cells) + " |")
+    return [*lines, ""]
 
 
 def _against_lobes(cases: Sequence[Case]) -> list[str]:
