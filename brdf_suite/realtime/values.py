@@ -231,7 +231,10 @@ class MaterialWeights:
 
 def check_exponents(exponents: ArrayLike) -> tuple[float, ...]:
     """Return the exponents as a tuple of 1 to :data:`MAX_LOBES` finite numbers, each ≥ 1, or raise."""
-    values: list[float] = np.asarray(exponents, np.float64).reshape(-1).tolist()
+    array = np.atleast_1d(np.asarray(exponents, np.float64))
+    if array.ndim != 1:
+        raise ValueRangeError("exponents", f"expected one row of numbers, not {array.shape}")
+    values: list[float] = array.tolist()
     if not 1 <= len(values) <= MAX_LOBES:
         raise ValueRangeError("exponents", f"1 to {MAX_LOBES} lobes are drawn, not {len(values)}")
     if not all(1 <= e < math.inf for e in values):

@@ -30,7 +30,8 @@ SHOWN = (
     "gold_green_shift",
     "satin_blue",
     "matte_grey",
-    "solid_white",
+    "table1_ford_f8",
+    "cayman.brdf",
     "vch_golden_yellow_rgb.bsdf",
 )
 WITH_FLAKES = ("coarse_silver", "blue", "copper", "gunmetal")
@@ -59,7 +60,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "<=",
         0.6,
         "",
-        "single flakes on a sphere, means over 16×16 pixels and eight populations: mean ΔE00",
+        "single flakes on a sphere of 10 mm, means over 16×16 pixels and eight populations: mean ΔE00",
     ),
     "flakes_de00_worst": ("", None, "", "the same, the worst paint and environment"),
     "flakes_traces_de00_mean": ("<=", 0.3, "", "the same between the two traces"),

@@ -50,12 +50,14 @@ def run(options: argparse.Namespace) -> int:
     """Compare; print a table or a JSON object, and write the page."""
     # Named first: it is found out sooner.
     import_extra("flip_evaluator", purpose="the comparison of pictures")
-    from brdf_suite.tracing.agreement.comparison import Case, Order, compare, summary
-    from brdf_suite.tracing.agreement.flakes import FlakeCase, compare_flakes
+    from brdf_suite.tracing.agreement.comparison import Case, Order, compare, judged_form, summary
+    from brdf_suite.tracing.agreement.flakes import FlakeCase, check_size, compare_flakes
     from brdf_suite.tracing.agreement.page import check_page, drawn_forms, groups, write_page
 
     if options.output is not None:
         check_page(options.output)
+    if options.flakes:
+        check_size(options.size)
     given = options.environments or environment_names()
     surfaces = options.mesh or ["sphere"]
     first = Order(
@@ -96,12 +98,13 @@ def run(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}")
+    print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}  form")
     for case in cases:
-        e = next(iter(case.errors.values()))
+        form = judged_form(case)
+        e = case.errors[form]
         print(
             f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "
-            f"{case.noise.mean:6.2f}"
+            f"{case.noise.mean:6.2f}  {form}"
         )
     for title, group in groups(cases):
         print(title)

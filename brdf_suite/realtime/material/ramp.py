@@ -27,6 +27,7 @@ from brdf_suite.realtime.environment.look_up_table import (
     RAMP_COSINES,
     RAMP_NODES,
     TURNS,
+    LookUpTable,
     Target,
     Turn,
     direction,
@@ -133,7 +134,8 @@ def make_ramp(
     ]
     for target, lobes, weight, gain, turn in groups:
         for lobe in lobes:
-            amplitude, level, toward[place] = _look_up(target, float(exponents[lobe]), shifted, ladder, turn)
+            found = _look_up(table if shifted else None, target, float(exponents[lobe]), ladder, turn)
+            amplitude, level, toward[place] = found
             row = rows[1 + MAX_SHARP + place]
             row[:, :3] = weight[:, lobe] * gain * amplitude
             row[:, 3] = level
@@ -156,13 +158,13 @@ def make_ramp(
 
 @lru_cache(maxsize=256)
 def _look_up(
-    target: Target, exponent: float, shifted: bool, ladder: Ladder, turn: Turn
+    table: LookUpTable | None, target: Target, exponent: float, ladder: Ladder, turn: Turn
 ) -> tuple[Floats, Floats, Floats]:
     """Return amplitude (64, 1), level (64,) or (), and the row of ``toward_normal`` (4,); none to be written."""
-    if not shifted:
+    if table is None:  # the paper's look-ups
         amplitude, level, toward = _amplitude(target, exponent, False), ladder.level(exponent), _UNSHIFTED
     else:
-        found = look_up_table().find(target, exponent)
+        found = table.find(target, exponent)
         amplitude, level, toward = (
             found.amplitude,
             ladder.level(found.exponent),

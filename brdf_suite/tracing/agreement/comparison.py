@@ -362,7 +362,7 @@ def _case(
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
     noise = errors_of(displayed(one, view), displayed(other, view), inside)
-    first = next(iter(drawn))
+    first = DEFAULT_FORM if DEFAULT_FORM in drawn else next(iter(drawn))
     return Case(
         paint=truth.fit.name,
         environment=Path(prepared.name).stem,
@@ -387,6 +387,11 @@ def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]
         "share_above_10": float(np.mean([case.errors[form].above_10 for case in drawn])),
         "flip": float(np.mean([case.errors[form].flip for case in drawn])),
     }
+
+
+def judged_form(case: Case) -> str:
+    """Return the form that a case is judged by: the default one, where it was drawn."""
+    return DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
 
 
 def worst_paint(cases: Sequence[Case], form: str = DEFAULT_FORM) -> tuple[str, float]:

@@ -8,6 +8,7 @@ the same surface with its texture coordinates moved.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
@@ -27,6 +29,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.tracing.agreement.comparison import (
     OTHER_SEED,
     WHOLE,
@@ -42,7 +45,9 @@ BLOCK = 16
 POPULATIONS = 8
 _FEWEST = BLOCK * BLOCK // 4
 """A block at the object's edge counts with so many pixels of the object."""
-_APART_MM = np.array([1013.0, 677.0])
+_SCALE = 0.05
+"""Of the surface: with its own size a pixel holds hundreds of flakes, and means know nothing of them."""
+_APART_MM = np.array([1013.0, 677.0], np.float32)
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,8 @@ class FlakeCase:
 
     ``de00_mean`` and ``de00_worst``: ΔE00 between the means of blocks, over all blocks and the worst one's;
     ``noise``: the mean of the same between two independent traces, of whose mean the errors are. ``luminance``: a
-    block's in the real-time picture over that in the traced one, median.
+    block's in the real-time picture over that in the traced one, median. ``contrast_drawn`` and ``contrast_traced``:
+    the root mean square over pixels of how a pixel's luminance varies over the populations, as a share of its mean.
     """
 
     paint: str
@@ -61,10 +67,18 @@ class FlakeCase:
     de00_worst: float
     noise: float
     luminance: float
+    contrast_drawn: float
+    contrast_traced: float
 
     def to_json(self) -> dict[str, object]:
         """Return the figures as plain values."""
         return asdict(self)
+
+
+def check_size(size: tuple[int, int]) -> None:
+    """Raise :class:`ValueRangeError` for pictures of (width, height) that are smaller than a block."""
+    if min(size) < BLOCK:
+        raise ValueRangeError("size", f"flakes are compared by blocks of {BLOCK}×{BLOCK} pixels")
 
 
 def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[FlakeCase]:
@@ -79,29 +93,29 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
     SuiteError
         As :func:`~brdf_suite.tracing.agreement.comparison.compare`.
     """
-    if min(order.size) < BLOCK:
-        raise ValueRangeError("size", f"flakes are compared by blocks of {BLOCK}×{BLOCK} pixels")
-    every = (fit_material(load_material(paint), order.fitting) for paint in order.paints)
-    fits = [fit for fit in every if fit.flakes is not None]
+    check_size(order.size)
+    every = {paint: fit_material(load_material(paint), order.fitting) for paint in order.paints}
+    fits = {paint: fit for paint, fit in every.items() if fit.flakes is not None}
     if order.keep is not None:
         order.keep.mkdir(parents=True, exist_ok=True)
-    view = View(surface=order.surface)
+    view = View(surface=order.surface, surface_look=SurfaceLook(scale=_SCALE))
     mesh, baked = load_shaped(order.surface, view.surface_look), None
     if order.surface != "sphere":
         mesh, baked = bake_or_explain(mesh, view.surface_look)
-    populations = [_moved(mesh, number * _APART_MM) for number in range(POPULATIONS)]
-    count = len(order.environments) * len(fits)
+    count, done = len(order.environments) * len(fits), 0
     with OffscreenScene() as scene:
-        for place, environment in enumerate(order.environments):
+        for environment in order.environments:
             prepared = load_environment(environment, basis=order.fitting.basis)
             scene.set_environment(prepared)
-            for number, fit in enumerate(fits, place * len(fits)):
-                step = subrange(progress, number / count, (number + 1) / count)
+            for paint, fit in fits.items():
+                step = subrange(progress, done / count, (done + 1) / count)
+                done += 1
                 pictures: list[tuple[Floats, Floats, Floats, Floats]] = []
-                for at, moved in enumerate(populations):
-                    report(step, at / POPULATIONS, f"{fit.name}, population {at + 1} of {POPULATIONS}")
-                    traced = _traces(order, view, fit, prepared, moved, at)
-                    scene.set_surface(moved, baked)
+                for population in range(POPULATIONS):
+                    part = subrange(step, population / POPULATIONS, (population + 1) / POPULATIONS)
+                    moved, moved_light = _moved(mesh, baked, population)
+                    traced = _traces(order, view, paint, fit, prepared, moved, population, part)
+                    scene.set_surface(moved, moved_light)
                     scene.set_material(fit, view=traced[0])
                     pictures.append((pixel_means(scene, traced[0], order.size), *traced[1:]))
                 yield _case(order, view, fit, prepared, pictures)
@@ -109,14 +123,24 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
 
 
 def _traces(
-    order: Order, view: View, fit: LobeFit, prepared: PreparedEnvironment, mesh: Mesh, population: int
+    order: Order,
+    view: View,
+    paint: str,
+    fit: LobeFit,
+    prepared: PreparedEnvironment,
+    mesh: Mesh,
+    population: int,
+    progress: Progress | None,
 ) -> tuple[View, Floats, Floats, Floats]:
     """Return the traced view, two traces of the whole picture (h, w, 3), and the object's coverage (h, w)."""
     scene = build_reference(fit.material, view, order.size, prepared.environment, mesh)
     few = replace(order, samples=max(8, order.samples // POPULATIONS))
-    name = "__".join((Path(order.surface).stem, fit.name, Path(prepared.name).stem, f"flakes_{population}"))
-    one = trace_kept(few, scene, name, None)
-    other = trace_kept(few, scene, f"{name}__2", None, OTHER_SEED)
+    stems = [Path(name).stem[:40] for name in (order.surface, paint, prepared.name)]
+    name = "__".join((*stems, f"flakes_{population}"))
+    # Seeds of their own, so that the noise of the mean is that of all samples.
+    seed = 1000 * (population + 1)
+    one = trace_kept(few, scene, name, subrange(progress, 0.0, 0.5), seed)
+    other = trace_kept(few, scene, f"{name}__2", subrange(progress, 0.5, 1.0), OTHER_SEED + seed)
     return scene.view, scene.whole(one), scene.whole(other), 0.5 * (one.coverage + other.coverage)
 
 
@@ -127,11 +151,15 @@ def _case(
     prepared: PreparedEnvironment,
     pictures: list[tuple[Floats, Floats, Floats, Floats]],
 ) -> FlakeCase:
-    drawn, one, other, coverage = (np.mean(parts, axis=0) for parts in zip(*pictures, strict=True))
+    populations = [np.array(parts) for parts in zip(*pictures, strict=True)]
+    drawn, one, other, coverage = (parts.mean(axis=0) for parts in populations)
     truth = 0.5 * (one + other)
     inside = coverage >= WHOLE
+    each = [parts[:, inside] @ LUMINANCE for parts in populations[:3]]
     seen = replace(view, exposure_ev=ev_of(np.concatenate((truth, coverage[..., None]), axis=-1)) or 0.0)
     means = [block_means(light, inside) for light in (drawn, truth, one, other)]
+    if not len(means[0]):
+        raise ValueRangeError(order.surface, "it covers no pixel whole; take a larger picture")
     ours, theirs, first, second = (displayed(light, seen)[None] for light in means)
     away = delta_e_of(ours, theirs)
     return FlakeCase(
@@ -142,25 +170,37 @@ def _case(
         de00_worst=float(away.max()),
         noise=float(delta_e_of(first, second).mean()),
         luminance=float(np.median((means[0] @ LUMINANCE) / (means[1] @ LUMINANCE))),
+        contrast_drawn=_contrast(each[0], each[0]),
+        contrast_traced=_contrast(each[1], each[2]),
     )
+
+
+def _contrast(one: Floats, other: Floats) -> float:
+    """Return the contrast of luminances (populations, pixels); two traces of one have no noise in common."""
+    mean = 0.5 * (one + other).mean(axis=0)
+    together = ((one - one.mean(axis=0)) * (other - other.mean(axis=0))).sum(axis=0) / (len(one) - 1)
+    return math.sqrt(max(float(np.mean(together / np.maximum(mean * mean, 1e-12))), 0.0))
 
 
 def block_means(light: Floats, inside: NDArray[np.bool_]) -> Floats:
     """Return the means (n, 3) of ``light`` (h, w, 3) over the pixels ``inside`` (h, w) of each block of 16×16.
 
-    Blocks with less than a quarter of their pixels inside are left out, and so are rows and columns beyond the last
-    whole block.
+    Blocks with less than a quarter of their pixels inside are left out, where others have more, and so are rows and
+    columns beyond the last whole block.
     """
     rows, columns = (side // BLOCK for side in inside.shape)
     cut = slice(rows * BLOCK), slice(columns * BLOCK)
     shape = (rows, BLOCK, columns, BLOCK)
     count = inside[cut].reshape(shape).sum(axis=(1, 3))
     total = np.where(inside[..., None], light, 0.0)[cut].reshape(*shape, 3).sum(axis=(1, 3))
-    enough = count >= _FEWEST
+    enough = count >= max(1, min(_FEWEST, int(count.max())))
     return np.asarray(total[enough] / count[enough][:, None])
 
 
-def _moved(mesh: Mesh, by_mm: Floats) -> Mesh:
-    """Return the mesh with its texture coordinates moved, (2,) millimetres."""
-    parts = tuple(replace(part, uvs=part.uvs + by_mm.astype(np.float32)) for part in mesh.parts)
-    return replace(mesh, parts=parts)
+def _moved(mesh: Mesh, baked: BakedMesh | None, population: int) -> tuple[Mesh, BakedMesh | None]:
+    """Return the mesh, and what is baked for it, with their texture coordinates moved: with other flakes."""
+    by = population * _APART_MM
+    moved = replace(mesh, parts=tuple(replace(part, uvs=part.uvs + by) for part in mesh.parts))
+    if baked is None:
+        return moved, None
+    return moved, replace(baked, parts=tuple(replace(part, uvs=part.uvs + by) for part in baked.parts))

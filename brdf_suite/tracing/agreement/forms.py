@@ -96,7 +96,7 @@ def fit_for(form: DrawingForm, paint: str, fitting: FitSettings) -> LobeFit | No
     if form.held_out:
         material = load_material(paint)
         if not isinstance(material.reflectance, ScatteredSamples | IsotropicTable):
-            return None  # what is evaluated anywhere has no directions of its own
+            return None
         try:
             seen = hold_out(material.reflectance).seen
         except FittingError:  # too few to be divided

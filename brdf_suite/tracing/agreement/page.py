@@ -18,11 +18,12 @@ from brdf_suite.tracing.agreement.comparison import (
     Case,
     Order,
     PaintClass,
+    judged_form,
     summary,
     worst_paint,
 )
 from brdf_suite.tracing.agreement.flakes import BLOCK, POPULATIONS, FlakeCase
-from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, HELD_OUT_FORM
+from brdf_suite.tracing.agreement.forms import FORMS, HELD_OUT_FORM
 
 MOST_ROWS = 6
 """Of a sheet: the worst case of an environment, and the middle one, until there are so many."""
@@ -107,7 +108,7 @@ def sheet(cases: Sequence[Case]) -> Bytes:
     """Return the pictures side by side, (h, w, 3): real time, path-traced, and ΔE00 as grey, white being 10."""
     rows = []
     for case in cases:
-        form = next(iter(case.errors))
+        form = judged_form(case)
         grey = np.clip(case.differences / SCALE_DELTA_E, 0.0, 1.0)[..., None].repeat(3, axis=-1)
         rows.append(_beside([case.pictures[form], case.pictures["reference"], grey], axis=1))
     half = (len(rows) + 1) // 2
@@ -166,8 +167,8 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
         ]
     lines += _by_effect(cases, drawn_forms(cases))
     noise = float(np.mean([case.noise.mean for case in cases]))
-    form = _form(cases[0])
-    worst, mean = worst_paint(cases, form)
+    form = judged_form(cases[0])
+    worst, mean = worst_paint([case for case in cases if form in case.errors], form)
     above = 100.0 * summary(cases, form)["share_above_10"]
     lines += [
         "",
@@ -184,12 +185,12 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
         f"From the top, left half first, with mean ΔE00: {names}. Left to right: real time, path-traced, ΔE00 with "
         f"white at {SCALE_DELTA_E:g}.",
         "",
-        "Mean ΔE00 / 99th percentile / FLIP of the default form:",
+        f"Mean ΔE00 / 99th percentile / FLIP of the form “{form}”:",
         "",
         "| paint | " + " | ".join(environments) + " |",
         "|---|" + "---|" * len(environments),
     ]
-    found = {(case.paint, case.environment): next(iter(case.errors.values())) for case in cases}
+    found = {(case.paint, case.environment): case.errors.get(form) for case in cases}
     for paint in paints:
         cells = []
         for environment in environments:
@@ -220,10 +221,11 @@ def _by_effect(cases: Sequence[Case], forms: Sequence[str]) -> list[str]:
             "the influence of the rule and are not errors.",
         ]
     if HELD_OUT_FORM in forms:
+        divided = {case.paint for case in cases if HELD_OUT_FORM in case.errors}
         lines += [
             "",
-            f"Where a row says “{HELD_OUT_FORM}”, the lobes know four fifths of the measured directions and the traced "
-            "paint all of them.",
+            f"“{HELD_OUT_FORM}”: the lobes know four fifths of the measured directions and the traced paint all of "
+            f"them. Measured directions of {', '.join(sorted(divided))} could be divided.",
         ]
     return lines
 
@@ -235,16 +237,20 @@ def _with_flakes(surface: str, cases: Sequence[FlakeCase]) -> list[str]:
     lines = [
         f"## With flakes on the {surface.replace('_', ' ')}",
         "",
-        f"Single flakes in both pictures, compared by means over {BLOCK}×{BLOCK} pixels and {POPULATIONS} populations "
-        f"of flakes: mean ΔE00 {mean:.2f}; the two traces differ by {noise:.2f}. Mean ΔE00 / worst block / "
-        "luminance over that of the trace, median of the blocks:",
+        f"Single flakes in both pictures, on a surface of a twentieth of its size, so that a pixel holds few of them; "
+        f"compared by means over {BLOCK}×{BLOCK} pixels and {POPULATIONS} populations of flakes, which share the "
+        f"samples: mean ΔE00 {mean:.2f}; the two traces differ by {noise:.2f}. Mean ΔE00 / worst block / contrast "
+        "of pixels over the populations, real time and traced:",
         "",
         "| paint | " + " | ".join(environments) + " |",
         "|---|" + "---|" * len(environments),
     ]
     for paint in dict.fromkeys(case.paint for case in cases):
         row = [found[paint, environment] for environment in environments]
-        cells = (f"{case.de00_mean:.2f} / {case.de00_worst:.1f} / {case.luminance:.3f}" for case in row)
+        cells = (
+            f"{case.de00_mean:.2f} / {case.de00_worst:.1f} / {case.contrast_drawn:.2f}, {case.contrast_traced:.2f}"
+            for case in row
+        )
         lines.append(f"| {paint} | " + " | ".join(cells) + " |")
     return [*lines, ""]
 
@@ -258,7 +264,7 @@ def _against_lobes(cases: Sequence[Case]) -> list[str]:
         "| form | mean ΔE00 | 99th percentile | FLIP |",
         "|---|---|---|---|",
     ]
-    for form in cases[0].look_up:
+    for form in dict.fromkeys(form for case in cases for form in case.look_up):
         if FORMS[form].effect not in ("–", "look-up", "Fresnel", "resolution"):
             continue  # other lobes than those that were traced
         rows = [case.look_up[form] for case in cases if form in case.look_up]
@@ -268,12 +274,7 @@ def _against_lobes(cases: Sequence[Case]) -> list[str]:
 
 
 def _first(case: Case) -> float:
-    return case.errors[_form(case)].mean
-
-
-def _form(case: Case) -> str:
-    """Return the form that a case is judged by: the default one, where it was drawn."""
-    return DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
+    return case.errors[judged_form(case)].mean
 
 
 def _beside(pictures: Sequence[Floats], axis: int) -> Floats:
