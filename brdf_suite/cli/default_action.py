@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from brdf_suite.cli.output import progress_bar
@@ -51,6 +51,12 @@ def open_both(options: argparse.Namespace) -> int:
     arguments = [paint] if paint else []
     # Both show the requested paint; a Viewer that has received one by name would otherwise keep it.
     own = {"viewer": ["--follow"]}
+    commands = {name: child_command(PROGRAMS[name][0], *arguments, *own.get(name, [])) for name in _OPENED}
+    return 1 if any(_run(commands).values()) else 0
+
+
+def _run(commands: Mapping[str, list[str]]) -> dict[str, int]:
+    """Run programs beside each other, wait for all of them, and return their exit statuses; end them on a signal."""
     # A flag and not an exception: wherever a signal arrives, no program is left behind. Asked to end, the command takes
     # its windows with it; each keeps its unsaved work for the next start.
     received: list[int] = []
@@ -59,33 +65,28 @@ def open_both(options: argparse.Namespace) -> int:
         for number in (signal.SIGINT, signal.SIGTERM)
     }
     running: dict[str, subprocess.Popen[bytes]] = {}
+    statuses: dict[str, int] = {}
     try:
-        for name in _OPENED:
-            running[name] = subprocess.Popen(child_command(PROGRAMS[name][0], *arguments, *own.get(name, [])))
-        status = _wait_for(running, received)
+        for name, command in commands.items():
+            running[name] = subprocess.Popen(command)
+        while running and not received:
+            for name, process in list(running.items()):
+                code = process.poll()
+                if code is None:
+                    continue
+                statuses[name] = code
+                del running[name]
+                if code != 0 and len(commands) > 1:
+                    print(f"brdf-suite: {name} ended with status {code}", file=sys.stderr)
+            if running:
+                time.sleep(_POLL_S)
     finally:
         _end(running)
         for number, handler in before.items():
             signal.signal(number, handler)
     if received:
         raise KeyboardInterrupt
-    return status
-
-
-def _wait_for(running: dict[str, subprocess.Popen[bytes]], received: list[int]) -> int:
-    """Wait until no program runs or a signal came; what ended is taken out of ``running``. 1: one failed."""
-    status = 0
-    while running and not received:
-        for name, process in list(running.items()):
-            code = process.poll()
-            if code is None:
-                continue
-            del running[name]
-            if code != 0:
-                status = 1
-                print(f"brdf-suite: {name} ended with status {code}", file=sys.stderr)
-        time.sleep(_POLL_S)
-    return status
+    return statuses
 
 
 def _end(running: dict[str, subprocess.Popen[bytes]]) -> None:
@@ -106,7 +107,7 @@ def open_one(name: str, arguments: Sequence[str]) -> int:
     if missing is not None and not {"-h", "--help"} & set(arguments):
         raise SuiteError(f"The program cannot open a window: {missing}. `brdf-suite render` needs none.")
     package, _what = PROGRAMS[name]
-    return subprocess.run(child_command(package, *arguments), check=False).returncode
+    return _run({name: child_command(package, *arguments)})[name]
 
 
 def _render_instead(missing: str, paint: str | None) -> int:

@@ -6,8 +6,10 @@ import json
 import os
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -407,3 +409,22 @@ def test_stages_are_shown_where_output_is_no_terminal(command, inside) -> None:
     quiet = inside(*words, "--json")
     assert quiet.stderr == ""
     assert json.loads(quiet.stdout)["width"] == 64
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
+def test_a_program_ends_with_the_command_that_started_it(tmp_path: Path) -> None:
+    own = {
+        "QT_QPA_PLATFORM": "offscreen",
+        "BRDF_SUITE_SETTINGS": str(tmp_path),
+        "BRDF_SUITE_LINK": tmp_path.name,
+    }
+    start = [sys.executable, "-m", "brdf_suite.cli.main", "swatch"]
+    with subprocess.Popen(start, env={**os.environ, **own}, stderr=subprocess.PIPE, text=True) as command:
+        listed = Path(f"/proc/{command.pid}/task/{command.pid}/children")
+        while command.poll() is None and not listed.read_text():
+            time.sleep(0.05)
+        child = listed.read_text().split()[0]
+        command.send_signal(signal.SIGTERM)
+        _, errors = command.communicate(timeout=120)
+        assert command.returncode == 130, errors
+    assert not Path(f"/proc/{child}").exists()
