@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,9 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.models.lambertian import Lambertian as CoreLambertian
 from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 TABULATED = (
@@ -53,8 +56,17 @@ def translate(reflectance: Reflectance) -> TranslatedTerm:
     term = _exact(reflectance)
     if term is not None:
         return TranslatedTerm(term)
-    table = IsotropicTable.from_reflectance(reflectance)
+    if isinstance(reflectance, ScatteredSamples | AnisotropicTable):
+        table = _kept_table(reflectance)
+    else:
+        table = IsotropicTable.from_reflectance(reflectance)
     return TranslatedTerm(HalfAngleTable.of(table, fitted_samplers(reflectance)), (TABULATED,))
+
+
+@lru_cache(maxsize=2)
+def _kept_table(reflectance: ScatteredSamples | AnisotropicTable) -> IsotropicTable:
+    """Return the table of samples, which takes seconds for many of them and is the same in every light and view."""
+    return IsotropicTable.from_reflectance(reflectance)
 
 
 @dataclass(frozen=True, eq=False)
