@@ -5,6 +5,7 @@ All three are fitted to one part of the data and compared where none of them loo
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from time import perf_counter, process_time
@@ -67,6 +68,30 @@ class HeldOutSplit:
         inside = np.minimum(self.wi[:, 2], self.wo[:, 2]) >= np.cos(np.radians(grazing_deg))
         where = f"{self.where}, within {grazing_deg:g}° of the normal"
         return replace(self, wi=self.wi[inside], wo=self.wo[inside], values=self.values[inside], where=where)
+
+    def keep_edge(self, edge_deg: float) -> HeldOutSplit:
+        """Return the split with those samples seen whose light or view is within this angle of the steepest one.
+
+        Beyond the steepest nothing is measured: without the edge, fits would be compared where they extrapolate. What
+        is not scattered samples has no such edge, and is returned as it is.
+        """
+        seen = self.seen
+        if not isinstance(seen, ScatteredSamples):
+            return self
+        steep = np.minimum(self.wi[:, 2], self.wo[:, 2])  # cosines: the steeper, the smaller
+        steepest = min(float(steep.min(initial=1.0)), float(seen.wi[:, 2].min()), float(seen.wo[:, 2].min()))
+        edge = steep <= math.cos(max(math.acos(steepest) - math.radians(edge_deg), 0.0))
+        wi, wo, values = (
+            np.concatenate((one, own[edge]))
+            for one, own in ((seen.wi, self.wi), (seen.wo, self.wo), (seen.values, self.values))
+        )
+        return HeldOutSplit(
+            replace(seen, wi=wi, wo=wo, values=values),
+            self.wi[~edge],
+            self.wo[~edge],
+            self.values[~edge],
+            f"{self.where}, none within {edge_deg:g}° of the steepest",
+        )
 
 
 def hold_out(reflectance: Reflectance) -> HeldOutSplit:

@@ -74,6 +74,20 @@ def test_samples_are_either_seen_or_held_out() -> None:
     assert np.array_equal(np.unique(rows, axis=0), np.unique(whole.wi, axis=0))
 
 
+def test_the_steepest_samples_are_kept_where_the_edge_is() -> None:
+    whole = samples()
+    split = hold_out(whole)
+    kept = split.keep_edge(5.0)
+    steepest = np.degrees(np.arccos(np.minimum(whole.wi[:, 2], whole.wo[:, 2]))).max()
+    steepness = np.degrees(np.arccos(np.minimum(kept.wi[:, 2], kept.wo[:, 2])))
+    assert steepness.max() < steepest - 5.0
+    assert 0 < len(kept.wi) < len(split.wi)
+    assert isinstance(kept.seen, ScatteredSamples)
+    rows = np.concatenate((kept.seen.wi, kept.wi))
+    assert np.array_equal(np.unique(rows, axis=0), np.unique(whole.wi, axis=0))
+    assert hold_out(SATIN).keep_edge(5.0).where == hold_out(SATIN).where
+
+
 def test_a_table_hides_the_rows_that_are_held_out() -> None:
     plain = IsotropicTable.from_reflectance(Lambertian((0.5, 0.5, 0.5)), HalfAngleGrid(20, 20, 24))
     values = plain.values.copy()

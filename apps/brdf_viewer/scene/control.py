@@ -13,6 +13,7 @@ from PySide6.QtCore import Signal
 
 from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.documents.view import View
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics
 from brdf_suite.pipeline.environments import AUTOMATIC
 from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
@@ -213,8 +214,10 @@ class SceneControl(ViewerFeature):
         section.facts.setEnabled(not old)
         section.figures.setEnabled(not old and (present is None or not present.value.draft))
 
-    def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
-        if self._state.environment is not None and key == self._state.environment.key:
+    def _counted(self, environment: Environment, statistics: EnvironmentStatistics) -> None:
+        # By what it is and not by its name, which an edited light changes when it becomes a file.
+        present = self._state.environment
+        if present is not None and present.value.environment.content_hash == environment.content_hash:
             self._state.light_figures = statistics
             self._window.environment.figures.set_statistics(statistics)
 

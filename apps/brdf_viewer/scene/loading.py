@@ -45,7 +45,7 @@ class SceneLoader(QObject):
         How far it is; the first comes at once with fraction 0.
     ended(kind)
         Loaded, failed or cancelled.
-    counted(key, statistics)
+    counted(environment, statistics)
         The figures of an environment that was given to :meth:`count`.
     """
 
@@ -54,7 +54,7 @@ class SceneLoader(QObject):
     failed = Signal(str, str, object)
     moved = Signal(str, float, str)
     ended = Signal(str)
-    counted = Signal(str, object)
+    counted = Signal(object, object)
     partly_made = Signal(int, str, object)
 
     def __init__(self, runner: TaskRunner, parent: QObject | None = None) -> None:
@@ -112,7 +112,7 @@ class SceneLoader(QObject):
                 _STATISTICS,
                 lambda environment, _progress: environment_statistics(environment),
                 environment,
-                done=partial(self.counted.emit, key),
+                done=partial(self.counted.emit, environment),
                 failed=partial(self.failed.emit, ENVIRONMENT, key),
             )
 

@@ -23,6 +23,8 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 DEFAULT_FORM = "default"
 HELD_OUT_FORM = "a fifth held out"
+_EDGE_DEG = 5.0
+"""Of measured directions; nearer to the steepest one none is held out."""
 
 _NOTHING: Mapping[str, Any] = MappingProxyType({})
 
@@ -98,7 +100,7 @@ def fit_for(form: DrawingForm, paint: str, fitting: FitSettings) -> LobeFit | No
         if not isinstance(material.reflectance, ScatteredSamples | IsotropicTable):
             return None
         try:
-            seen = hold_out(material.reflectance).seen
+            seen = hold_out(material.reflectance).keep_edge(_EDGE_DEG).seen
         except FittingError:  # too few to be divided
             return None
         return fit_material(replace(material, reflectance=seen), settings)

@@ -224,8 +224,8 @@ def _by_effect(cases: Sequence[Case], forms: Sequence[str]) -> list[str]:
         divided = {case.paint for case in cases if HELD_OUT_FORM in case.errors}
         lines += [
             "",
-            f"“{HELD_OUT_FORM}”: the lobes know four fifths of the measured directions and the traced paint all of "
-            f"them. Measured directions of {', '.join(sorted(divided))} could be divided.",
+            f"“{HELD_OUT_FORM}”: the lobes know four fifths of the measured directions, and all near the steepest; the "
+            f"traced paint has all. Measured directions of {', '.join(sorted(divided))} could be divided.",
         ]
     return lines
 
