@@ -162,7 +162,7 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
     if cases[0].surface != "sphere":
         lines += [
             "The surface shadows and reflects itself: the real-time picture uses baked occlusion, the path tracer "
-            "all paths.",
+            "all paths. All materials of the surface are compared, glass, lamps and tyres as the paint.",
             "",
         ]
     lines += _by_effect(cases, drawn_forms(cases))
