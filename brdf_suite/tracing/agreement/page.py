@@ -156,7 +156,8 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
     lines = [
         f"## {title}",
         "",
-        f"{len(paints)} paints in {len(environments)} environments ({', '.join(environments)}).",
+        f"{len(paints)} paint{'s' if len(paints) > 1 else ''} in {len(environments)} environments "
+        f"({', '.join(environments)}).",
         "",
     ]
     if cases[0].surface != "sphere":
