@@ -6,14 +6,12 @@ measured files of which a fifth of the directions was held out of the fit.
 
 from __future__ import annotations
 
-import os
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from brdf_suite.cli.tools.bench import load_module
-from brdf_suite.files.cache.disk_cache import default_root
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.tracing.agreement.comparison import Order, compare, summary
 from brdf_suite.tracing.agreement.flakes import compare_flakes
@@ -79,10 +77,9 @@ SIZE, SAMPLES = _reference.SIZE, _reference.SAMPLES
 def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Trace, draw and compare."""
     shared = _reference.shared_data()
-    keep = Path(os.environ.get(_reference.KEEP, default_root() / "bench_reference"))
     shipped, everywhere = _reference.lights(shared)
     measured, shown = (_reference.paints_there(names, shared) for names in (MEASURED, SHOWN))
-    order = Order(shown, shipped, SIZE, SAMPLES, (DEFAULT_FORM,), keep=keep)
+    order = Order(shown, shipped, SIZE, SAMPLES, (DEFAULT_FORM,), keep=_reference.kept_traces())
     found: dict[str, float | None] = {}
     for number, surface in enumerate(SURFACES):
         step = subrange(progress, 0.2 * number, 0.2 * (number + 1))

@@ -119,7 +119,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     """Trace, draw and compare."""
     shared = shared_data()
     _, environments = lights(shared)
-    keep = Path(os.environ[KEEP]) if KEEP in os.environ else default_root() / "bench_reference"
+    keep = kept_traces()
     found: dict[str, float | None] = dict(_terminator.run())
     found |= _raytraced.figures(subrange(progress, 0.0, 0.1))
     TABLES.update(_raytraced.TABLES)
@@ -170,6 +170,11 @@ def _speed() -> float:
     traced = size[0] * size[1] * samples
     seconds: float = process_time() - start
     return traced / seconds / 1e6
+
+
+def kept_traces() -> Path:
+    """Return the folder in which traces are kept between runs."""
+    return Path(os.environ.get(KEEP, default_root() / "bench_reference"))
 
 
 def lights(shared: Path) -> tuple[list[str], list[str]]:

@@ -100,7 +100,7 @@ def run(options: argparse.Namespace) -> int:
         return 0
     print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}  form")
     for case in cases:
-        form = judged_form(case)
+        form = judged_form(case.errors)
         e = case.errors[form]
         print(
             f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "

@@ -14,7 +14,7 @@ a case of its own: what baked occlusion misses of shadows and reflections is the
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -50,6 +50,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, coarser, fit_for, settings_of
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
@@ -236,7 +237,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     if order.keep is not None:
         order.keep.mkdir(parents=True, exist_ok=True)
     view = _plain(order)
-    mesh = load_shaped(order.surface, view.surface_look)
+    mesh, baked = load_baked(view)
     fits = {
         form: {paint: fit_for(FORMS[form], paint, order.fitting) for paint in order.paints}
         for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
@@ -246,9 +247,6 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
             raise ValueRangeError("forms", f"{paint} cannot be drawn in any of {', '.join(order.forms)}")
     count = max(1, len(order.environments))
     with OffscreenScene() as scene:
-        baked = None
-        if order.surface != "sphere":
-            mesh, baked = bake_or_explain(mesh, view.surface_look)
         scene.set_surface(mesh, baked)
         for number, environment in enumerate(order.environments):
             step = subrange(progress, number / count, (number + 1) / count)
@@ -362,7 +360,7 @@ def _case(
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
     noise = errors_of(displayed(one, view), displayed(other, view), inside)
-    first = DEFAULT_FORM if DEFAULT_FORM in drawn else next(iter(drawn))
+    first = judged_form(drawn)
     return Case(
         paint=truth.fit.name,
         environment=Path(prepared.name).stem,
@@ -389,9 +387,10 @@ def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]
     }
 
 
-def judged_form(case: Case) -> str:
-    """Return the form that a case is judged by: the default one, where it was drawn."""
-    return DEFAULT_FORM if DEFAULT_FORM in case.errors else next(iter(case.errors))
+def judged_form(drawn: Iterable[str]) -> str:
+    """Return that of the ``drawn`` forms by which a case is judged: the default one, or else the first."""
+    forms = tuple(drawn)
+    return DEFAULT_FORM if DEFAULT_FORM in forms else forms[0]
 
 
 def worst_paint(cases: Sequence[Case], form: str = DEFAULT_FORM) -> tuple[str, float]:
@@ -401,6 +400,12 @@ def worst_paint(cases: Sequence[Case], form: str = DEFAULT_FORM) -> tuple[str, f
         by_paint.setdefault(case.paint, []).append(case.errors[form].mean)
     mean, name = max((float(np.mean(values)), name) for name, values in by_paint.items())
     return name, mean
+
+
+def load_baked(view: View) -> tuple[Mesh, BakedMesh | None]:
+    """Return the surface of ``view`` and what is baked for it; a sphere does not shadow itself."""
+    mesh = load_shaped(view.surface, view.surface_look)
+    return (mesh, None) if view.surface == "sphere" else bake_or_explain(mesh, view.surface_look)
 
 
 def _plain(order: Order) -> View:

@@ -26,7 +26,6 @@ from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
-from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.rays import BakedMesh
@@ -36,6 +35,7 @@ from brdf_suite.tracing.agreement.comparison import (
     Order,
     delta_e_of,
     displayed,
+    load_baked,
     pixel_means,
     trace_kept,
 )
@@ -99,9 +99,7 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
     if order.keep is not None:
         order.keep.mkdir(parents=True, exist_ok=True)
     view = View(surface=order.surface, surface_look=SurfaceLook(scale=_SCALE))
-    mesh, baked = load_shaped(order.surface, view.surface_look), None
-    if order.surface != "sphere":
-        mesh, baked = bake_or_explain(mesh, view.surface_look)
+    mesh, baked = load_baked(view)
     count, done = len(order.environments) * len(fits), 0
     with OffscreenScene() as scene:
         for environment in order.environments:

@@ -108,7 +108,7 @@ def sheet(cases: Sequence[Case]) -> Bytes:
     """Return the pictures side by side, (h, w, 3): real time, path-traced, and ΔE00 as grey, white being 10."""
     rows = []
     for case in cases:
-        form = judged_form(case)
+        form = judged_form(case.errors)
         grey = np.clip(case.differences / SCALE_DELTA_E, 0.0, 1.0)[..., None].repeat(3, axis=-1)
         rows.append(_beside([case.pictures[form], case.pictures["reference"], grey], axis=1))
     half = (len(rows) + 1) // 2
@@ -168,7 +168,7 @@ def _part(title: str, cases: Sequence[Case]) -> list[str]:
         ]
     lines += _by_effect(cases, drawn_forms(cases))
     noise = float(np.mean([case.noise.mean for case in cases]))
-    form = judged_form(cases[0])
+    form = judged_form(cases[0].errors)
     worst, mean = worst_paint([case for case in cases if form in case.errors], form)
     above = 100.0 * summary(cases, form)["share_above_10"]
     lines += [
@@ -275,7 +275,7 @@ def _against_lobes(cases: Sequence[Case]) -> list[str]:
 
 
 def _first(case: Case) -> float:
-    return case.errors[judged_form(case)].mean
+    return case.errors[judged_form(case.errors)].mean
 
 
 def _beside(pictures: Sequence[Floats], axis: int) -> Floats:
