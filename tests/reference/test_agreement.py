@@ -82,6 +82,21 @@ def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("variant")
+def test_the_paint_is_judged_without_the_other_materials(light: Path) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
+    order = Order(["copper"], [str(light)], SIZE, 64, (DEFAULT_FORM,))
+    (sphere,) = compare(order)
+    assert sphere.elsewhere == {}
+    (car,) = compare(replace(order, surface="car", size=(64, 40)))
+    paint, other = car.errors[DEFAULT_FORM], car.elsewhere[DEFAULT_FORM]
+    assert 0.0 < paint.mean < 3.0
+    assert (
+        other.mean > 1.5 * paint.mean
+    )  # glass, grille and wheels mirror the car, which baked light cannot show
+    assert car.to_json()["elsewhere"][DEFAULT_FORM]["de00_mean"] == other.mean
+
+
+@pytest.mark.usefixtures("variant")
 def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, monkeypatch, capsys) -> None:
     pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
     from brdf_suite.reference import passes

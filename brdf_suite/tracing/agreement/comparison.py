@@ -9,7 +9,8 @@ object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve.
 
 Each truth is the mean of two independent traces; the difference between the two stands beside the errors. A traced
 pixel is the mean of its light, so the real-time picture is drawn larger and averaged. A surface that shadows itself is
-a case of its own: what baked occlusion misses of shadows and reflections is then part of the error.
+a case of its own: what baked occlusion misses of shadows and reflections is then part of the error. Pixels of other
+materials than the paint are counted for themselves.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.extras import import_extra
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import ev_of
-from brdf_suite.pipeline.lobe_fit import LobeFit
-from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
@@ -149,7 +150,8 @@ class Case:
     """One paint in one environment on one surface.
 
     ``errors``: of each form against the paint itself; ``look_up``: of each form against the fitted lobes, where they
-    were traced. ``noise`` is the difference between two independent traces, of whose mean all others are.
+    were traced. ``noise`` is the difference between two independent traces, of whose mean all others are. All three
+    are of the paint's pixels; ``elsewhere`` is of those of other materials, by form, and empty where there are none.
     ``pictures``: encoded sRGB (h, w, 3), by form, and ``reference``; ``differences``: ΔE00 (h, w) of the default form.
     """
 
@@ -160,6 +162,7 @@ class Case:
     errors: Mapping[str, PictureErrors]
     look_up: Mapping[str, PictureErrors]
     noise: PictureErrors
+    elsewhere: Mapping[str, PictureErrors]
     exposure_ev: float
     pictures: Mapping[str, Floats] = field(repr=False)
     differences: Floats = field(repr=False)
@@ -184,6 +187,7 @@ class Case:
             "errors": {form: plain(errors) for form, errors in self.errors.items()},
             "look_up": {form: plain(errors) for form, errors in self.look_up.items()},
             "noise": plain(self.noise),
+            "elsewhere": {form: plain(errors) for form, errors in self.elsewhere.items()},
         }
 
 
@@ -273,9 +277,10 @@ def _compare(
         )
         truths[paint] = _truth(order, fit, paint, prepared, mesh, step)
     drawn = _drawn(order, scene, environment, prepared, fits, truths)
+    painted = _painted(order, scene, next(iter(truths.values())).view)
     for number, (paint, truth) in enumerate(truths.items()):
         step = subrange(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
-        yield _case(order, truth, prepared, mesh, drawn[paint], step)
+        yield _case(order, truth, prepared, mesh, drawn[paint], painted, step)
 
 
 def _truth(
@@ -339,15 +344,27 @@ def pixel_means(scene: OffscreenScene, view: View, size: tuple[int, int]) -> Flo
     return np.asarray(light.mean(axis=(1, 3)))
 
 
+def _painted(order: Order, scene: OffscreenScene, view: View) -> NDArray[np.bool_]:
+    """Return the pixels (h, w) that show nothing but the paint: all of each changes with it."""
+    width, height = order.size
+    pictures = []
+    for paint in ("solid_white", "solid_black"):
+        scene.set_material(fit_material(load_material(paint), order.fitting), view=view)
+        pictures.append(scene.renderer.linear_image(view, (FINER * width, FINER * height))[..., :3])
+    changed = (pictures[0] != pictures[1]).any(axis=-1)
+    return np.asarray(changed.reshape(height, FINER, width, FINER).all(axis=(1, 3)))
+
+
 def _case(
     order: Order,
     truth: _Truth,
     prepared: PreparedEnvironment,
     mesh: Mesh,
     drawn: Mapping[str, Floats],
+    painted: NDArray[np.bool_],
     progress: Progress | None,
 ) -> Case:
-    view, inside = truth.view, truth.inside
+    view, inside, rest = truth.view, truth.inside & painted, truth.inside & ~painted
     one, other = truth.traces
     pictures = {"reference": displayed(0.5 * (one + other), view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
@@ -360,6 +377,7 @@ def _case(
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
     noise = errors_of(displayed(one, view), displayed(other, view), inside)
+    elsewhere = {form: errors_of(picture, pictures["reference"], rest) for form, picture in drawn.items()}
     first = judged_form(drawn)
     return Case(
         paint=truth.fit.name,
@@ -369,9 +387,10 @@ def _case(
         errors=errors,
         look_up=look_up,
         noise=noise,
+        elsewhere=elsewhere if rest.any() else {},
         exposure_ev=view.exposure_ev,
         pictures=pictures,
-        differences=np.where(inside, delta_e_of(pictures[first], pictures["reference"]), 0.0),
+        differences=np.where(truth.inside, delta_e_of(pictures[first], pictures["reference"]), 0.0),
     )
 
 
