@@ -42,6 +42,8 @@ LookUp = Literal["shifted", "paper"]
 LOOK_UPS: tuple[str, ...] = get_args(LookUp)
 ExposureMode = Literal["locked", "automatic"]
 EXPOSURE_MODES: tuple[str, ...] = get_args(ExposureMode)
+GlareMode = Literal["off", "eye"]
+GLARE_MODES: tuple[str, ...] = get_args(GlareMode)
 LampShading = Literal["each", "ball"]
 LAMP_SHADINGS: tuple[str, ...] = get_args(LampShading)
 
@@ -114,7 +116,8 @@ class View:
     ``exposure_ev`` counts from the automatic exposure where ``exposure_mode`` is ``automatic``. ``background_colour``
     is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show, too bright
     or too colourful, by ``zebra`` stripes or each in a ``colour``. ``lamp_shading``: lamps on factored paints one by
-    one at each place, or all at once by a picture of a ball in their light.
+    one at each place, or all at once by a picture of a ball in their light. ``glare``: light above white is spread as
+    an ``eye`` scatters it (:mod:`brdf_suite.appearance.glare`), or not; readings, linear files and marks are without.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -141,6 +144,7 @@ class View:
     compare: Compare = field(default_factory=Compare)
     turntable_deg_s: float = 24.0
     lamp_shading: LampShading = "each"
+    glare: GlareMode = "off"
 
     def __post_init__(self) -> None:
         for name, kind in PARTS.items():
@@ -167,6 +171,7 @@ class View:
             mark_style=MARK_STYLES,
             exposure_mode=EXPOSURE_MODES,
             lamp_shading=LAMP_SHADINGS,
+            glare=GLARE_MODES,
         )
         check_flags(self, "clipping_marks", "gamut_marks")
         colour = check_numbers(self.background_colour, "background_colour", _ENCODED, 3)

@@ -60,7 +60,7 @@ def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> st
 
 def default_view() -> View:
     """The view that a new user sees first."""
-    return View()
+    return View(glare="eye")
 
 
 def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:

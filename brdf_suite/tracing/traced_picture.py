@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
+from brdf_suite.appearance.glare import pixel_angle, spread_glare
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.view import View
+from brdf_suite.documents.view import SENSOR_WIDTH_MM, View
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.files.bounded_reading import file_stamp
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -22,6 +24,7 @@ from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import load_lit
@@ -49,6 +52,15 @@ class SceneFacts:
         if self.view.exposure_mode == "locked":
             return self.view
         return exposed(self.view, ev_of(np.concatenate((radiance, coverage[..., None]), axis=-1)))
+
+    @staticmethod
+    def show(radiance: Floats, view: View) -> NDArray[np.uint8]:
+        """Return radiance (h, w, 3) before exposure as the real-time renderer would show it: sRGB codes (h, w, 3)."""
+        exposed_light = np.asarray(radiance, float) * 2.0**view.exposure_ev
+        if view.glare == "eye":
+            angle = pixel_angle(view.camera.focal_length_mm, exposed_light.shape[1], SENSOR_WIDTH_MM)
+            exposed_light = spread_glare(exposed_light, angle)
+        return np.asarray(to_display(exposed_light, 0.0, view.tone_curve), np.uint8)
 
     def file_facts(self, path: Path) -> dict[str, Any]:
         """Return what a :class:`TracedFile` takes from its scene."""

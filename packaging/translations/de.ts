@@ -8834,6 +8834,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>Farben mit dem Profil umrechnen, das das System für diesen Monitor hat</translation>
     </message>
     <message>
+        <source>Glare</source>
+        <translation>Blendung</translation>
+    </message>
+    <message>
+        <source>Spread light above white as the eye scatters it; readings, marks and linear files are without</source>
+        <translation>Licht über Weiß so streuen, wie das Auge es streut; Messwerte, Markierungen und lineare Dateien bleiben ohne</translation>
+    </message>
+    <message>
         <source>Tone curve</source>
         <translation>Tonwertkurve</translation>
     </message>

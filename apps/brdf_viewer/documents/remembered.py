@@ -1,5 +1,5 @@
-"""What the Viewer shows when it starts again: the last environment, surface, background, Fresnel and tone curve, the
-speed of the turntable, how flakes are drawn, occlusion and ground, and how a comparison is shown.
+"""What the Viewer shows when it starts again: the last environment, surface, background, Fresnel, tone curve and glare,
+the speed of the turntable, how flakes are drawn, occlusion and ground, and how a comparison is shown.
 
 Camera, exposure and the turn of the light start afresh: a picture that opens too dark or from behind would look
 like a fault.
@@ -28,6 +28,7 @@ _FIELDS = (
     "fresnel",
     "look_up",
     "lamp_shading",
+    "glare",
     "turntable_deg_s",
 )
 _PARTS = {

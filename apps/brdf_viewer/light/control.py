@@ -22,7 +22,15 @@ from brdf_viewer.window import ViewerWindow
 METER_AFTER_MS = 150
 """The meter waits for things to come to rest: an exposure that follows every step of a drag would pump."""
 
-_UNMETERED = ("exposure_ev", "tone_curve", "background", "background_colour", "clipping_marks", "gamut_marks")
+_UNMETERED = (
+    "exposure_ev",
+    "tone_curve",
+    "glare",
+    "background",
+    "background_colour",
+    "clipping_marks",
+    "gamut_marks",
+)
 
 
 class LightingControl(ViewerFeature):

@@ -39,6 +39,7 @@ class ToneControl(ViewerFeature):
         section = window.tone
         for box in (section.curve, window.commands.tone):
             box.picked.connect(self._set_curve)
+        section.glare.clicked.connect(lambda on: state.change_view(glare="eye" if on else "off"))
         section.clipping.clicked.connect(lambda on: state.change_view(clipping_marks=on))
         section.gamut.clicked.connect(lambda on: state.change_view(gamut_marks=on))
         section.style_box.picked.connect(lambda key: state.change_view(mark_style=key))
@@ -114,6 +115,7 @@ class ToneControl(ViewerFeature):
         section = self._window.tone
         for box in (section.curve, self._window.commands.tone):
             box.show_choice(view.tone_curve)
+        section.glare.setChecked(view.glare == "eye")
         section.set_marks(view.clipping_marks, view.gamut_marks, view.mark_style)
 
     def _measure(self) -> None:

@@ -50,9 +50,16 @@ class ToneSection(Section):
         self.profile = QCheckBox(tr("Monitor profile"))
         self.profile.setToolTip(tr("Convert colours with the system's profile of this monitor"))
         self.profile_note = note()
+        self.glare = QCheckBox(tr("Glare"))
+        self.glare.setToolTip(
+            tr(
+                "Spread light above white as the eye scatters it; readings, marks and linear files are without"
+            )
+        )
         form = self.add(Form())
         tip = tr("Mapping of radiance to the screen, before its transfer curve")
         form.add_row(tr("Tone curve"), self.curve, tip)
+        form.add_row("", self.glare)
         form.add_row(tr("Show clipping"), self.clipping)
         form.add_row("", self.gamut)
         tip = tr("Style of the marks; stripes keep the colour between them visible")

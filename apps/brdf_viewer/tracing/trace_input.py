@@ -30,6 +30,7 @@ _SHOWN = (
     "compare",
     "turntable_deg_s",
     "lamp_shading",
+    "glare",
 )
 """Fields of a view that change how traced light is shown, or name what is handed over as it is."""
 _PLAIN = View()

@@ -7,7 +7,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from brdf_suite.cli.output import add_arguments
-from brdf_suite.documents.view import BACKGROUNDS, ENVIRONMENT_LAYOUTS, FRESNEL_MODES, TONE_CURVES, View
+from brdf_suite.documents.view import (
+    BACKGROUNDS,
+    ENVIRONMENT_LAYOUTS,
+    FRESNEL_MODES,
+    GLARE_MODES,
+    TONE_CURVES,
+    View,
+)
 from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp
 from brdf_suite.errors import ValueRangeError
 
@@ -61,11 +68,13 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
             "--elevation DEG": "camera elevation in degrees, -90 to 90",
             "--tone": "tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
             "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
+            "--glare": "spread light above white as an eye scatters it (default: eye); never in an EXR",
             "--fresnel": f"the coat's rise towards grazing (default: {View().fresnel})",
             "--background": "what is seen behind the object (default: environment)",
             "--sparkle": f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/method/sparkle.md)",
         },
         tone=TONE_CURVES,
+        glare=GLARE_MODES,
         fresnel=FRESNEL_MODES,
         background=BACKGROUNDS,
         sparkle=SPARKLE_MODES,
@@ -120,6 +129,7 @@ def parse_view(options: argparse.Namespace) -> View:
         exposure_ev=options.exposure,
         exposure_mode="automatic" if options.automatic_exposure else None,
         tone_curve=options.tone,
+        glare=options.glare,
         fresnel=options.fresnel,
         background=options.background,
         lamps=None if options.point_light is None else tuple(options.point_light),

@@ -163,7 +163,12 @@ class ComparisonRenderer:
             framebuffer, light = self._light.prepare(size, "f2")
             self._draw_picture(framebuffer, size, 1.0, (0, 0, *size), decoded=True)
             plain = replace(
-                view, exposure_ev=0.0, tone_curve="linear", clipping_marks=False, gamut_marks=False
+                view,
+                exposure_ev=0.0,
+                tone_curve="linear",
+                glare="off",
+                clipping_marks=False,
+                gamut_marks=False,
             )
             self._renderer.finish(plain, light, target, size, region=region, display=display)
 
@@ -192,8 +197,8 @@ class ComparisonRenderer:
         kind = "f2" if light else "f1"
         first, second = self._first.prepare(size, kind)[0], self._second.prepare(size, kind)[0]
         if not light:
-            # In sRGB, which the difference decodes, whatever the monitor is; marks are no part of the colours.
-            view = replace(view, clipping_marks=False, gamut_marks=False)
+            # In sRGB, which the difference decodes, whatever the monitor is; marks and glare are no part of colours.
+            view = replace(view, glare="off", clipping_marks=False, gamut_marks=False)
             self._draw_first(view, first, size, samples, display=SRGB)
             self._draw_second(view, second, size, samples, (0, 0, *size), SRGB)
             return

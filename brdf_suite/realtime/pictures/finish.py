@@ -7,13 +7,15 @@ from typing import Any
 import moderngl
 import numpy as np
 
+from brdf_suite.appearance.glare import WHITE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
 from brdf_suite.realtime.gl.programs import CAPTURED, assign
 from brdf_suite.realtime.pictures.display import Display, Unshowable
+from brdf_suite.realtime.pictures.glare import Veil
 from brdf_suite.realtime.pictures.tone_curves import TONE_CURVE_NUMBERS
 
-_LIGHT_UNIT, _CODES_UNIT = 0, 1
+_LIGHT_UNIT, _CODES_UNIT, _GLARE_UNIT = 0, 1, 2
 _COUNTED = ("pixels", "too_bright", "too_colourful")
 
 
@@ -34,21 +36,37 @@ class FinishPass:
         corner: tuple[int, int] = (0, 0),
         *,
         transparent: bool = False,
+        veil: Veil | None = None,
     ) -> None:
         """Finish into the bound framebuffer; ``corner`` is its lower left pixel in the whole picture."""
-        program, screen = self.program(view, display, light.samples, transparent=transparent)
+        program, screen = self.program(
+            view, display, light.samples, transparent=transparent, glares=veil is not None
+        )
         assign(program, {"frame": (*corner, 0.0, 0.0)})
+        if veil is not None:
+            of_veil = {"glare": _GLARE_UNIT, "glare_size": veil.size, "glare_share": veil.share}
+            assign(program, of_veil | {"glare_white": WHITE})
+            veil.texture.use(_GLARE_UNIT)
         light.use(_LIGHT_UNIT)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
     def program(
-        self, view: View, display: Display, samples: int, *, captured: bool = False, transparent: bool = False
+        self,
+        view: View,
+        display: Display,
+        samples: int,
+        *,
+        captured: bool = False,
+        transparent: bool = False,
+        glares: bool = False,
     ) -> ScreenProgram:
         """Return the program that takes ``samples`` to the screen, ready but for the light and the frame's corner.
 
-        ``captured``: the samples are those of a list that was shaded apart (samples.glsl).
+        ``captured``: the samples are those of a list that was shaded apart (samples.glsl); ``glares``: a veil is laid
+        over them.
         """
         words = {"SAMPLES": str(samples)} | ({CAPTURED: "1"} if captured else {})
+        words |= {"GLARE": "1"} if glares else {}
         program, screen = self._objects.screen("finish.frag.glsl", words)
         values = {
             "exposure": 2.0**view.exposure_ev,

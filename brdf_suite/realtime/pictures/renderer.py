@@ -39,6 +39,7 @@ from brdf_suite.realtime.material.material_set import MaterialSet
 from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
 from brdf_suite.realtime.pictures.finish import FinishPass
+from brdf_suite.realtime.pictures.glare import GlarePass, Veil, glares
 from brdf_suite.realtime.pictures.light_pass import (
     AS_THEY_ARE,
     DEFAULT_SAMPLES,
@@ -51,6 +52,9 @@ from brdf_suite.realtime.pictures.light_pass import (
 from brdf_suite.realtime.pictures.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.relief.values import PeelTile
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
+
+_GLARING_EDGE = 1280
+"""Pixels along the longer edge of the picture whose glare a larger one shows."""
 
 
 class Renderer:
@@ -77,6 +81,7 @@ class Renderer:
         self.mesh = MeshBuffers(objects)
         self._environment, self._materials = EnvironmentTextures(objects), MaterialSet(objects)
         self._single_lights, self._finish = SingleLights(objects), FinishPass(objects)
+        self._glare = GlarePass(objects)
         self._drawing = DrawContext(
             objects,
             Programs(objects, surface_shader),
@@ -184,9 +189,7 @@ class Renderer:
             light = self._first_pass.draw(
                 view, self._light, size, samples, size, materials=materials, region=region
             )
-            self.objects.bind(framebuffer, size, region)
-            self._finish.draw(light, view, display or self.screen)
-            self.context.scissor = None
+            self._show(light, view, framebuffer, size, region, display or self.screen)
 
     def finish(
         self,
@@ -200,9 +203,21 @@ class Renderer:
     ) -> None:
         """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` finishes its own."""
         with graphics_errors(self.context, "finishing a picture"):
-            self.objects.bind(framebuffer, check_size(size), region)
-            self._finish.draw(light, view, display or self.screen)
-            self.context.scissor = None
+            self._show(light, view, framebuffer, check_size(size), region, display or self.screen)
+
+    def _show(
+        self,
+        light: moderngl.Texture,
+        view: View,
+        framebuffer: moderngl.Framebuffer,
+        size: Size,
+        region: Region | None,
+        display: Display,
+    ) -> None:
+        veil = self._glare.spread(light, view, region) if glares(view, display) else None
+        self.objects.bind(framebuffer, size, region)
+        self._finish.draw(light, view, display, veil=veil)
+        self.context.scissor = None
 
     def count_unshowable(self, view: View, size: Size, display: Display = SRGB) -> Unshowable:
         """Count the object's pixels that a screen cannot show, in a picture of ``size``, one sample a pixel.
@@ -308,18 +323,30 @@ class Renderer:
         """
         size = check_size(size)
         dtype = "f4" if display.linear else "f2"
+        limit = tile_limit(self.context, largest_tile)
+        glaring = glares(view, display) and not transparent
+        in_one = max(size) <= min(limit, _GLARING_EDGE)
+        veil = self._veil(view, size, samples) if glaring and not in_one else None
 
         def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
             with graphics_errors(self.context, "drawing a picture"):
                 light = self._first_pass.draw(
                     view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
                 )
+                laid = self._glare.spread(light, view) if glaring and veil is None else veil
                 self.objects.bind(framebuffer, tile)
-                self._finish.draw(light, view, display, corner, transparent=transparent)
+                self._finish.draw(light, view, display, corner, transparent=transparent, veil=laid)
 
         channels = 4 if transparent or display.linear else 3
-        limit = tile_limit(self.context, largest_tile)
         return draw_strips(draw, self._picture, size, limit, display, channels)
+
+    def _veil(self, view: View, size: Size, samples: int) -> Veil:
+        """Return the veil of a picture of any size, from the whole of it in one tile."""
+        scale = min(1.0, tile_limit(self.context, _GLARING_EDGE) / max(size))
+        small = (max(1, round(size[0] * scale)), max(1, round(size[1] * scale)))
+        with graphics_errors(self.context, "drawing a picture"):
+            light = self._first_pass.draw(view, self._tile, small, samples, small)
+            return self._glare.spread(light, view, whole=size)
 
     def count_in(self, light: moderngl.Texture, view: View, size: Size, display: Display) -> Unshowable:
         """Count the pixels of ``light``, exposed radiance of a picture of ``size``, that a screen cannot show."""

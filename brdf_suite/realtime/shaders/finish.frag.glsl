@@ -1,6 +1,6 @@
 // Provides: the finished picture: each sample through tone curve and primaries, averaged in the screen's linear
 //           light, encoded, marked, dithered to 8 bits; or the averaged radiance itself
-// Needs:    screen.vert.glsl; SAMPLES
+// Needs:    screen.vert.glsl; SAMPLES; GLARE where light above white is spread (glare.py)
 #include "samples.glsl"
 #include "display.glsl"
 #include "transfer.glsl"
@@ -9,17 +9,35 @@ uniform vec4 frame;              // xy: this tile's corner in the whole picture
 uniform float exposure;
 uniform bool as_radiance;        // radiance of the working space and the object's share of the pixel, no more
 uniform bool dithered;           // to 8 bits; otherwise exact
+#ifdef GLARE
+uniform sampler2D glare;         // what is spread over the whole picture
+uniform vec2 glare_size;         // of what it covers, pixels
+uniform float glare_share;       // of the light above white, that is taken from where it is
+uniform float glare_white;
+vec3 veil;
+
+vec4 seen_sample(int i)
+{
+    vec4 own = light_sample(i);
+    return vec4(own.rgb - glare_share * max(own.rgb - glare_white, 0.0) + veil, own.a);
+}
+#else
+#define seen_sample light_sample
+#endif
 uniform bool transparent;        // the object's share of the pixel as alpha, the colour that of the object alone
 out vec4 fragment;
 
 void main()
 {
-    vec4 first = light_sample(0);
+#ifdef GLARE
+    veil = texture(glare, (gl_FragCoord.xy + frame.xy) / glare_size).rgb;
+#endif
+    vec4 first = seen_sample(0);
     vec4 sum = first;
     bool even = true;
     for (int i = 1; i < SAMPLE_COUNT; ++i)
     {
-        vec4 other = light_sample(i);
+        vec4 other = seen_sample(i);
         even = even && other == first;
         sum += other;
     }
@@ -36,7 +54,7 @@ void main()
     {
         for (int i = 1; i < SAMPLE_COUNT; ++i)
         {
-            device = device_light(light_sample(i).rgb);
+            device = device_light(seen_sample(i).rgb);
             beyond = max(beyond, beyond_device(device));
             shown += clamp(device, 0.0, 1.0);
         }

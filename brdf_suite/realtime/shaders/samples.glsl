@@ -1,4 +1,4 @@
-// Provides: vec4 light_sample(int i), SAMPLE_COUNT
+// Provides: vec4 light_sample(int i), SAMPLE_COUNT; but for CAPTURED vec4 light_sample_at(ivec2 pixel, int i)
 // Needs:    SAMPLES (0 or 1: a plain texture); with CAPTURED the shaded list of captured.glsl, and which of it is where
 //
 // One sample of the pixel that is being finished: exposed radiance, and whether the object is there.
@@ -23,16 +23,22 @@ vec4 light_sample(int i)
 const int SAMPLE_COUNT = SAMPLES;
 uniform sampler2DMS light;
 
-vec4 light_sample(int i)
+vec4 light_sample_at(ivec2 pixel, int i)
 {
-    return texelFetch(light, ivec2(gl_FragCoord.xy), i);
+    return texelFetch(light, pixel, i);
 }
 #else
 const int SAMPLE_COUNT = 1;
 uniform sampler2D light;
 
+vec4 light_sample_at(ivec2 pixel, int i)
+{
+    return texelFetch(light, pixel, 0);
+}
+#endif
+#ifndef CAPTURED
 vec4 light_sample(int i)
 {
-    return texelFetch(light, ivec2(gl_FragCoord.xy), 0);
+    return light_sample_at(ivec2(gl_FragCoord.xy), i);
 }
 #endif

@@ -32,7 +32,6 @@ from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.camera import compose
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
-from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.raytraced.frames import Film, trace_samples
 from brdf_suite.reference.raytraced.picture import Sums
@@ -115,8 +114,7 @@ class RaytracedImage:
 
     def codes(self) -> NDArray[np.uint8]:
         """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
-        view = self.exposed_view
-        return np.asarray(to_display(self.whole(), view.exposure_ev, view.tone_curve), np.uint8)
+        return self.scene.show(self.whole(), self.exposed_view)
 
 
 class RaytracedSession:

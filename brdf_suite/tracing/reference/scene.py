@@ -31,7 +31,6 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.material.stock_materials import stock_materials
-from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.passes import Estimate
 from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
 from brdf_suite.reference.scene.camera import PinholeCamera
@@ -156,8 +155,7 @@ class ReferenceScene(SceneFacts):
 
     def codes(self, estimate: Estimate) -> NDArray[np.uint8]:
         """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
-        view = self.exposed_view(estimate)
-        return np.asarray(to_display(self.whole(estimate), view.exposure_ev, view.tone_curve), np.uint8)
+        return self.show(self.whole(estimate), self.exposed_view(estimate))
 
 
 def prepare_reference(

@@ -1,0 +1,129 @@
+"""Glare: the veil of light that the eye scatters around what is brighter than a screen can show.
+
+The general disability glare function of the CIE (Vos and van den Berg, CIE 135/1, 1999; CIE 146:2002 has it too) gives
+the light that an eye spreads from a point, per steradian. Within a tenth of a degree it is the sharpness of the eye,
+which the viewer of the screen has. Beyond it is scatter in cornea, lens and on the fundus, which a screen cannot
+cause, since it shows nothing brighter than its white. So it is applied to the light above white alone, and what is
+spread is taken from there: no light is added.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.arrays import Floats
+from brdf_suite.errors import ValueRangeError
+
+SHARP_DEG = 0.1
+"""Within this angle the function is held at its value there."""
+AGE_YEARS = 35.0
+PIGMENTATION = 0.5
+"""Of the eye: 0 for very dark ones, 0.5 for brown, 1 for blue-green, 1.2 for light blue Caucasian eyes."""
+WHITE = 1.0
+"""Exposed radiance above which light glares: that of a diffuse white at the exposure of the picture."""
+WIDEST_DEG = 30.0
+"""Beyond it nothing is spread: a picture is hardly wider, and the veil there is below 1e-5 of its source."""
+_PLACES, _ROUNDS = 200, 400
+
+
+def scattered_light(
+    angle_deg: npt.ArrayLike, age_years: float = AGE_YEARS, pigmentation: float = PIGMENTATION
+) -> Floats:
+    """Return the light (...), 1/sr, that is scattered by angles (...), 0 to 90°, from a point of light.
+
+    >>> scattered_light([0.1, 1.0, 10.0]).round(2).tolist()
+    [11675.23, 19.56, 0.06]
+    """
+    angle = np.maximum(np.asarray(angle_deg, float), SHARP_DEG)
+    aged = (age_years / 70.0) ** 4
+    sharp = 9.2e6 / (1.0 + (angle / 0.0046) ** 2) ** 1.5 + 1.5e5 / (1.0 + (angle / 0.045) ** 2) ** 1.5
+    wide = 1.0 + (angle / 0.1) ** 2
+    fundus = 1300.0 / wide**1.5 + 0.8 / np.sqrt(wide)
+    lens = 400.0 / wide + 3e-8 * angle**2
+    return np.asarray(
+        (1.0 - 0.08 * aged) * sharp
+        + (1.0 + 1.6 * aged) * (lens + pigmentation * fundus)
+        + 2.5e-3 * pigmentation
+    )
+
+
+def pixel_angle(focal_length_mm: float, width: int, sensor_width_mm: float) -> float:
+    """Return the angle, degrees, that a pixel in the middle of a picture of ``width`` pixels covers."""
+    return math.degrees(sensor_width_mm / (focal_length_mm * width))
+
+
+@lru_cache(maxsize=64)
+def gaussian_shares(spreads_deg: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the shares of the light that Gaussians of these standard deviations spread as the eye does.
+
+    Their sum approximates :func:`scattered_light` from the narrowest standard deviation to :data:`WIDEST_DEG`, in the
+    least squares of relative errors, by shares above 0 (Lee and Seung's multiplicative updates).
+    """
+    spreads = np.radians(spreads_deg)
+    angle = np.geomspace(min(spreads_deg), WIDEST_DEG, _PLACES)
+    squared = (np.radians(angle)[:, None] / spreads) ** 2
+    bells = np.exp(-0.5 * squared) / (2.0 * math.pi * spreads**2)
+    relative = bells / scattered_light(angle)[:, None]
+    wanted, square = relative.sum(axis=0), relative.T @ relative
+    shares = np.full(len(spreads), 1.0 / float(wanted.sum()))
+    for _ in range(_ROUNDS):
+        shares *= wanted / (square @ shares)
+    return tuple(shares.tolist())
+
+
+def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
+    """Return exposed radiance (h, w, 3), 1 being white, with the glare of what is above white.
+
+    ``pixel_deg`` is the angle that a pixel covers, degrees, above 0. Light is spread over :data:`WIDEST_DEG`; that
+    which would leave the picture is lost to it.
+
+    Raises
+    ------
+    ValueRangeError
+        The array has another shape, or the angle is not above 0.
+    """
+    from scipy.fft import irfft2, next_fast_len, rfft2
+
+    light = np.asarray(exposed, float)
+    if light.ndim != 3 or light.shape[2] != 3:
+        raise ValueRangeError("exposed", f"shape {light.shape}, not (h, w, 3)")
+    if not 0.0 < pixel_deg < WIDEST_DEG:
+        raise ValueRangeError("pixel_deg", f"expected an angle above 0, not {pixel_deg:g}")
+    excess = np.maximum(light - WHITE, 0.0)
+    if not excess.any():
+        return light
+    height, width = light.shape[:2]
+    reach = math.ceil(WIDEST_DEG / pixel_deg)
+    down, right = min(height - 1, reach), min(width - 1, reach)
+    # Of a kernel that ends with the picture, both halves fit beside each other.
+    shape = (next_fast_len(height + down, real=True), next_fast_len(width + right, real=True))
+    y = np.minimum(np.arange(shape[0]), shape[0] - np.arange(shape[0]))[:, None]
+    x = np.minimum(np.arange(shape[1]), shape[1] - np.arange(shape[1]))[None]
+    angle = pixel_deg * np.hypot(y, x)
+    # What stays in its pixel is no glare.
+    within = (y <= down) & (x <= right) & (angle <= WIDEST_DEG) & (angle > 0.0)
+    kernel = (
+        np.where(within, scattered_light(np.minimum(angle, WIDEST_DEG)), 0.0) * math.radians(pixel_deg) ** 2
+    )
+    spread = irfft2(rfft2(excess, s=shape, axes=(0, 1)) * rfft2(kernel)[..., None], s=shape, axes=(0, 1))[
+        :height, :width
+    ]
+    # The transform leaves numerical noise of either sign.
+    return np.asarray(light - _scattered_share(pixel_deg) * excess + np.maximum(spread, 0.0))
+
+
+@lru_cache(maxsize=64)
+def _scattered_share(pixel_deg: float) -> float:
+    """Return the sum of the kernel of pixels over all that it reaches, whether that is in the picture or not."""
+    reach = math.ceil(WIDEST_DEG / pixel_deg)
+    total = 0.0
+    x = np.arange(-reach, reach + 1)
+    for first in range(-reach, reach + 1, 256):
+        y = np.arange(first, min(first + 256, reach + 1))
+        angle = pixel_deg * np.hypot(y[:, None], x[None])
+        total += float(scattered_light(angle[(angle > 0.0) & (angle <= WIDEST_DEG)]).sum())
+    return total * math.radians(pixel_deg) ** 2
