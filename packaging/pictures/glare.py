@@ -29,7 +29,9 @@ SEEN = (
 
 def main() -> int:
     """Write the picture."""
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2] / "docs" / "images"
+    folder = (
+        Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2] / "docs" / "images"
+    )
     rows = []
     with OffscreenScene() as scene:
         scene.set_surface(load_surface("sphere"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -84,7 +85,7 @@ def _error(objects) -> float:
     rows, columns = np.indices((180, 320))
     far = np.hypot(2.0 * rows + 0.5 - 180.0, 2.0 * columns + 0.5 - 200.0) * angle
     away = []
-    for low, high in zip(_RINGS_DEG, _RINGS_DEG[1:], strict=False):
+    for low, high in pairwise(_RINGS_DEG):
         ring = (far >= low) & (far < high)
         away.append(abs(float(spread[ring].mean() / expected[ring].mean()) - 1.0))
     return max(away)
