@@ -13,6 +13,7 @@ import numpy as np
 
 from brdf_suite.documents.studio import LightDocument
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.environment import Environment
@@ -60,7 +61,7 @@ def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> st
 
 def default_view() -> View:
     """The view that a new user sees first."""
-    return View(glare="eye")
+    return View(glare="eye", surface_look=SurfaceLook(ground=True))
 
 
 def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:

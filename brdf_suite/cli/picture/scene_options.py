@@ -40,7 +40,7 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
             **_LAYOUT,
             "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
             "(default: speed_form)",
-            "--[no-]ground": "put the mesh on a ground that takes its shadow (default: no ground)",
+            "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
             "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
             f"--size WxH={width}x{height}": f"pixels (default: {width}x{height})",
             "--exposure EV": "exposure in EV; +1 doubles the light (default: 0)",

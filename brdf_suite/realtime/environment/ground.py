@@ -7,14 +7,19 @@ multiplied by it. Nothing is drawn where nothing is in the way, so the ground ha
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.programs import assign
+from brdf_suite.realtime.lights.sun import Sun
 from brdf_suite.realtime.values import CubeFaces, GroundField
 
 GROUND_UNIT = 12
@@ -38,19 +43,23 @@ def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:
     return np.asarray(np.einsum("fij,fijh,fijc->hc", solid_angle, harmonics, pooled) * faces.scale)
 
 
-def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
-    """Return what of the light arrives, (rows, columns, 3), 0…1.
+def ground_ratio(
+    transfer: NDArray[np.float32], light: Floats, sun: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """Return what of the light arrives (rows, columns, 3), 0…1, and the sun's share (3,) of it on open ground.
 
-    ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics. The corner
-    of the field is open ground.
+    ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics and ``sun``
+    (h, 3) those of a sun in it, which is then left out of what arrives. The corner of the field is open ground.
     """
     degrees = np.arange(round(len(light) ** 0.5))
     # Lanczos' sinc keeps a small bright light from ringing.
     soft = np.sinc(np.repeat(degrees, 2 * degrees + 1) / len(degrees))
-    arriving = transfer.astype(np.float64) @ (soft[:, None] * light)
-    full = arriving[0, 0]
+    rest = light if sun is None else light - sun
+    arriving = transfer.astype(np.float64) @ (soft[:, None] * rest)
+    full = transfer[0, 0].astype(np.float64) @ (soft[:, None] * light)
     ratio = np.divide(arriving, full, out=np.ones_like(arriving), where=full > 0.0)
-    return np.asarray(np.clip(ratio, 0.0, 1.0))
+    open_share = np.clip(ratio[0, 0], 0.0, 1.0)
+    return np.asarray(np.clip(ratio, 0.0, open_share)), np.asarray(1.0 - open_share)
 
 
 class GroundShadow:
@@ -62,7 +71,8 @@ class GroundShadow:
         self._light: Floats | None = None
         self._background: CubeFaces | None = None
         self._texture: moderngl.Texture | None = None
-        self._shown: tuple[float, bytes] | None = None
+        self._shown: tuple[float, bytes, Sun | None] | None = None
+        self._sun_share = (0.0, 0.0, 0.0)
 
     @property
     def height(self) -> float | None:
@@ -81,7 +91,14 @@ class GroundShadow:
         self._shown = None
         self._light = None
 
-    def draw(self, world_to_clip: tuple[float, ...], turn: float, colours: Floats) -> None:
+    def draw(
+        self,
+        world_to_clip: tuple[float, ...],
+        turn: float,
+        colours: Floats,
+        sun: Sun | None = None,
+        sun_uniforms: Mapping[str, object] = MappingProxyType({}),
+    ) -> None:
         """Multiply what is drawn already, where the object is not in front, by the shadow.
 
         Parameters
@@ -90,11 +107,14 @@ class GroundShadow:
             Column by column.
         turn, colours
             How far the light is turned about y, radians, and the (3, 3) that its colours are mixed by.
+        sun, sun_uniforms
+            The environment's sun, and the inputs of sun.glsl, where it casts a shadow of its own.
         """
         if self._field is None or self._background is None:
             return
-        texture = self._brought_up_to_date(self._field, self._background, turn, colours)
-        program, corners = self._objects.screen("ground.frag.glsl", vertex="ground.vert.glsl")
+        texture = self._brought_up_to_date(self._field, self._background, turn, colours, sun)
+        words = {"SUN": "1"} if sun is not None else None
+        program, corners = self._objects.screen("ground.frag.glsl", words, vertex="ground.vert.glsl")
         texture.use(GROUND_UNIT)
         values = {
             "world_to_clip": world_to_clip,
@@ -102,8 +122,7 @@ class GroundShadow:
             "ground_field": (*self._field.low, *self._field.high),
             "ground_height": self._field.height,
         }
-        for name, value in values.items():
-            program[name] = value
+        assign(program, values | dict(sun_uniforms) | {"sun_share": self._sun_share})
         context = self._objects.context
         context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
         # The near and far planes enclose the object; the ground goes on beyond them.
@@ -115,15 +134,24 @@ class GroundShadow:
         context.enable_only(moderngl.DEPTH_TEST)
 
     def _brought_up_to_date(
-        self, field: GroundField, background: CubeFaces, turn: float, colours: Floats
+        self, field: GroundField, background: CubeFaces, turn: float, colours: Floats, sun: Sun | None
     ) -> moderngl.Texture:
         """Return the texture; written only where field, light, turn or colours are others than before."""
-        wanted = (turn, colours.tobytes())
+        wanted = (turn, colours.tobytes(), sun)
         if self._texture is not None and wanted == self._shown:
             return self._texture
+        degree = round(field.transfer.shape[2] ** 0.5) - 1
         if self._light is None:
-            self._light = environment_harmonics(background, round(field.transfer.shape[2] ** 0.5) - 1)
-        ratio = ground_ratio(field.transfer, rotate_harmonics(self._light.T, turn).T @ colours.T)
+            self._light = environment_harmonics(background, degree)
+
+        def turned(light: Floats) -> Floats:
+            return np.asarray(rotate_harmonics(light.T, turn).T @ colours.T)
+
+        of_sun = None
+        if sun is not None:
+            of_sun = turned(low_harmonics(sun.direction, degree)[:, None] * sun.irradiance)
+        ratio, share = ground_ratio(field.transfer, turned(self._light), of_sun)
+        self._sun_share = triple(share)
         rows, columns = ratio.shape[:2]
         if self._texture is None or self._texture.size != (columns, rows):
             self.release()

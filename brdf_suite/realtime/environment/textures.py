@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import moderngl
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects, Target
@@ -146,6 +147,8 @@ class EnvironmentTextures:
         self._background: _Map | None = None
         self._sharp: dict[float, _Map] = {}
         self.exponents: tuple[float, ...] = ()
+        self.mean_radiance: Floats = np.zeros(3)
+        """(3,), working space, about: texels count alike."""
         self.is_dark = False
         """Whether no light comes from the environment, so that nothing of it need be looked up."""
 
@@ -179,6 +182,7 @@ class EnvironmentTextures:
         self._diffuse, self._background = diffuse, background
         self._sharp = dict(zip(sharp, others, strict=True))
         self.exponents = maps.exponents
+        self.mean_radiance = maps.diffuse.faces.mean(axis=(0, 1, 2), dtype=np.float64) * maps.diffuse.scale
         # Light from anywhere is in the diffuse map everywhere.
         self.is_dark = not maps.diffuse.faces.any()
 

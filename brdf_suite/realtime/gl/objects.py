@@ -103,10 +103,19 @@ class GpuObjects:
         with graphics_errors(self.context, f"making a depth buffer of {size[0]}x{size[1]} pixels"):
             return self._keep("renderbuffer", self.context.depth_renderbuffer(size, samples=samples))
 
+    def depth_texture(self, size: tuple[int, int]) -> moderngl.Texture:
+        """Make a depth buffer that can be read as numbers, 0 to 1, one sample a pixel."""
+        with graphics_errors(self.context, f"making a depth map of {size[0]}x{size[1]} pixels"):
+            made = self._keep("texture", self.context.depth_texture(size))
+            made.compare_func = ""
+            made.filter = (moderngl.NEAREST, moderngl.NEAREST)
+            made.repeat_x = made.repeat_y = False
+            return made
+
     def framebuffer(
-        self, *colours: moderngl.Texture, depth: moderngl.Renderbuffer | None = None
+        self, *colours: moderngl.Texture, depth: moderngl.Renderbuffer | moderngl.Texture | None = None
     ) -> moderngl.Framebuffer:
-        """Make a framebuffer of one or more colour textures."""
+        """Make a framebuffer of colour textures, or of depth alone."""
         with graphics_errors(self.context, "making a framebuffer"):
             return self._keep("framebuffer", self.context.framebuffer(list(colours), depth))
 

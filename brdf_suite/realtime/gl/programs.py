@@ -22,6 +22,7 @@ MATERIAL_BINDING = 0
 LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
+SUN_UNIT = 30
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
 KEPT_UNIT = 13
@@ -141,6 +142,7 @@ class Programs:
             "places": PLACES_UNIT,
             "kept_light": KEPT_UNIT,
             "lamp_ball": BALL_UNIT,
+            "sun_map": SUN_UNIT,
         }
         assign(program, own | RELIEF_UNITS | _FACTOR_UNITS)
         return program
@@ -153,6 +155,14 @@ class Programs:
             self._surfaces[key] = self._objects.program(
                 compose("mesh.vert.glsl", words), compose("capture.frag.glsl", words)
             )
+        return self._surfaces[key]
+
+    def sun_map(self) -> moderngl.Program:
+        """Return the program that draws the depth of a mesh as a sun sees it."""
+        key = (LookUps(0, 0), frozenset({"SUN_MAP"}))
+        if key not in self._surfaces:
+            vertex, fragment = compose("sun_map.vert.glsl"), compose("sun_map.frag.glsl")
+            self._surfaces[key] = self._objects.program(vertex, fragment)
         return self._surfaces[key]
 
     def without_mesh(self, look_ups: LookUps, features: Features) -> ScreenProgram:

@@ -54,7 +54,7 @@ class LightPass:
             drawing.environment,
         )
         self.mesh, self._materials = drawing.mesh, drawing.materials
-        self._single_lights = drawing.single_lights
+        self._single_lights, self._sun = drawing.single_lights, drawing.sun
         self.ground = GroundShadow(drawing.objects)
         self.relief = ReliefTextures(drawing.objects, make_peel)
         self.factors = FactorTextures(drawing.objects)
@@ -83,19 +83,21 @@ class LightPass:
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
         camera = matrices(view.camera, self.mesh.bounds, size)
         self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
-        framebuffer, light = target.prepare(tile, dtype, samples)
-        self._objects.bind(framebuffer, tile, region, depth=True)
-        self._environment.bind()
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
         if self._environment.is_dark or view.light_colour.brightness == 0.0:
             features |= {"DARK"}
+        features |= self._sun.features(view, features)
+        sun = self._sun.uniforms(view) if "SUN" in features else {}
+        framebuffer, light = target.prepare(tile, dtype, samples)
+        self._objects.bind(framebuffer, tile, region, depth=True)
+        self._environment.bind()
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
+        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials, sun)
         if not transparent:
             self._draw_background(view, camera, size, corner)
-            self._draw_ground(view, camera, crop(size, corner, tile))
+            self._draw_ground(view, camera, crop(size, corner, tile), sun)
         return light
 
     def draw_backdrop(
@@ -114,13 +116,14 @@ class LightPass:
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         camera = matrices(view.camera, self.mesh.bounds, size)
+        sun = self._sun.uniforms(view)
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()
         framebuffer.clear(depth=1.0)
         self._draw_background(view, camera, size, (0, 0))
         if grounded:
-            self._draw_ground(view, camera, crop(size, (0, 0), size))
+            self._draw_ground(view, camera, crop(size, (0, 0), size), sun)
         return light
 
     def _draw_mesh(
@@ -130,6 +133,7 @@ class LightPass:
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
         materials: Mapping[str, str],
+        sun: Mapping[str, object],
     ) -> None:
         common = (
             self._environment.uniforms()
@@ -139,9 +143,10 @@ class LightPass:
                 "eye": tuple(camera.eye),
                 "grounded": view.surface_look.ground,
             }
+            | dict(sun)
         )
         ready: set[tuple[LookUps, Features]] = set()
-        lit = bool(self._single_lights.features(view))
+        lit = bool(sun) or bool(self._single_lights.features(view))
         if lit:
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
@@ -192,7 +197,13 @@ class LightPass:
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
         return drawn
 
-    def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
+    def _draw_ground(
+        self,
+        view: View,
+        camera: CameraMatrices,
+        cropping: NDArray[np.float64],
+        sun: Mapping[str, object],
+    ) -> None:
         """Darken the background by the shadow on the ground, which is visible from above only."""
         height = self.ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
@@ -200,6 +211,8 @@ class LightPass:
                 columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),
                 environment_matrix(view.light_colour),
+                self._sun.sun if sun else None,
+                sun,
             )
 
     def _warm_up(self, samples: int, features: Features) -> None:

@@ -35,6 +35,7 @@ from brdf_suite.realtime.gl.programs import (
     surface_features,
 )
 from brdf_suite.realtime.lights.single_lights import FindLights, SingleLights, no_lights
+from brdf_suite.realtime.lights.sun import SunShadow
 from brdf_suite.realtime.material.material_set import MaterialSet
 from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
@@ -82,13 +83,15 @@ class Renderer:
         self._environment, self._materials = EnvironmentTextures(objects), MaterialSet(objects)
         self._single_lights, self._finish = SingleLights(objects), FinishPass(objects)
         self._glare = GlarePass(objects)
+        programs = Programs(objects, surface_shader)
         self._drawing = DrawContext(
             objects,
-            Programs(objects, surface_shader),
+            programs,
             self._environment,
             self.mesh,
             self._materials,
             self._single_lights,
+            SunShadow(objects, programs, self.mesh),
             self._finish,
         )
         self._first_pass = LightPass(self._drawing, make_peel)
@@ -131,12 +134,13 @@ class Renderer:
     def set_environment(self, maps: EnvironmentMaps, find_lights: FindLights = no_lights) -> None:
         """Replace the light. Materials must then have the same exponents; stock ones follow by themselves.
 
-        ``find_lights`` returns those of its lights in which single flakes glint.
+        ``find_lights`` returns its small bright lights, in which single flakes glint and of which one casts a shadow.
         """
         self._first_pass.ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
         self._single_lights.set_environment(find_lights, maps.exponents)
+        self._drawing.sun.set_environment(find_lights, self._environment.mean_radiance)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights; from the second time on this writes one small buffer and no more."""

@@ -5,10 +5,12 @@ uniform vec4 ground_field;      // lowest x and z, highest x and z, metres
 uniform float ground_height;
 
 out vec2 field;
+out vec3 ground_position;
 
 void main()
 {
     field = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec2 xz = mix(ground_field.xy, ground_field.zw, field);
-    gl_Position = world_to_clip * vec4(xz.x, ground_height, xz.y, 1.0);
+    ground_position = vec3(xz.x, ground_height, xz.y);
+    gl_Position = world_to_clip * vec4(ground_position, 1.0);
 }

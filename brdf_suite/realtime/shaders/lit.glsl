@@ -1,5 +1,6 @@
 // Provides: vec3 lit_radiance(SurfacePoint p, vec3 radiance)
-// Needs:    surface_point.glsl, material.glsl; LAMPS where there are lamps, SPARKLE_GLINTS or SPARKLE_TEXTURE where
+// Needs:    surface_point.glsl, material.glsl; LAMPS where there are lamps, SUN where the environment has a sun whose
+//           shadow is cast (OCCLUSION then too), SPARKLE_GLINTS or SPARKLE_TEXTURE where
 //           flakes are drawn one by one; FACTORS where a factored material's lamps are shaded by its maps
 //           (factors.glsl), FACTOR_BALL where by a ball (lamp_ball.glsl)
 //
@@ -12,6 +13,9 @@
 // already.
 #include "lights.glsl"
 #include "light_lobes.glsl"
+#ifdef SUN
+#include "sun.glsl"
+#endif
 #include "flake_place.glsl"
 #ifdef FACTORS
 #include "tangent_frame.glsl"
@@ -95,6 +99,23 @@ vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
 }
 #endif
 
+#ifdef SUN
+float seen_of_sun;              // at the place that is shaded
+// What the sun gives where it is seen, less what the maps have given of it: the share that occlusion left. Of the coat's
+// reflection nothing is taken; there occlusion by the mirror direction stands.
+vec3 sun_difference(SurfacePoint p, vec3 base_gain)
+{
+    float cos_sun = max(dot(p.normal, sun_direction), 0.0);
+    float chord = length(2.0 * cos_sun * p.normal - sun_direction - p.view);
+    vec3 kd = vec3(light_lobe(LOBE_BASE, 2.0).a, light_lobe(LOBE_GLOSS, 2.0).a, light_lobe(LOBE_FLAKES, 2.0).a);
+    vec3 lobes = cos_sun > 0.0 ? cos_sun * light_lobe(LOBE_BASE, chord).rgb : vec3(0.0);
+    seen_of_sun = cos_sun > 0.0 ? sun_seen(p.position, p.normal) : 0.0;
+    vec3 wanted = seen_of_sun * (cos_sun * kd + lobes);
+    vec3 given = p.occlusion * (max(dot(p.bent, sun_direction), 0.0) * kd + lobes);
+    return sun_irradiance * base_gain * (wanted - given);
+}
+#endif
+
 #ifdef SPARKLE
 // What single flakes add to their mean, and take from it; `radiance` is all that is seen beside.
 vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
@@ -143,7 +164,13 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         float chord = length(2.0 * cos_light * p.normal - light.direction - p.view);
         vec3 flake_light = light.irradiance * base_gain * cos_light * flake_lobe(chord);
         if (float(i) < light_counts.x)
+        {
+#ifdef SUN
+            flake_light *= dot(light.direction, sun_direction) > 0.999999 ? seen_of_sun : p.occlusion;
+#else
             flake_light *= p.occlusion;
+#endif
+        }
         // A light's extent, seen by a mirror below the coat, is a spread of the mirror's tilt of 1 / (2 n) of it.
         float broad = light.spread / (2.0 * flake_optics.x);
         float spread = sqrt(flake_optics.y * flake_optics.y + broad * broad);
@@ -186,6 +213,9 @@ vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 #endif
 #ifdef LOBES_LIT
     radiance += lamp_radiance(p, base_gain, gloss_gain);
+#endif
+#ifdef SUN
+    radiance = max(radiance + sun_difference(p, base_gain), 0.0);
 #endif
 #ifdef SPARKLE
     // Derivatives are taken before anything is asked that neighbours may answer otherwise.

@@ -16,7 +16,7 @@ uniform vec3 eye;
 #else
 #define ENVIRONMENT_LIGHT(p) reflected_radiance(p)
 #endif
-#if defined(LAMPS) || defined(SPARKLE_GLINTS) || defined(SPARKLE_TEXTURE)
+#if defined(LAMPS) || defined(SUN) || defined(SPARKLE_GLINTS) || defined(SPARKLE_TEXTURE)
 #include "lit.glsl"
 #define LIT(p, radiance) lit_radiance(p, radiance)
 #else

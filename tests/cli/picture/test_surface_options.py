@@ -12,7 +12,7 @@ from brdf_suite.cli.picture.scene_options import add_scene, parse_view
 @pytest.mark.parametrize(
     ("words", "ground", "occlusion"),
     [
-        ([], False, True),
+        ([], True, True),
         (["--ground"], True, True),
         (["--ground", "--no-occlusion"], True, False),
         (["--no-ground", "--occlusion"], False, True),
