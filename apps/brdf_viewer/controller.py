@@ -57,6 +57,15 @@ from brdf_viewer.window import ViewerWindow
 _PUBLISH_MS = 50
 
 
+_REST_MS = 180
+"""After the last step of a movement the picture is drawn whole; longer than between two steps of a hand."""
+
+
+def _moves(old: View, new: View) -> bool:
+    """Whether two views differ as the steps of a movement do."""
+    return (old.camera, old.rotation_deg, old.lamps) != (new.camera, new.rotation_deg, new.lamps)
+
+
 class ViewerController(Program):
     """The running Viewer.
 
@@ -105,6 +114,7 @@ class ViewerController(Program):
         self._ask = ask
         self._complete = self._finished = self._settled = self._started = False
         self._publish = make_timer(self, self._publish_view, _PUBLISH_MS)
+        self._at_rest = make_timer(self, self._rest, _REST_MS)
         dialogs = dialogs or QtDialogs(self.window)
         parts = self.state, self.window
         self.camera = CameraControl(*parts)
@@ -186,6 +196,7 @@ class ViewerController(Program):
         state.contents_changed.connect(self._show_title)
         self.scene.failed.connect(self.failed)
         window.picture.frame_drawn.connect(self._frame_drawn)
+        window.picture.about_to_grab.connect(self._rest)
         window.picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(self._open_files)
         window.closing.connect(self.close)
@@ -229,8 +240,17 @@ class ViewerController(Program):
         show = own.get(kind) or partial(self.scene.refused, kind)
         QTimer.singleShot(0, self, lambda: show(error))
 
-    def _show_view(self, _old: View | None, new: View) -> None:
+    def _rest(self) -> None:
+        """Draw whole frames again after a movement."""
+        self._at_rest.stop()
+        if self.drawer is not None and self.drawer.pace.rest():
+            self.window.picture.redraw()
+
+    def _show_view(self, old: View | None, new: View) -> None:
         window, commands = self.window, self.window.commands
+        if old is not None and self.drawer is not None and _moves(old, new):
+            self.drawer.pace.move()
+            self._at_rest.start()
         window.picture.set_view(new)
         window.environment.rotation.set_value(new.rotation_deg)
         window.environment.exposure.set_value(new.exposure_ev)
@@ -259,6 +279,8 @@ class ViewerController(Program):
             return
         if typical:
             self._meter.add(milliseconds)
+            if self.drawer is not None:
+                self.drawer.pace.end_frame(milliseconds)
         else:
             self.window.picture.redraw()  # the next one is an ordinary frame, whose time can be shown
         if not self._complete and self.drawer is not None and self.drawer.is_complete:

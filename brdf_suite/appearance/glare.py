@@ -28,6 +28,7 @@ WHITE = 1.0
 WIDEST_DEG = 30.0
 """Beyond it nothing is spread: a picture is hardly wider, and the veil there is below 1e-5 of its source."""
 _PLACES, _ROUNDS = 200, 400
+_MOST_PIXELS = 600
 
 
 def scattered_light(
@@ -86,8 +87,6 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
     ValueRangeError
         The array has another shape, or the angle is not above 0.
     """
-    from scipy.fft import irfft2, next_fast_len, rfft2
-
     light = np.asarray(exposed, float)
     if light.ndim != 3 or light.shape[2] != 3:
         raise ValueRangeError("exposed", f"shape {light.shape}, not (h, w, 3)")
@@ -100,7 +99,7 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
     reach = math.ceil(WIDEST_DEG / pixel_deg)
     down, right = min(height - 1, reach), min(width - 1, reach)
     # Of a kernel that ends with the picture, both halves fit beside each other.
-    shape = (next_fast_len(height + down, real=True), next_fast_len(width + right, real=True))
+    shape = (height + down, width + right)
     y = np.minimum(np.arange(shape[0]), shape[0] - np.arange(shape[0]))[:, None]
     x = np.minimum(np.arange(shape[1]), shape[1] - np.arange(shape[1]))[None]
     angle = pixel_deg * np.hypot(y, x)
@@ -109,9 +108,9 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
     kernel = (
         np.where(within, scattered_light(np.minimum(angle, WIDEST_DEG)), 0.0) * math.radians(pixel_deg) ** 2
     )
-    spread = irfft2(rfft2(excess, s=shape, axes=(0, 1)) * rfft2(kernel)[..., None], s=shape, axes=(0, 1))[
-        :height, :width
-    ]
+    spread = np.fft.irfft2(
+        np.fft.rfft2(excess, s=shape, axes=(0, 1)) * np.fft.rfft2(kernel)[..., None], s=shape, axes=(0, 1)
+    )[:height, :width]
     # The transform leaves numerical noise of either sign.
     return np.asarray(light - _scattered_share(pixel_deg) * excess + np.maximum(spread, 0.0))
 
@@ -120,10 +119,13 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
 def _scattered_share(pixel_deg: float) -> float:
     """Return the sum of the kernel of pixels over all that it reaches, whether that is in the picture or not."""
     reach = math.ceil(WIDEST_DEG / pixel_deg)
-    total = 0.0
-    x = np.arange(-reach, reach + 1)
-    for first in range(-reach, reach + 1, 256):
-        y = np.arange(first, min(first + 256, reach + 1))
-        angle = pixel_deg * np.hypot(y[:, None], x[None])
-        total += float(scattered_light(angle[(angle > 0.0) & (angle <= WIDEST_DEG)]).sum())
-    return total * math.radians(pixel_deg) ** 2
+    if reach <= _MOST_PIXELS:
+        x = np.arange(-reach, reach + 1)
+        angle = pixel_deg * np.hypot(x[:, None], x)
+        own = scattered_light(angle[(angle > 0.0) & (angle <= WIDEST_DEG)])
+        return float(own.sum()) * math.radians(pixel_deg) ** 2
+    # So many small pixels are the plane, but for a disc of the area of one; per step of the logarithm 2 pi a^2 f(a).
+    logarithm = np.linspace(math.log(pixel_deg / math.sqrt(math.pi)), math.log(WIDEST_DEG), 4001)
+    angle = np.exp(logarithm)
+    rings = 2.0 * math.pi * np.radians(angle) ** 2 * scattered_light(angle)
+    return float(np.sum(0.5 * (rings[1:] + rings[:-1]) * np.diff(logarithm)))

@@ -22,6 +22,7 @@ from brdf_suite.realtime.gl.context import Context, create_context, release_cont
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.pictures.captured import CapturedPaint
 from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
+from brdf_suite.realtime.pictures.moving import WHOLE, Coarseness, Enlarger
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,
@@ -48,6 +49,7 @@ class SceneRenderer:
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
         self.renderer = Renderer(context, make_peel=orange_peel_tile)
+        self._enlarger = Enlarger(self.renderer.objects)
         self._view = View()
         self._fits: dict[str, LobeFit] = {}
         self._weights: dict[str, MaterialWeights] = {}
@@ -130,10 +132,20 @@ class SceneRenderer:
         if images.second_paint is not None:
             self.set_material(images.second_paint, SECOND_PAINT)
 
-    def draw(self, view: View, framebuffer: Any, size: Size) -> None:
-        """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
+    def draw(self, view: View, framebuffer: Any, size: Size, coarseness: Coarseness | None = None) -> None:
+        """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels.
+
+        ``coarseness``: of a frame that must come soon; left out, the picture is whole.
+        """
         self.prepare(view)
-        self.renderer.render(view, framebuffer, size)
+        if coarseness is None or coarseness is WHOLE:
+            self.renderer.render(view, framebuffer, size)
+            return
+
+        def coarse(target: Any, small: Size) -> None:
+            self.renderer.render(view, target, small, coarseness.samples)
+
+        self._enlarger.draw(coarseness.scale, framebuffer, size, coarse)
 
     def image(self, view: View, size: Size) -> NDArray[np.uint8]:
         """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""

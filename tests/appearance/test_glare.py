@@ -51,6 +51,14 @@ def test_no_light_is_added_and_what_is_below_white_stays() -> None:
     assert (found[80, 100] < light[80, 100]).all()
 
 
+@pytest.mark.parametrize("angle", [0.0002, 0.0499, 0.0501])
+def test_what_is_taken_hangs_little_on_the_size_of_pixels(angle: float) -> None:
+    light = np.zeros((3, 3, 3))
+    light[1, 1] = 1.0 + 1e4
+    found = spread_glare(light, angle)
+    assert (1e4 + 1.0 - found[1, 1, 0]) / 1e4 == pytest.approx(0.42, abs=0.02)
+
+
 def test_gaussians_have_the_shape_of_the_glare() -> None:
     spreads = tuple(0.15 * 2.0**k for k in range(8))
     shares = np.array(gaussian_shares(spreads))

@@ -70,11 +70,13 @@ class GlSurface(QWidget):
         Samples per pixel of the frame buffer; 0 for a drawer that averages samples by itself.
 
     Signals: ``frame_drawn(ms, typical)`` after each frame, with the time that it took until the GPU was done and
-    what :meth:`Drawer.draw` returned; ``failed(text)`` when the picture had to give way to a message.
+    what :meth:`Drawer.draw` returned; ``failed(text)`` when the picture had to give way to a message;
+    ``about_to_grab()`` before :meth:`grab_image` draws a frame.
     """
 
     frame_drawn = Signal(float, bool)
     failed = Signal(str)
+    about_to_grab = Signal()
     canvas_changed = Signal(QWidget)
     _finished = Signal(float, bool)
 
@@ -157,6 +159,7 @@ class GlSurface(QWidget):
         """Draw a frame now and return it, in device pixels; a null image where there is no picture."""
         if self.failure or not self.canvas.isValid():
             return QImage()
+        self.about_to_grab.emit()
         return self.canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB32)
 
     def retry(self) -> None:

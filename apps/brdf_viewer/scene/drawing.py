@@ -16,6 +16,7 @@ from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRe
 from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.gl.context import Context
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, ComparisonRenderer
+from brdf_suite.realtime.pictures.moving import Pace
 from brdf_suite.realtime.pictures.probe import PixelProbe
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.pictures.traced_light import TracedLight
@@ -64,6 +65,7 @@ class SceneDrawer:
         self._uploading: Any = None
         self._images: SurfaceImages | None = None
         self._fit: object = None
+        self.pace = Pace()
         self._second: LoadedAsset[Any] | None = None
         self._traced_picture: TracedPicture | None = None
         state.contents_changed.connect(self._prepare)
@@ -125,7 +127,7 @@ class SceneDrawer:
         elif traced is not None and traced.size == size:
             traced.render(shown, framebuffer, size)
         else:
-            self.scene_renderer.draw(shown, framebuffer, size)
+            self.scene_renderer.draw(shown, framebuffer, size, self.pace.begin_frame())
         # A frame that compiles, too, says nothing of the time that frames take.
         prepared, self._prepared = self._prepared, True
         return prepared and not any(uploads)

@@ -12,6 +12,9 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from brdf_suite.pipeline.picture import SceneRenderer
+from brdf_suite.realtime.pictures import moving
+
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 NONE = Qt.KeyboardModifier.NoModifier
 SHIFT, ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
@@ -59,6 +62,33 @@ def test_a_left_drag_orbits(viewer) -> None:
     assert after.rotation_deg == before.rotation_deg
     assert np.abs(viewer.pixels().astype(int) - first).max() > 20
     assert viewer.window.camera.elevation.value() == pytest.approx(after.camera.elevation_deg, abs=0.1)
+
+
+def test_slow_frames_are_smaller_while_the_hand_moves(viewer, qtbot, monkeypatch) -> None:
+    sizes = []
+    draw = SceneRenderer.draw
+
+    def noted(self, view, framebuffer, size, coarseness=None) -> None:
+        sizes.append(size if coarseness is moving.WHOLE else coarseness)
+        draw(self, view, framebuffer, size, coarseness)
+
+    monkeypatch.setattr(SceneRenderer, "draw", noted)
+    whole = viewer.window.picture.device_size
+    monkeypatch.setattr(moving, "BUDGET_MS", 1e-3)  # nothing is as fast
+    viewer.window.picture.redraw()
+    qtbot.waitUntil(lambda: len(sizes) > 0, timeout=20_000)
+    assert set(sizes) == {whole}
+    sizes.clear()
+    for _ in range(3):
+        drag(viewer.canvas, 20, 5)
+        qtbot.waitUntil(lambda: len(sizes) >= 1, timeout=20_000)
+    qtbot.waitUntil(lambda: sizes[-1] == whole, timeout=20_000)
+    assert moving.STEPS[-1] in sizes
+    # What is grabbed is never the smaller one.
+    drag(viewer.canvas, 20, 5)
+    sizes.clear()
+    viewer.pixels()
+    assert sizes == [whole]
 
 
 @pytest.mark.parametrize(("button", "modifiers"), [(MIDDLE, NONE), (LEFT, SHIFT)])

@@ -8,7 +8,7 @@ import pytest
 
 from brdf_suite.cli.tools.bench import load_module
 
-terminator = load_module(Path(__file__).resolve().parent / "parts" / "terminator.py")
+terminator = load_module(Path(__file__).resolve().parent / "terminator.py")
 
 
 @pytest.mark.usefixtures("shared_cache")

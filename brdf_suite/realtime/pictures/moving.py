@@ -1,0 +1,102 @@
+"""Frames while something moves: coarser where whole ones would come too slowly."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import moderngl
+
+from brdf_suite.realtime.gl.objects import GpuObjects, Size, Target
+from brdf_suite.realtime.gl.programs import assign
+from brdf_suite.realtime.pictures.light_pass import DEFAULT_SAMPLES
+
+BUDGET_MS = 90.0
+"""A frame that takes longer does not follow the hand."""
+_HYSTERESIS = 1.3
+
+
+@dataclass(frozen=True)
+class Coarseness:
+    """The part of width and height that a frame is drawn in, and its samples a pixel; its time relative to a whole one.
+
+    A software renderer takes several times as long for four samples as for one, though it shades once a pixel.
+    """
+
+    scale: float
+    samples: int
+
+    @property
+    def cost(self) -> float:
+        """About the time of such a frame, over that of a whole one."""
+        return self.scale**2 * (0.25 if self.samples < DEFAULT_SAMPLES else 1.0)
+
+
+WHOLE = Coarseness(1.0, DEFAULT_SAMPLES)
+STEPS = (WHOLE, *(Coarseness(scale, 0) for scale in (1.0, 0.75, 0.5, 0.375, 0.25)))
+"""Few, since a change of size makes all targets anew."""
+
+
+class Pace:
+    """Chooses the coarseness of frames by the time that they have taken; knows of no window and no clock."""
+
+    def __init__(self) -> None:
+        self._moves = False
+        self._chosen = self._drawn = WHOLE
+
+    @property
+    def coarseness(self) -> Coarseness:
+        """How to draw the next frame."""
+        return self._chosen if self._moves else WHOLE
+
+    def move(self) -> None:
+        """Take the next frames for those of a movement."""
+        self._moves = True
+
+    def rest(self) -> bool:
+        """Draw whole frames from now on; return whether the last one was coarser."""
+        self._moves = False
+        return self._drawn is not WHOLE
+
+    def begin_frame(self) -> Coarseness:
+        """Return how to draw a frame that begins now."""
+        self._drawn = self.coarseness
+        return self._drawn
+
+    def end_frame(self, milliseconds: float) -> None:
+        """Note the time that the last frame took, and choose how to draw the next ones of a movement."""
+        whole = milliseconds / self._drawn.cost
+        best = next((step for step in STEPS if whole * step.cost <= BUDGET_MS), STEPS[-1])
+        # Finer frames only where they fit with some room, or sizes would alternate.
+        if best.cost < self._chosen.cost or whole * best.cost * _HYSTERESIS <= BUDGET_MS:
+            self._chosen = best
+
+
+class Enlarger:
+    """Draws frames in a part of their size, and enlarges them."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._target = Target(objects)
+
+    def draw(
+        self,
+        scale: float,
+        framebuffer: moderngl.Framebuffer,
+        size: Size,
+        draw: Callable[[moderngl.Framebuffer, Size], None],
+    ) -> None:
+        """Have ``draw`` draw into a framebuffer of ``scale`` of ``size``, and that into ``framebuffer``."""
+        if scale >= 1.0:
+            draw(framebuffer, size)
+            return
+        small = (max(1, round(scale * size[0])), max(1, round(scale * size[1])))
+        target, texture = self._target.prepare(small)
+        draw(target, small)
+        self._objects.bind(framebuffer, size)
+        program, screen = self._objects.screen("enlarged.frag.glsl")
+        texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        texture.repeat_x = texture.repeat_y = False
+        texture.use(0)
+        assign(program, {"picture": 0, "size": (float(size[0]), float(size[1]))})
+        screen.render(moderngl.TRIANGLES, vertices=3)
