@@ -28,7 +28,7 @@ WHITE = 1.0
 WIDEST_DEG = 30.0
 """Beyond it nothing is spread: a picture is hardly wider, and the veil there is below 1e-5 of its source."""
 _PLACES, _ROUNDS = 200, 400
-_MOST_PIXELS = 600
+_MOST_PIXELS, _MOST_BLOCKS = 600, 1280
 
 
 def scattered_light(
@@ -80,21 +80,37 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
     """Return exposed radiance (h, w, 3), 1 being white, with the glare of what is above white.
 
     ``pixel_deg`` is the angle that a pixel covers, degrees, above 0. Light is spread over :data:`WIDEST_DEG`; that
-    which would leave the picture is lost to it.
+    which would leave the picture is lost to it. Of pictures with more than 1,280 pixels along an edge, light is spread
+    between blocks of pixels.
 
     Raises
     ------
     ValueRangeError
-        The array has another shape, or the angle is not above 0.
+        The array has another shape, or the angle is not between 0 and :data:`WIDEST_DEG`.
     """
     light = np.asarray(exposed, float)
     if light.ndim != 3 or light.shape[2] != 3:
         raise ValueRangeError("exposed", f"shape {light.shape}, not (h, w, 3)")
     if not 0.0 < pixel_deg < WIDEST_DEG:
-        raise ValueRangeError("pixel_deg", f"expected an angle above 0, not {pixel_deg:g}")
+        raise ValueRangeError("pixel_deg", f"expected an angle of 0 to {WIDEST_DEG:g}°, not {pixel_deg:g}")
     excess = np.maximum(light - WHITE, 0.0)
     if not excess.any():
         return light
+    height, width = light.shape[:2]
+    block = -(-max(height, width) // _MOST_BLOCKS)
+    if block * pixel_deg >= WIDEST_DEG:
+        return light
+    rows, columns = -(-height // block), -(-width // block)
+    padded = np.pad(excess, ((0, rows * block - height), (0, columns * block - width), (0, 0)))
+    blocks = padded.reshape(rows, block, columns, block, 3).mean(axis=(1, 3))
+    spread = _convolve(blocks, block * pixel_deg)
+    if block > 1:
+        spread = _drawn_out(_drawn_out(spread, block, height).swapaxes(0, 1), block, width).swapaxes(0, 1)
+    return np.asarray(light - _scattered_share(block * pixel_deg) * excess + spread)
+
+
+def _convolve(light: Floats, pixel_deg: float) -> Floats:
+    """Return light (h, w, 3) spread between pixels of ``pixel_deg``, without what stays in its own."""
     height, width = light.shape[:2]
     reach = math.ceil(WIDEST_DEG / pixel_deg)
     down, right = min(height - 1, reach), min(width - 1, reach)
@@ -103,16 +119,20 @@ def spread_glare(exposed: npt.ArrayLike, pixel_deg: float) -> Floats:
     y = np.minimum(np.arange(shape[0]), shape[0] - np.arange(shape[0]))[:, None]
     x = np.minimum(np.arange(shape[1]), shape[1] - np.arange(shape[1]))[None]
     angle = pixel_deg * np.hypot(y, x)
-    # What stays in its pixel is no glare.
     within = (y <= down) & (x <= right) & (angle <= WIDEST_DEG) & (angle > 0.0)
-    kernel = (
-        np.where(within, scattered_light(np.minimum(angle, WIDEST_DEG)), 0.0) * math.radians(pixel_deg) ** 2
-    )
-    spread = np.fft.irfft2(
-        np.fft.rfft2(excess, s=shape, axes=(0, 1)) * np.fft.rfft2(kernel)[..., None], s=shape, axes=(0, 1)
-    )[:height, :width]
+    spread = np.where(within, scattered_light(np.minimum(angle, WIDEST_DEG)), 0.0)
+    kernel = np.fft.rfft2(spread * math.radians(pixel_deg) ** 2)
+    found = [np.fft.irfft2(np.fft.rfft2(light[..., c], s=shape) * kernel, s=shape) for c in range(3)]
     # The transform leaves numerical noise of either sign.
-    return np.asarray(light - _scattered_share(pixel_deg) * excess + np.maximum(spread, 0.0))
+    return np.maximum(np.stack(found, axis=-1)[:height, :width], 0.0)
+
+
+def _drawn_out(blocks: Floats, block: int, length: int) -> Floats:
+    """Return rows (n, ...) of blocks as ``length`` rows, linear between the blocks' middles."""
+    at = np.clip((np.arange(length) + 0.5) / block - 0.5, 0.0, len(blocks) - 1.0)
+    first = np.minimum(at.astype(int), max(len(blocks) - 2, 0))
+    part = (at - first).reshape(-1, *[1] * (blocks.ndim - 1))
+    return np.asarray(blocks[first] * (1.0 - part) + blocks[np.minimum(first + 1, len(blocks) - 1)] * part)
 
 
 @lru_cache(maxsize=64)

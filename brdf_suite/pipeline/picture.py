@@ -142,6 +142,9 @@ class SceneRenderer:
             self.renderer.render(view, framebuffer, size)
             return
 
+        if isinstance(framebuffer, int):
+            framebuffer = self.renderer.context.detect_framebuffer(framebuffer)
+
         def coarse(target: Any, small: Size) -> None:
             self.renderer.render(view, target, small, coarseness.samples)
 
@@ -200,7 +203,7 @@ def gl_renderer_name() -> str:
 
 
 def _distant(prepared: PreparedEnvironment) -> DistantLights:
-    """The lights that flakes glint in; a draft is not worth a search for them."""
+    """The lights that flakes glint in, and the sun; a draft is not worth a search for them."""
     if not prepared.is_final:
         return NO_LIGHTS
     lights = prepared.glint_lights

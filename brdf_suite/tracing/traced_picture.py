@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.glare import pixel_angle, spread_glare
+from brdf_suite.appearance.glare import WIDEST_DEG, pixel_angle, spread_glare
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import SENSOR_WIDTH_MM, View
 from brdf_suite.errors import ReferenceUnavailableError
@@ -59,7 +59,8 @@ class SceneFacts:
         exposed_light = np.asarray(radiance, float) * 2.0**view.exposure_ev
         if view.glare == "eye":
             angle = pixel_angle(view.camera.focal_length_mm, exposed_light.shape[1], SENSOR_WIDTH_MM)
-            exposed_light = spread_glare(exposed_light, angle)
+            if angle < WIDEST_DEG:  # a pixel is wider than glare reaches in pictures of a few pixels alone
+                exposed_light = spread_glare(exposed_light, angle)
         return np.asarray(to_display(exposed_light, 0.0, view.tone_curve), np.uint8)
 
     def file_facts(self, path: Path) -> dict[str, Any]:

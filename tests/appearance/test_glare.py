@@ -59,6 +59,17 @@ def test_what_is_taken_hangs_little_on_the_size_of_pixels(angle: float) -> None:
     assert (1e4 + 1.0 - found[1, 1, 0]) / 1e4 == pytest.approx(0.42, abs=0.02)
 
 
+def test_a_large_picture_has_the_glare_of_a_small_one() -> None:
+    large = np.full((150, 2600, 3), 0.2)
+    large[60:75, 900:930] = 700.0
+    small = large.reshape(30, 5, 520, 5, 3).mean(axis=(1, 3))
+    found = spread_glare(large, 0.02).reshape(30, 5, 520, 5, 3).mean(axis=(1, 3))
+    expected = spread_glare(small, 0.1)
+    far = np.abs(np.arange(520) - 183) > 8
+    np.testing.assert_allclose(found[:, far] - 0.2, expected[:, far] - 0.2, rtol=0.05, atol=1e-4)
+    assert found[:, far].max() > 0.25
+
+
 def test_gaussians_have_the_shape_of_the_glare() -> None:
     spreads = tuple(0.15 * 2.0**k for k in range(8))
     shares = np.array(gaussian_shares(spreads))
@@ -73,7 +84,13 @@ def test_the_angle_of_a_pixel() -> None:
 
 
 @pytest.mark.parametrize(
-    ("light", "angle"), [(np.ones((4, 4)), 0.1), (np.ones((4, 4, 4)), 0.1), (np.ones((4, 4, 3)), 0.0)]
+    ("light", "angle"),
+    [
+        (np.ones((4, 4)), 0.1),
+        (np.ones((4, 4, 4)), 0.1),
+        (np.ones((4, 4, 3)), 0.0),
+        (np.ones((4, 4, 3)), 31.0),
+    ],
 )
 def test_other_arrays_are_refused(light: np.ndarray, angle: float) -> None:
     with pytest.raises(ValueRangeError):

@@ -24,6 +24,7 @@ from brdf_suite.realtime.values import CubeFaces, GroundField
 
 GROUND_UNIT = 12
 _DEPTH_CLAMP = 0x864F  # GL_DEPTH_CLAMP, core since OpenGL 3.2
+_LOWEST_SUN = 0.05
 _COARSE = 32
 """Texels along an edge of the faces that the harmonics are taken from: far finer than harmonics of degree 6."""
 
@@ -121,6 +122,7 @@ class GroundShadow:
             "ground_shadow": GROUND_UNIT,
             "ground_field": (*self._field.low, *self._field.high),
             "ground_height": self._field.height,
+            "ground_beyond": 0.0 if sun is None else self._shadow_length(sun),
         }
         assign(program, values | dict(sun_uniforms) | {"sun_share": self._sun_share})
         context = self._objects.context
@@ -132,6 +134,12 @@ class GroundShadow:
         context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
         context.disable_direct(_DEPTH_CLAMP)
         context.enable_only(moderngl.DEPTH_TEST)
+
+    def _shadow_length(self, sun: Sun) -> float:
+        """How far a shadow may reach beyond the field, metres; of a sun on the horizon it is cut off."""
+        assert self._field is not None
+        across = float(np.hypot(*np.subtract(self._field.high, self._field.low)))
+        return across / max(float(sun.direction[1]), _LOWEST_SUN)
 
     def _brought_up_to_date(
         self, field: GroundField, background: CubeFaces, turn: float, colours: Floats, sun: Sun | None

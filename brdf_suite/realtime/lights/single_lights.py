@@ -29,7 +29,7 @@ from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 
 FindLights = Callable[[], DistantLights]
-"""Finds the lights of an environment; called before each frame with flakes, and never without any."""
+"""Finds the small bright lights of an environment; called before a frame that shows flakes or occlusion."""
 
 
 def no_lights() -> DistantLights:

@@ -75,9 +75,9 @@ class SunShadow:
             self._found = (find_sun(self._find(), self._mean),)
         return self._found[0]
 
-    def features(self, view: View, features: Features) -> Features:
+    def features(self, features: Features) -> Features:
         """Return the word of lit.glsl for frames whose programs have ``features``, where the sun casts a shadow."""
-        lit = "OCCLUSION" in features and "DARK" not in features and view.light_colour.brightness > 0.0
+        lit = "OCCLUSION" in features and "DARK" not in features
         return frozenset({"SUN"}) if lit and self.sun is not None else frozenset()
 
     def uniforms(self, view: View) -> dict[str, object]:

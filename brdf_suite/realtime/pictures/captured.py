@@ -216,7 +216,7 @@ class CapturedForm:
         words = self._features
         if swatch.flakes is not None:
             words |= drawing.single_lights.features(view)
-        words |= drawing.sun.features(view, words)
+        words |= drawing.sun.features(words)
         sun = drawing.sun.uniforms(view) if "SUN" in words else {}
         lit = words != self._features
         kept = None

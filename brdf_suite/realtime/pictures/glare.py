@@ -54,13 +54,15 @@ class GlarePass:
         region: tuple[int, int, int, int] | None = None,
         *,
         whole: Size | None = None,
-    ) -> Veil:
-        """Return the veil of ``light``, exposed radiance, or of the part in ``region`` alone.
+    ) -> Veil | None:
+        """Return the veil of ``light``, exposed radiance, or of the part in ``region`` alone; None of a few pixels.
 
         ``whole``: the size in pixels of the picture that ``light`` is a smaller version of, where it is one.
         """
         width, height = light.size
         sizes = _sizes((-(-width // _BLOCK), -(-height // _BLOCK)))
+        if len(sizes) < 2:
+            return None
         texel = pixel_angle(view.camera.focal_length_mm, width, SENSOR_WIDTH_MM) * _BLOCK
         spreads = [texel * math.sqrt(4.0**level - 0.25) for level in range(1, len(sizes))]
         spreads = spreads[: max(1, sum(spread <= WIDEST_DEG for spread in spreads))]

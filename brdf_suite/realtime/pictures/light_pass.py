@@ -85,9 +85,8 @@ class LightPass:
         self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
-        if self._environment.is_dark or view.light_colour.brightness == 0.0:
-            features |= {"DARK"}
-        features |= self._sun.features(view, features)
+        features |= self._dark(view)
+        features |= self._sun.features(features)
         sun = self._sun.uniforms(view) if "SUN" in features else {}
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
@@ -116,7 +115,9 @@ class LightPass:
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         camera = matrices(view.camera, self.mesh.bounds, size)
-        sun = self._sun.uniforms(view)
+        features = self._dark(view) | surface_features(view, knows_light=self.mesh.knows_light)
+        shaded = grounded and view.surface_look.ground and bool(self._sun.features(features))
+        sun = self._sun.uniforms(view) if shaded else {}
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()
@@ -125,6 +126,11 @@ class LightPass:
         if grounded:
             self._draw_ground(view, camera, crop(size, (0, 0), size), sun)
         return light
+
+    def _dark(self, view: View) -> Features:
+        """Return the word for frames in which the environment sends no light."""
+        dark = self._environment.is_dark or view.light_colour.brightness == 0.0
+        return frozenset({"DARK"}) if dark else frozenset()
 
     def _draw_mesh(
         self,

@@ -13,7 +13,7 @@ from brdf_suite.realtime.pictures.light_pass import DEFAULT_SAMPLES
 
 BUDGET_MS = 90.0
 """A frame that takes longer does not follow the hand."""
-_HYSTERESIS = 1.3
+_ROOM = 1.3
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,9 @@ class Pace:
 
     def __init__(self) -> None:
         self._moves = False
-        self._chosen = self._drawn = WHOLE
+        self._chosen = self._last = WHOLE
+        self._begun: Coarseness | None = None
+        self._known = {DEFAULT_SAMPLES}
 
     @property
     def coarseness(self) -> Coarseness:
@@ -56,20 +58,37 @@ class Pace:
     def rest(self) -> bool:
         """Draw whole frames from now on; return whether the last one was coarser."""
         self._moves = False
-        return self._drawn is not WHOLE
+        coarser, self._last = self._last is not WHOLE, WHOLE
+        return coarser
 
     def begin_frame(self) -> Coarseness:
         """Return how to draw a frame that begins now."""
-        self._drawn = self.coarseness
-        return self._drawn
+        self._begun = self._last = self.coarseness
+        return self._begun
 
     def end_frame(self, milliseconds: float) -> None:
-        """Note the time that the last frame took, and choose how to draw the next ones of a movement."""
-        whole = milliseconds / self._drawn.cost
-        best = next((step for step in STEPS if whole * step.cost <= BUDGET_MS), STEPS[-1])
-        # Finer frames only where they fit with some room, or sizes would alternate.
-        if best.cost < self._chosen.cost or whole * best.cost * _HYSTERESIS <= BUDGET_MS:
+        """Note the time that the last frame took, and choose how to draw the next ones of a movement.
+
+        A frame that was not begun here says nothing, nor does the first with fewer samples, which compiles.
+        """
+        drawn, self._begun = self._begun, None
+        if drawn is None:
+            return
+        if drawn.samples not in self._known:
+            self._known.add(drawn.samples)
+            return
+        whole = milliseconds / drawn.cost
+        best = _finest(whole, BUDGET_MS)
+        if best.cost < self._chosen.cost:
             self._chosen = best
+        else:
+            # Finer frames only where they fit with some room, or sizes would alternate.
+            self._chosen = max(self._chosen, _finest(whole, BUDGET_MS / _ROOM), key=lambda step: step.cost)
+
+
+def _finest(whole_ms: float, budget_ms: float) -> Coarseness:
+    """Return the finest step that takes no longer, where a whole frame takes ``whole_ms``."""
+    return next((step for step in STEPS if whole_ms * step.cost <= budget_ms), STEPS[-1])
 
 
 class Enlarger:

@@ -266,7 +266,7 @@ class Renderer:
         ------
         ValueRangeError
             The picture is larger than 512 pixels, or the view has what belongs to one paint's picture: lamps, a
-            normal map, orange peel, a second paint.
+            normal map, orange peel, a second paint, glare.
         """
         size = check_size(size)
         if max(size) > LARGEST_EDGE:
@@ -277,6 +277,8 @@ class Renderer:
             )
         if view.two_tone.mask is not None and view.two_tone.paint is not None:
             raise ValueRangeError("view", "two paints on one form are not captured")
+        if view.glare != "off":
+            raise ValueRangeError("view", "glare is not captured; it depends on the whole picture")
         with graphics_errors(self.context, "capturing a form"):
             light = self._first_pass.draw(view, self._tile, size, min(samples, 4), size)
             features = surface_features(
@@ -337,14 +339,14 @@ class Renderer:
                 light = self._first_pass.draw(
                     view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
                 )
-                laid = self._glare.spread(light, view) if glaring and veil is None else veil
+                laid = self._glare.spread(light, view) if glaring and in_one else veil
                 self.objects.bind(framebuffer, tile)
                 self._finish.draw(light, view, display, corner, transparent=transparent, veil=laid)
 
         channels = 4 if transparent or display.linear else 3
         return draw_strips(draw, self._picture, size, limit, display, channels)
 
-    def _veil(self, view: View, size: Size, samples: int) -> Veil:
+    def _veil(self, view: View, size: Size, samples: int) -> Veil | None:
         """Return the veil of a picture of any size, from the whole of it in one tile."""
         scale = min(1.0, tile_limit(self.context, _GLARING_EDGE) / max(size))
         small = (max(1, round(size[0] * scale)), max(1, round(size[1] * scale)))

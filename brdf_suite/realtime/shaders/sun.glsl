@@ -32,13 +32,15 @@ float sun_seen(vec3 position, vec3 normal)
     float depth = 0.5 * within.z + 0.5;
     if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0))))
         return 1.0;
+    // Behind the box nothing is nearer than its far end, which stands for nothing.
+    float behind = min(depth, 1.0);
     // What is in the way, and how far off: over the largest disc that the sun could be spread to from there.
     float widest = clamp(2.0 * sun_spread * (depth + 0.5), 1.5 * texel, 0.1);
     float nearest = 0.0, met = 0.0;
     for (int k = 0; k < SUN_SEARCHED; ++k)
     {
         float there = textureLod(sun_map, place + 0.5 * widest * on_disc(k, SUN_SEARCHED), 0.0).r;
-        if (there < depth)
+        if (there < behind)
         {
             nearest += depth - there;
             met += 1.0;
@@ -53,13 +55,14 @@ float sun_seen(vec3 position, vec3 normal)
     {
         vec2 at = (place + radius * on_disc(k, SUN_TAPS)) * vec2(textureSize(sun_map, 0)) - 0.5;
         vec2 part = fract(at);
-        ivec2 first = ivec2(floor(at));
+        // The map ends beyond the mesh, so its edge is empty.
+        ivec2 first = clamp(ivec2(floor(at)), ivec2(0), textureSize(sun_map, 0) - 2);
         // Each of four texels is in the way or not, and counts by how near it is.
         vec4 open = vec4(greaterThanEqual(vec4(texelFetch(sun_map, first, 0).r,
                                                texelFetch(sun_map, first + ivec2(1, 0), 0).r,
                                                texelFetch(sun_map, first + ivec2(0, 1), 0).r,
                                                texelFetch(sun_map, first + ivec2(1, 1), 0).r),
-                                          vec4(depth)));
+                                          vec4(behind)));
         vec2 rows = mix(open.xz, open.yw, part.x);
         seen += mix(rows.x, rows.y, part.y);
     }

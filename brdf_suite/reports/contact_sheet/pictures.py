@@ -64,7 +64,9 @@ class ItemPictures:
         self.notices: tuple[str, ...] = ()
         if loaded is not None:
             self.notices = (*loaded.prepared.environment.notes, *loaded.mesh.notes)
-            self._view = replace(loaded.composed(view, cell), clipping_marks=False, gamut_marks=False)
+            self._view = replace(
+                loaded.composed(view, cell), glare="off", clipping_marks=False, gamut_marks=False
+            )
 
     def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], list[str]]:
         """Return the picture (h, w, 3) of an item and the lines below its name.

@@ -13,6 +13,7 @@ from brdf_suite.geometry.low_harmonics import low_harmonics
 from brdf_suite.realtime.environment.ground import ground_ratio
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.lights.sun import find_sun
+from brdf_suite.realtime.values import GroundField
 
 SIZE = (161, 161)
 FLOOR, ROOF, HEIGHT = 0.5, 0.1, 0.2
@@ -151,3 +152,38 @@ def test_the_ground_knows_the_share_of_its_sun() -> None:
     whole, none = ground_ratio(transfer, sky + sun)
     np.testing.assert_allclose(none, 0.0)
     assert whole[0, 0] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("elevation_deg", [12.0, 50.0])
+def test_a_shadow_on_the_ground_ends_where_that_of_the_form_does(
+    renderer, scenes, elevation_deg: float
+) -> None:
+    """A ball over open ground: the ground is dark within its shadow, however long, and nowhere else."""
+    radius, low, high = 0.1, (-0.3, -0.3), (0.3, 0.3)
+    tall = np.radians(elevation_deg)
+    towards = np.array([np.cos(tall), np.sin(tall), 0.0])
+    d = np.random.default_rng(0).normal(size=(100_000, 3))
+    d /= np.linalg.norm(d, axis=1, keepdims=True)
+    harmonics = low_harmonics(d, 6)
+    one = 4 * np.pi * (np.maximum(d[:, 1], 0.0)[:, None] * harmonics).mean(axis=0)
+    transfer = np.broadcast_to(one, (8, 8, len(one))).astype(np.float32)
+    renderer.set_environment(scenes.constant(1.0), lambda: lights(towards, strength=8.0))
+    renderer.set_mesh([light_of(scenes.sphere("paint", radius))])
+    renderer.set_ground(GroundField(-radius, low, high, transfer))
+    renderer.set_material("paint", scenes.weights(kd=KD))
+    camera = Camera(20.0, 60.0, 3.0, (-0.2, -0.1, 0.0), 40.0)
+    view = View(camera, surface_look=SurfaceLook(ground=True))
+    size = (200, 140)
+    picture = renderer.linear_image(view, size, 1)
+    matrices = renderer.camera_matrices(view, size)
+    rays = scenes.rays(matrices, size)
+    at = matrices.eye + rays * ((-radius - matrices.eye[1]) / rays[..., 1])[..., None]
+    ground = picture[..., 3] < 0.01
+    # A ball's shadow: places whose ray to the sun comes nearer than its radius to its middle.
+    along = at @ towards
+    far = np.sqrt(np.maximum((at**2).sum(axis=-1) - along**2, 0.0))
+    inside = ground & (far < 0.9 * radius) & (along < 0.0)
+    outside = ground & ((far > 1.1 * radius) | (along > 0.0))
+    assert inside.sum() > 40
+    assert picture[inside][:, 0].max() < 0.8
+    np.testing.assert_allclose(picture[outside][:, 0], 1.0, atol=0.01)

@@ -103,3 +103,10 @@ def test_light_outside_a_region_does_not_dazzle_in_it(renderer) -> None:
     np.testing.assert_allclose(left, srgb_encode(0.1 * np.ones((80, 60, 3))), atol=1e-4)
     right = finished(renderer, pixels, VIEW, region=(60, 0, 60, 80))[:, 60:]
     assert right.min() > srgb_encode(np.full(3, 0.1))[0] + 0.001
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 1), (3, 2), (5, 40)])
+def test_pictures_of_a_few_pixels_are_drawn(renderer, scenes, size) -> None:
+    renderer.set_environment(scenes.constant(3.0))
+    renderer.set_mesh([])
+    assert renderer.render_image(VIEW, size).shape == (size[1], size[0], 3)
