@@ -142,7 +142,7 @@ def test_speed_and_comparison_are_remembered_and_bad_values_left_out(qapp, tmp_p
     file = str(tmp_path / "viewer.ini")
     store = QSettings(file, QSettings.Format.IniFormat)
     compare = Compare("swipe", "solid_red", 0.3, 4.0, 2.5, "picture")
-    sparkle, look = Sparkle("texture", 3, 2.5), SurfaceLook(occlusion=False, ground=True)
+    sparkle, look = Sparkle("texture", 3, 2.5), SurfaceLook(occlusion=False, ground=False)
     remember(
         store, replace(View(), turntable_deg_s=-60.0, compare=compare, sparkle=sparkle, surface_look=look)
     )
@@ -156,6 +156,6 @@ def test_speed_and_comparison_are_remembered_and_bad_values_left_out(qapp, tmp_p
     store.setValue("sparkle/light_count", "many")
     store.setValue("surface_look/ground", "perhaps")
     assert recall(store).sparkle == replace(sparkle, light_count=Sparkle().light_count)
-    assert recall(store).surface_look == replace(look, ground=False)
+    assert recall(store).surface_look == replace(look, ground=True)
     assert recall(store).turntable_deg_s == View().turntable_deg_s
     assert recall(store).compare.rate_hz == Compare().rate_hz
