@@ -246,13 +246,14 @@ def _with_flakes(surface: str, cases: Sequence[FlakeCase]) -> list[str]:
     environments = list(dict.fromkeys(case.environment for case in cases))
     found = {(case.paint, case.environment): case for case in cases}
     mean, noise = (float(np.mean([getattr(case, name) for case in cases])) for name in ("de00_mean", "noise"))
+    others = "" if surface == "sphere" else " A block holds all materials that are seen in it."
     lines = [
         f"## With flakes on the {surface.replace('_', ' ')}",
         "",
         f"Single flakes in both pictures, on a surface of a twentieth of its size, so that a pixel holds few of them; "
         f"compared by means over {BLOCK}×{BLOCK} pixels and {POPULATIONS} populations of flakes, which share the "
-        f"samples: mean ΔE00 {mean:.2f}; the two traces differ by {noise:.2f}. Mean ΔE00 / worst block / contrast "
-        "of pixels over the populations, real time and traced:",
+        f"samples: mean ΔE00 {mean:.2f}; the two traces differ by {noise:.2f}.{others} Mean ΔE00 / worst block / "
+        "contrast of pixels over the populations, real time and traced:",
         "",
         "| paint | " + " | ".join(environments) + " |",
         "|---|" + "---|" * len(environments),
