@@ -128,6 +128,9 @@ class SceneControl(ViewerFeature):
         drawn = self._drawn_key(kind)
         if drawn:
             self._state.change_view(**{kind: drawn})
+        if kind == ENVIRONMENT:
+            self._forget_figures()  # of the one that was refused, counted or not
+            self._count_again()
         self._complain(kind, error)
 
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
@@ -194,11 +197,15 @@ class SceneControl(ViewerFeature):
         self._state.light_figures = None
         self._window.environment.figures.set_statistics(None)
 
-    def _take_partial_back(self) -> None:
-        self._state.take_partial_back()
+    def _count_again(self) -> None:
+        """Count the figures of the light on show where those of another were dropped."""
         present = self._state.environment
         if present is not None and self._state.light_figures is None:
             self.loader.count(present.key, present.value.environment)
+
+    def _take_partial_back(self) -> None:
+        self._state.take_partial_back()
+        self._count_again()
         self._show_facts()
         self._show(ENVIRONMENT)
 

@@ -21,6 +21,7 @@ from brdf_suite.documents.store import save_paint
 from brdf_suite.documents.view import Camera
 from brdf_suite.errors import GraphicsError
 from brdf_suite.pipeline.material import load_document
+from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.progress import report
 
 
@@ -238,6 +239,7 @@ def test_what_the_graphics_card_refuses_is_reported_and_the_old_one_drawn(
     viewer, lights, monkeypatch, qtbot
 ) -> None:
     first, environment = viewer.pixels(), viewer.state.environment.value
+    luminance = viewer.state.light_figures.average_luminance
     upload = viewer.controller.drawer.uploads["environment"]
 
     def refuse(prepared) -> None:
@@ -246,11 +248,22 @@ def test_what_the_graphics_card_refuses_is_reported_and_the_old_one_drawn(
         upload(prepared)
 
     viewer.controller.drawer.uploads["environment"] = refuse
-    drop(viewer, lights["bright"])
-    qtbot.waitUntil(lambda: "environment" in viewer.messages())
-    assert "OUT_OF_MEMORY" in viewer.messages()["environment"]
-    assert viewer.view.environment == str(lights["dim"])
-    viewer.window.messages.dismiss("environment")
+
+    def counted() -> bool:
+        figures = viewer.state.light_figures
+        return figures is not None and figures.average_luminance == luminance
+
+    for as_a_whole in (False, True):
+        if as_a_whole:  # refused at last, with nothing on its way any more
+            viewer.state.set_environment(str(lights["bright"]), load_environment(str(lights["bright"])))
+            viewer.state.light_figures = None
+        else:
+            drop(viewer, lights["bright"])
+        qtbot.waitUntil(lambda: "environment" in viewer.messages())
+        assert "OUT_OF_MEMORY" in viewer.messages()["environment"]
+        assert viewer.view.environment == str(lights["dim"])
+        qtbot.waitUntil(counted)  # those of the light that is drawn, and not of the refused one
+        viewer.window.messages.dismiss("environment")
     qtbot.waitUntil(lambda: viewer.pixels().shape == first.shape)
     assert np.array_equal(viewer.pixels(), first)
 
