@@ -91,6 +91,7 @@ def test_the_command_renders_the_same_picture_and_says_how(
         "sphere",
         "--background",
         "grey",
+        "--no-ground",  # which the scalar variant leaves out
     ]
     words += ["--size", f"{SIZE[0]}x{SIZE[1]}", "--spp", "64"]
     assert main(["render", "copper", "-o", str(tmp_path / "scalar.exr"), *words]) == 0
