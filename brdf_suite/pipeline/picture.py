@@ -132,18 +132,15 @@ class SceneRenderer:
         if images.second_paint is not None:
             self.set_material(images.second_paint, SECOND_PAINT)
 
-    def draw(self, view: View, framebuffer: Any, size: Size, coarseness: Coarseness | None = None) -> None:
+    def draw(self, view: View, framebuffer: Any, size: Size, coarseness: Coarseness = WHOLE) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels.
 
         ``coarseness``: of a frame that must come soon; left out, the picture is whole.
         """
         self.prepare(view)
-        if coarseness is None or coarseness is WHOLE:
+        if coarseness is WHOLE:
             self.renderer.render(view, framebuffer, size)
             return
-
-        if isinstance(framebuffer, int):
-            framebuffer = self.renderer.context.detect_framebuffer(framebuffer)
 
         def coarse(target: Any, small: Size) -> None:
             self.renderer.render(view, target, small, coarseness.samples)

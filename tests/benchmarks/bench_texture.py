@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -56,8 +55,7 @@ def _spread(objects, pixels, focal_length_mm):
     height, width = pixels.shape[:2]
     light = objects.texture((width, height), "f4")
     light.write(np.concatenate([pixels, np.ones((height, width, 1))], axis=-1).astype(np.float32).tobytes())
-    view = replace(View(Camera()), camera=Camera(focal_length_mm=focal_length_mm))
-    veil = GlarePass(objects).spread(light, view)
+    veil = GlarePass(objects).spread(light, View(Camera(focal_length_mm=focal_length_mm)))
     size = veil.texture.size
     return np.frombuffer(veil.texture.read(), np.float32).reshape(size[1], size[0], 4)[..., :3], veil
 

@@ -142,7 +142,7 @@ class SceneControl(ViewerFeature):
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
             self._forget_figures()
-            self.loader.count(key, value.environment)
+            self._count_again()
         else:
             first = self._state.surface is None
             self._state.set_surface(key, value)

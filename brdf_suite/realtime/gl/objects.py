@@ -51,13 +51,18 @@ class GpuObjects:
 
     def bind(
         self,
-        framebuffer: moderngl.Framebuffer,
+        framebuffer: moderngl.Framebuffer | int,
         size: Size,
         region: tuple[int, int, int, int] | None = None,
         *,
         depth: bool = False,
     ) -> None:
-        """Draw into a framebuffer of ``size`` from now on, or only into a region: left, lower edge, width, height."""
+        """Draw into a framebuffer of ``size`` from now on, or only into a region: left, lower edge, width, height.
+
+        A framebuffer of another library is given by its number.
+        """
+        if isinstance(framebuffer, int):
+            framebuffer = self.context.detect_framebuffer(framebuffer)
         framebuffer.use()
         self.context.viewport = (0, 0, *size)
         self.context.scissor = region

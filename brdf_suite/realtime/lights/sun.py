@@ -80,12 +80,13 @@ class SunShadow:
         lit = "OCCLUSION" in features and "DARK" not in features
         return frozenset({"SUN"}) if lit and self.sun is not None else frozenset()
 
-    def uniforms(self, view: View) -> dict[str, object]:
-        """Return the inputs of sun.glsl for the sun turned as in ``view``, its map bound; without a sun nothing.
+    def uniforms(self, view: View, features: Features) -> dict[str, object]:
+        """Return the inputs of sun.glsl for the sun turned as in ``view``, its map bound.
 
-        Bind the framebuffer of the picture afterwards.
+        Nothing where the ``features`` of the frame's programs have no sun. Bind the framebuffer of the picture
+        afterwards.
         """
-        sun = self.sun
+        sun = self.sun if "SUN" in features else None
         if sun is None:
             return {}
         direction = sun.direction @ about_y(math.radians(view.rotation_deg)).T

@@ -217,7 +217,7 @@ class CapturedForm:
         if swatch.flakes is not None:
             words |= drawing.single_lights.features(view)
         words |= drawing.sun.features(words)
-        sun = drawing.sun.uniforms(view) if "SUN" in words else {}
+        sun = drawing.sun.uniforms(view, words)
         lit = words != self._features
         kept = None
         if self._kept is not None and material.numbers is not None:

@@ -87,7 +87,7 @@ class LightPass:
         features |= self._single_lights.features(view)
         features |= self._dark(view)
         features |= self._sun.features(features)
-        sun = self._sun.uniforms(view) if "SUN" in features else {}
+        sun = self._sun.uniforms(view, features)
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
         self._environment.bind()
@@ -116,8 +116,9 @@ class LightPass:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         camera = matrices(view.camera, self.mesh.bounds, size)
         features = self._dark(view) | surface_features(view, knows_light=self.mesh.knows_light)
-        shaded = grounded and view.surface_look.ground and bool(self._sun.features(features))
-        sun = self._sun.uniforms(view) if shaded else {}
+        if grounded and view.surface_look.ground:
+            features |= self._sun.features(features)
+        sun = self._sun.uniforms(view, features)
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()

@@ -101,9 +101,9 @@ class Enlarger:
     def draw(
         self,
         scale: float,
-        framebuffer: moderngl.Framebuffer,
+        framebuffer: moderngl.Framebuffer | int,
         size: Size,
-        draw: Callable[[moderngl.Framebuffer, Size], None],
+        draw: Callable[[moderngl.Framebuffer | int, Size], None],
     ) -> None:
         """Have ``draw`` draw into a framebuffer of ``scale`` of ``size``, and that into ``framebuffer``."""
         if scale >= 1.0:

@@ -188,8 +188,6 @@ class Renderer:
         """
         size = check_size(size)
         with graphics_errors(self.context, "drawing a frame"):
-            if isinstance(framebuffer, int):
-                framebuffer = self.context.detect_framebuffer(framebuffer)
             light = self._first_pass.draw(
                 view, self._light, size, samples, size, materials=materials, region=region
             )
@@ -213,7 +211,7 @@ class Renderer:
         self,
         light: moderngl.Texture,
         view: View,
-        framebuffer: moderngl.Framebuffer,
+        framebuffer: moderngl.Framebuffer | int,
         size: Size,
         region: Region | None,
         display: Display,

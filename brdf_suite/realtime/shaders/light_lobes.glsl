@@ -1,4 +1,5 @@
-// Provides: vec4 light_lobe(float part, float chord), vec3 flake_lobe(float chord), LOBE_BASE, LOBE_GLOSS, LOBE_FLAKES
+// Provides: vec4 light_lobe(float part, float chord), vec3 light_diffuse(), vec3 flake_lobe(float chord),
+//           LOBE_BASE, LOBE_GLOSS, LOBE_FLAKES
 // Needs:    LIGHT_LOBE_COLUMNS. Written by lights/block.py
 //
 // A material's lobes as functions of the angle between the mirror direction of a light and the eye, tabulated, so that
@@ -18,6 +19,12 @@ vec4 light_lobe(float part, float chord)
     float along = min(1.1892071 * sqrt(0.5 * chord), 1.0);        // 1 / sqrt(sin(45 degrees))
     const float columns = float(LIGHT_LOBE_COLUMNS);
     return textureLod(light_lobes, vec2((along * (columns - 1.0) + 0.5) / columns, (part + 0.5) / 3.0), 0.0);
+}
+
+// KD, in 1/sr.
+vec3 light_diffuse()
+{
+    return vec3(light_lobe(LOBE_BASE, 2.0).a, light_lobe(LOBE_GLOSS, 2.0).a, light_lobe(LOBE_FLAKES, 2.0).a);
 }
 
 // The nearest column of the flakes' row: a hundredth of their brightness cannot be seen, and it is cheaper.

@@ -80,7 +80,7 @@ vec3 coat_highlight(SurfacePoint p, vec3 to_light, Turns turns)
 vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
 {
     Turns turns = Turns(dFdx(p.coat_normal), dFdy(p.coat_normal), dFdx(p.view), dFdy(p.view));
-    vec3 kd = vec3(light_lobe(LOBE_BASE, 2.0).a, light_lobe(LOBE_GLOSS, 2.0).a, light_lobe(LOBE_FLAKES, 2.0).a);
+    vec3 kd = light_diffuse();
     vec3 sum = vec3(0.0);
     for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
     {
@@ -107,7 +107,7 @@ vec3 sun_difference(SurfacePoint p, vec3 base_gain)
 {
     float cos_sun = max(dot(p.normal, sun_direction), 0.0);
     float chord = length(2.0 * cos_sun * p.normal - sun_direction - p.view);
-    vec3 kd = vec3(light_lobe(LOBE_BASE, 2.0).a, light_lobe(LOBE_GLOSS, 2.0).a, light_lobe(LOBE_FLAKES, 2.0).a);
+    vec3 kd = light_diffuse();
     vec3 lobes = cos_sun > 0.0 ? cos_sun * light_lobe(LOBE_BASE, chord).rgb : vec3(0.0);
     seen_of_sun = cos_sun > 0.0 ? sun_seen(p.position, p.normal) : 0.0;
     vec3 wanted = seen_of_sun * (cos_sun * kd + lobes);
