@@ -32,7 +32,7 @@ from brdf_suite.tracing.agreement.comparison import (
 )
 from brdf_suite.tracing.agreement.flakes import block_means, compare_flakes
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, HELD_OUT_FORM, fit_for
-from brdf_suite.tracing.agreement.page import check_page, groups, write_page
+from brdf_suite.tracing.agreement.page import check_page, groups, page, write_page
 
 SIZE = (32, 28)
 
@@ -94,6 +94,21 @@ def test_the_paint_is_judged_without_the_other_materials(light: Path) -> None:
         other.mean > 1.5 * paint.mean
     )  # glass, grille and wheels mirror the car, which baked light cannot show
     assert car.to_json()["elsewhere"][DEFAULT_FORM]["de00_mean"] == other.mean
+
+
+@pytest.mark.usefixtures("variant")
+def test_a_bound_of_the_noise_is_met_by_more_samples(light: Path) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
+    order = Order(["copper"], [str(light)], SIZE, 16, (DEFAULT_FORM,))
+    (noisy,) = compare(order)
+    assert noisy.samples == 16
+    bound = 0.5 * noisy.noise.mean
+    (better,) = compare(replace(order, noise=bound))
+    assert better.noise.mean <= bound
+    assert better.samples > 32
+    assert f"The two traces ({better.samples} samples)" in page([better], replace(order, noise=bound))
+    (most,) = compare(replace(order, noise=1e-6))
+    assert most.samples == agreement.MOST_TIMES * 16
 
 
 @pytest.mark.usefixtures("variant")

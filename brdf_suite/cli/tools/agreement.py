@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from dataclasses import replace
 
 from brdf_suite.cli.fit_options import add_fitting, parse_fitting
@@ -32,6 +33,8 @@ def add(command: argparse.ArgumentParser) -> None:
             f"{DEFAULT_FORM} alone)",
             "--size WxH=128x128": "pixels (default: 128x128)",
             "--spp N=512": "samples a pixel of each of the two traces (default: 512)",
+            "--noise DELTA_E": "trace on, up to 64 times as long, until the two traces of each case differ by a mean "
+            "ΔE00 of at most this (default: no bound)",
             "--flakes": "also compare with single flakes, every paint that has them, by means over 16×16 pixels and "
             "eight populations of flakes",
             "--lobes": "trace the fitted lobes too: separates the fit's error from the look-up's",
@@ -41,6 +44,7 @@ def add(command: argparse.ArgumentParser) -> None:
         },
         forms=tuple(FORMS),
         spp=samples,
+        noise=_bound,
     )
     add_fitting(command)
     command.set_defaults(run=run)
@@ -65,6 +69,7 @@ def run(options: argparse.Namespace) -> int:
         environments=given,
         size=options.size,
         samples=options.spp,
+        noise=options.noise,
         forms=options.forms or tuple(FORMS),
         lobes=options.lobes,
         surface=surfaces[0],
@@ -124,3 +129,13 @@ def run(options: argparse.Namespace) -> int:
     if options.output is not None:
         print(f"{options.output}: written")
     return 0
+
+
+def _bound(text: str) -> float:
+    try:
+        bound = float(text)
+    except ValueError:
+        bound = math.nan
+    if not 0.01 <= bound <= 100.0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a colour difference from 0.01 to 100")
+    return bound

@@ -15,6 +15,7 @@ materials than the paint are counted for themselves.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -39,6 +40,7 @@ from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.camera import Bounds, compose
 from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, trace
@@ -143,6 +145,8 @@ def delta_e_of(first: Floats, second: Floats) -> Floats:
 LOBES = "the fitted lobes, traced"
 WHOLE = 0.999
 OTHER_SEED = 100_000
+MOST_TIMES = 64
+"""Where the noise has a bound, at most so many times the samples that were asked for are traced."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,9 +154,10 @@ class Case:
     """One paint in one environment on one surface.
 
     ``errors``: of each form against the paint itself; ``look_up``: of each form against the fitted lobes, where they
-    were traced. ``noise`` is the difference between two independent traces, of whose mean all others are. All three
-    are of the paint's pixels; ``elsewhere`` is of those of other materials, by form, and empty where there are none.
-    ``pictures``: encoded sRGB (h, w, 3), by form, and ``reference``; ``differences``: ΔE00 (h, w) of the default form.
+    were traced. ``noise`` is the difference between two independent traces of ``samples`` per pixel each, of whose mean
+    all others are. All three are of the paint's pixels; ``elsewhere`` is of those of other materials, by form, and
+    empty where there are none. ``pictures``: encoded sRGB (h, w, 3), by form, and ``reference``; ``differences``: ΔE00
+    (h, w) of the default form.
     """
 
     paint: str
@@ -163,6 +168,7 @@ class Case:
     look_up: Mapping[str, PictureErrors]
     noise: PictureErrors
     elsewhere: Mapping[str, PictureErrors]
+    samples: int
     exposure_ev: float
     pictures: Mapping[str, Floats] = field(repr=False)
     differences: Floats = field(repr=False)
@@ -183,6 +189,7 @@ class Case:
             "class": self.kind,
             "environment": self.environment,
             "surface": self.surface,
+            "samples": self.samples,
             "exposure_ev": self.exposure_ev,
             "errors": {form: plain(errors) for form, errors in self.errors.items()},
             "look_up": {form: plain(errors) for form, errors in self.look_up.items()},
@@ -195,7 +202,8 @@ class Case:
 class Order:
     """What is to be compared: names or files of paints and environments, and how well; how the lobes are fitted.
 
-    ``samples``: per pixel in each of the two traces.
+    ``samples``: per pixel in each of the two traces; more where these would differ by more than ``noise``, a mean
+    ΔE00, up to :data:`MOST_TIMES` as many.
     """
 
     paints: Sequence[str]
@@ -207,18 +215,30 @@ class Order:
     surface: str = "sphere"
     keep: Path | None = None
     fitting: FitSettings = field(default_factory=FitSettings)
+    noise: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class _Truth:
-    """A paint, path-traced twice: the light of the whole pictures (h, w, 3) and what is known of them."""
+    """A paint, path-traced twice: the light of the whole pictures (h, w, 3) and what is known of them.
+
+    ``covered`` (h, w): pixels without background; ``inside``: those of them that are the paint's alone.
+    """
 
     fit: LobeFit
     scene: ReferenceScene
     traces: tuple[Floats, Floats]
+    samples: int
+    covered: NDArray[np.bool_]
     inside: NDArray[np.bool_]
     view: View
     name: str
+
+    @property
+    def noise(self) -> PictureErrors:
+        """The difference between the two traces, over the paint's pixels."""
+        one, other = (displayed(trace, self.view) for trace in self.traces)
+        return errors_of(one, other, self.inside)
 
 
 def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
@@ -268,6 +288,8 @@ def _compare(
 ) -> Iterator[Case]:
     prepared = load_environment(environment, basis=order.fitting.basis)
     truths: dict[str, _Truth] = {}
+    scene.set_environment(prepared)
+    painted = _painted(order, scene, mesh)
     share = 0.5 if order.lobes else 0.9
     for number, paint in enumerate(order.paints):
         fit = fits[DEFAULT_FORM][paint]
@@ -275,12 +297,11 @@ def _compare(
         step = subrange(
             progress, share * number / len(order.paints), share * (number + 1) / len(order.paints)
         )
-        truths[paint] = _truth(order, fit, paint, prepared, mesh, step)
+        truths[paint] = _truth(order, fit, paint, prepared, mesh, painted, step)
     drawn = _drawn(order, scene, environment, prepared, fits, truths)
-    painted = _painted(order, scene, next(iter(truths.values())).view)
     for number, (paint, truth) in enumerate(truths.items()):
         step = subrange(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
-        yield _case(order, truth, prepared, mesh, drawn[paint], painted, step)
+        yield _case(order, truth, prepared, mesh, drawn[paint], step)
 
 
 def _truth(
@@ -289,6 +310,7 @@ def _truth(
     paint: str,
     prepared: PreparedEnvironment,
     mesh: Mesh,
+    painted: NDArray[np.bool_],
     progress: Progress | None,
 ) -> _Truth:
     plain = Material(fit.name, fit.reflectance)
@@ -296,18 +318,36 @@ def _truth(
     name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
     if order.surface != "sphere":
         name += f"__{Path(order.surface).stem}"
-    one = trace_kept(order, traced, name, subrange(progress, 0.0, 0.5))
-    other = trace_kept(order, traced, f"{name}__2", subrange(progress, 0.5, 1.0), OTHER_SEED)
-    coverage = 0.5 * (one.coverage + other.coverage)
-    seen = np.concatenate((0.5 * (one.radiance + other.radiance), coverage[..., None]), axis=-1)
-    return _Truth(
-        fit,
-        traced,
-        (traced.whole(one), traced.whole(other)),
-        coverage >= WHOLE,
-        replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
-        name,
-    )
+    samples = order.samples
+    while True:
+        wanted = replace(order, samples=samples)
+        one = trace_kept(wanted, traced, name, subrange(progress, 0.0, 0.5))
+        other = trace_kept(wanted, traced, f"{name}__2", subrange(progress, 0.5, 1.0), OTHER_SEED)
+        coverage = 0.5 * (one.coverage + other.coverage)
+        seen = np.concatenate((0.5 * (one.radiance + other.radiance), coverage[..., None]), axis=-1)
+        covered = coverage >= WHOLE
+        truth = _Truth(
+            fit,
+            traced,
+            (traced.whole(one), traced.whole(other)),
+            min(one.samples, other.samples),
+            covered,
+            covered & painted,
+            replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
+            name,
+        )
+        more = _samples_for(order, truth)
+        if more <= truth.samples:
+            return truth
+        samples = more
+
+
+def _samples_for(order: Order, truth: _Truth) -> int:
+    """Return how many samples keep the noise of a truth within that of the order."""
+    if order.noise is None or (times := truth.noise.mean / order.noise) <= 1.0:
+        return truth.samples
+    # The error falls as one over the root of the samples, or faster.
+    return min(math.ceil(1.05 * times * times * truth.samples), MOST_TIMES * order.samples)
 
 
 def _drawn(
@@ -344,9 +384,11 @@ def pixel_means(scene: OffscreenScene, view: View, size: tuple[int, int]) -> Flo
     return np.asarray(light.mean(axis=(1, 3)))
 
 
-def _painted(order: Order, scene: OffscreenScene, view: View) -> NDArray[np.bool_]:
+def _painted(order: Order, scene: OffscreenScene, mesh: Mesh) -> NDArray[np.bool_]:
     """Return the pixels (h, w) that show nothing but the paint: all of each changes with it."""
     width, height = order.size
+    view = _plain(order)
+    view = replace(view, camera=compose(view.camera, Bounds.of(p.positions for p in mesh.parts), order.size))
     pictures = []
     for paint in ("solid_white", "solid_black"):
         scene.set_material(fit_material(load_material(paint), order.fitting), view=view)
@@ -361,10 +403,9 @@ def _case(
     prepared: PreparedEnvironment,
     mesh: Mesh,
     drawn: Mapping[str, Floats],
-    painted: NDArray[np.bool_],
     progress: Progress | None,
 ) -> Case:
-    view, inside, rest = truth.view, truth.inside & painted, truth.inside & ~painted
+    view, inside, rest = truth.view, truth.inside, truth.covered & ~truth.inside
     one, other = truth.traces
     pictures = {"reference": displayed(0.5 * (one + other), view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
@@ -376,7 +417,6 @@ def _case(
         pictures[LOBES] = displayed(lobes.whole(found), view)
         errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
         look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
-    noise = errors_of(displayed(one, view), displayed(other, view), inside)
     elsewhere = {form: errors_of(picture, pictures["reference"], rest) for form, picture in drawn.items()}
     first = judged_form(drawn)
     return Case(
@@ -386,11 +426,12 @@ def _case(
         kind=class_of(truth.fit),
         errors=errors,
         look_up=look_up,
-        noise=noise,
+        noise=truth.noise,
         elsewhere=elsewhere if rest.any() else {},
+        samples=truth.samples,
         exposure_ev=view.exposure_ev,
         pictures=pictures,
-        differences=np.where(truth.inside, delta_e_of(pictures[first], pictures["reference"]), 0.0),
+        differences=np.where(truth.covered, delta_e_of(pictures[first], pictures["reference"]), 0.0),
     )
 
 
