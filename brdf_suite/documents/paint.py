@@ -57,7 +57,7 @@ PARAMETERS: Mapping[str, Parameter] = {
         "Peel wavelength", "mm", 0.5, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
     ),
     "flakes.density_per_mm2": Parameter(
-        "Flake density", "1/mm²", 0.0, 100_000.0, 120.0, "Flakes that can be seen per area"
+        "Flake density", "1/mm²", 0.0, 100_000.0, 3200.0, "Flakes that can be seen per area"
     ),
     "flakes.size_um": Parameter("Flake size", "µm", 0.1, 2000.0, 20.0, "Mean diameter of a flake"),
     "flakes.roughness": Parameter("Flake roughness", "", 0.001, 1.0, 0.17, "Spread of the flake tilts"),
@@ -142,7 +142,7 @@ class OrangePeel:
 class Flakes:
     """Flakes that sparkle: density, size, tilt and colour spread."""
 
-    density_per_mm2: float = 120.0
+    density_per_mm2: float = 3200.0
     size_um: float = 20.0
     roughness: float = 0.17
     colour_spread: float = 0.0

@@ -18,13 +18,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.appearance.flakes.glints import Spots, spots
+from brdf_suite.appearance.flakes.tilt import flake_slope, tilt_place
+from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.realtime.lights.block import visible_flake_lobe
-from brdf_suite.reflectance.flakes.glints import Spots, spots
-from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
 ANGLES_DEG = (15.0, 45.0, 75.0)

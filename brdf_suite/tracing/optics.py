@@ -22,7 +22,7 @@ from brdf_suite.realtime.values import MaterialWeights
 from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, Mask, TwoToneBsdf
 from brdf_suite.reference.bsdfs.translate import TranslatedTerm, divide, translate
-from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.flakes.population import FlakeLayer
 from brdf_suite.reference.scalar import AS_A_TABLE, LobesSeen, table_bsdf
 from brdf_suite.reference.scene.place import OrangePeelSlopes, Slopes, texture
 from brdf_suite.reflectance.protocol import Reflectance
@@ -105,11 +105,11 @@ def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
 
 
 def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
-    base, coat, ior, notices = _divided(paint.reflectance, view)
+    base, coat, ior, notices = divide_paint(paint.reflectance, view)
     layer = None
     if paint.flakes is not None and paint.flakes.density_per_mm2 > 0.0 and view.sparkle.mode != "off":
-        layer = FlakeLayer(
-            paint.flakes, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
+        layer = FlakeLayer.of(
+            paint.flakes, base, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
         )
     shape = None
     if dress.normal_map is not None:
@@ -124,7 +124,8 @@ def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf
     return LayeredPaintBsdf(base, coat, shape, peel, layer), notices
 
 
-def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:
+def divide_paint(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:
+    """Return the terms of base and coat (None: there is none), the index of the coat, and notices."""
     if isinstance(reflectance, LobeWeights):
         weights = material_weights(reflectance)
         none = np.zeros_like(weights.kdd)

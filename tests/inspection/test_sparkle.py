@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.flakes.footprint import flake_footprint
+from brdf_suite.appearance.flakes.glints import spots
+from brdf_suite.appearance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.inspection.sparkle import ANGLES_DEG, CROWDED, sparkle
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.flakes.footprint import flake_footprint
-from brdf_suite.reflectance.flakes.glints import spots
-from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from tools.evaluation.flake_model import glint_field, glint_ratio
 
 ROUGHNESS = 0.16

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.documents.paint import Flakes, OrangePeel
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, Sparkle, TwoTone
@@ -17,8 +18,7 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.flakes.tilt import tilt_place
-from tools.evaluation.flake_model import flake_texture_ratio, glint_field, glint_ratio
+from tools.evaluation.flake_model import flake_texture_ratio
 from tools.evaluation.visible_flake_part import visible_flake_part
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -70,30 +70,42 @@ def test_another_address_of_an_image_compiles_nothing_anew(variant) -> None:
     assert programs[0] == programs[1]
 
 
-def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
-    from brdf_suite.reference.flakes import countable as flakes
+def straight(direction, *, back=False):
+    return direction
 
-    # The core sees a pixel as one spot, a sample as a smaller one within it.
-    monkeypatch.setattr(flakes, "footprint_of_sample", lambda reach: reach)
-    rng = np.random.default_rng(1)
-    at, across, down = pixels(rng, 20_000, 0.003, 30.0)
-    slope = (rng.normal(size=(len(at), 2)) * 0.15).astype(np.float32).astype(float)
-    field = glint_field(
-        at, across, down, density=120.0, size=0.02, roughness=0.17, waviness=0.01, colour_spread=0.3
+
+@pytest.mark.parametrize("density", [3200.0, 800.0])
+def test_a_place_shows_one_flake_of_the_population(variant, density) -> None:
+    """Mean and second moment of what places send, over many flakes: by their tilts and brightnesses."""
+    from brdf_suite.appearance.flakes.visible import flake_coverage
+    from brdf_suite.reference.flakes import population
+
+    flakes = Flakes(density, 20.0, 0.17)
+    rng = np.random.default_rng(5)
+    at, across, down = pixels(rng, 1_000_000, 0.002, 0.01)
+    there = population.FlakeLayer(flakes, IOR, waviness=0.03).at(placed(at * 40.0, across, down), straight)
+    view = vectors(np.array([[0.0, 0.0, 1.0]]))
+    for theta in (0.0, 0.5):
+        ratio = np.array(there.ratio(vectors(spherical(theta, 0.4)[None]), view), float)[0]
+        _, stretch = tilt_place(flake_slope(spherical(theta, 0.4), spherical(0.0, 0.0), IOR), 0.17)
+        # Of the bell the integral of the square is 9 / (40 pi sigma^2); brightnesses have 25/16.
+        second = 25.0 / 16.0 / flake_coverage(flakes) * 9.0 / 160.0 / (float(stretch) * 0.03) ** 2
+        assert ratio.mean() == pytest.approx(1.0, abs=4.5 * math.sqrt(second / 1_000_000))
+        assert (ratio**2).mean() == pytest.approx(second, rel=0.05)
+    # Flakes are of their size: places farther apart show others.
+    moved = population.FlakeLayer(flakes, IOR, waviness=0.03).at(
+        placed(at * 40.0 + 0.002, across * 0.0, down * 0.0), straight
     )
-    wanted = glint_ratio(field, *tilt_place(slope, 0.17), 0.01)
-    layer = flakes.FlakeLayer(FLAKES, IOR)
-    found = np.array(
-        flakes.FlakeField.of(placed(at, across, down), layer).ratio(vectors(slope, "Vector2f"))
-    ).T
-    assert np.abs(found - wanted).max() < 1e-4 * wanted.max()
-    assert np.quantile(np.abs(found - wanted), 0.99) < 1e-3
-    assert wanted.std() > 1.0
+    still = population.FlakeLayer(flakes, IOR, waviness=0.03).at(
+        placed(at * 40.0, across * 0.0, down * 0.0), straight
+    )
+    same = (np.array(moved.slope) == np.array(still.slope)).all(axis=0).mean()
+    assert 0.7 < same < 0.95
 
 
 def test_the_flake_texture_is_that_of_the_core(variant) -> None:
+    from brdf_suite.appearance.flakes.footprint import PIXEL_REACH
     from brdf_suite.reference.flakes.texture import flakes_seen, seen_ratio
-    from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
 
     rng = np.random.default_rng(8)
     at, across, down = pixels(rng, 20_000, 0.003, 0.3)
@@ -108,25 +120,8 @@ def test_the_flake_texture_is_that_of_the_core(variant) -> None:
     assert wanted.std() > 1.0
 
 
-def test_flakes_send_their_mean_over_the_surface(variant) -> None:
-    """A z-test of the flakes that samples see, over many places, at two tilts."""
-    from brdf_suite.reference.flakes import countable as flakes
-
-    rng = np.random.default_rng(2)
-    at, across, down = pixels(rng, 400_000, 0.05, 5.0)
-    layer = flakes.FlakeLayer(FLAKES, IOR)
-    for slope in (0.0, 0.2):
-        slopes = np.broadcast_to([slope, 0.0], at.shape)
-        found = np.array(
-            flakes.FlakeField.of(placed(at, across, down), layer).ratio(vectors(slopes, "Vector2f"))
-        ).T
-        error = found.std(axis=0) / math.sqrt(len(found))
-        assert np.all(np.abs(found.mean(axis=0) - 1.0) < 4.5 * error), slope
-        assert np.all(error < 0.05)
-
-
 def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
-    from brdf_suite.reference.flakes.countable import FlakeLayer
+    from brdf_suite.reference.flakes.population import FlakeLayer
 
     rng = np.random.default_rng(3)
     wi, wo = (
@@ -158,17 +153,24 @@ def test_in_a_white_furnace_a_paint_with_flakes_has_the_albedo_of_the_smooth_one
     from brdf_suite.reference.bsdfs import terms
     from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
     from brdf_suite.reference.bsdfs.translate import divide
-    from brdf_suite.reference.flakes.countable import FlakeLayer
+    from brdf_suite.reference.flakes.population import FlakeLayer
     from brdf_suite.reflectance.albedo import directional_albedo
 
     model = build_paint(load_shipped_paint("coarse_silver"))
     parts = divide(model)
-    paint = LayeredPaintBsdf(parts.base, parts.coat, flakes=FlakeLayer(FLAKES, parts.ior, 2.0))
+    paint = LayeredPaintBsdf(
+        parts.base, parts.coat, flakes=FlakeLayer(Flakes(3200.0, 20.0, 0.17, 0.3), parts.ior)
+    )
     rng = np.random.default_rng(7)
     places = placed(*pixels(rng, 300_000, 0.02, 2.0))
     up = mi.Frame3f(mi.Normal3f(0.0, 0.0, 1.0))
     place = SimpleNamespace(
-        **vars(places), along_u=up.s, along_v=up.t, to_world=lambda direction: direction, frame=up
+        **vars(places),
+        along_u=up.s,
+        along_v=up.t,
+        to_world=lambda direction: direction,
+        from_world=lambda direction: direction,
+        frame=up,
     )
     count = 300_000
     view = spherical(0.6, 1.0)
@@ -314,17 +316,14 @@ def pictures(variant, tmp_path_factory):
     return both, folder
 
 
-def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> None:
-    from brdf_suite.documents.view_settings import Lamp
-
+def test_flakes_have_the_contrast_of_the_real_time_picture(pictures) -> None:
     both, _ = pictures
-    lamps = (Lamp("directional", azimuth_deg=60.0, elevation_deg=40.0, strength=2.0),)
-    near = {"camera": Camera(35.0, 10.0, 0.8, None, 200.0), "lamps": lamps}
-    drawn, traced, inside, notices = both("coarse_silver", 48, **near)
-    smooth, mean, _, _ = both("coarse_silver", 48, **near, sparkle=Sparkle("off"))
+    near = {"camera": Camera(35.0, 10.0, 0.16, (0.0, 0.1, 0.0), 400.0)}
+    drawn, traced, inside, notices = both("coarse_silver", 512, **near)
+    smooth, mean, _, _ = both("coarse_silver", 512, **near, sparkle=Sparkle("off"))
     sparkles, found = (drawn - smooth)[inside], (traced - mean)[inside]
-    assert sparkles.std() > 0.02
-    assert np.corrcoef(sparkles, found)[0, 1] > 0.8
+    assert sparkles.std() > 0.01
+    assert sparkles.std() == pytest.approx(found.std(), rel=0.35)
     assert not any("flakes" in notice for notice in notices)
 
 
@@ -332,7 +331,7 @@ def test_flakes_add_no_light_to_a_picture(variant) -> None:
     from tools.evaluation.reference_flakes import sparkle_energy
 
     found = sparkle_energy("blue", samples=8, size=(64, 48))
-    assert 0.0 < found.error < 0.03
+    assert 0.0 < found.error < 0.06
     # Neighbouring pixels share flakes, which the error does not know.
     assert abs(found.ratio - 1.0) < 4.5 * found.error + 0.002
 
@@ -355,8 +354,8 @@ def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> Non
     normals = -slopes / np.linalg.norm(slopes, axis=-1)[..., None]
     write_png(folder / "normals.png", np.uint8(np.round((normals + 1.0) * 127.5)))
     relief = Relief(str(folder / "normals.png"), 1.0, 60.0)
-    drawn, traced, inside, _ = both("matte_grey", 16, relief=relief, lamps=lamps)
-    plain, _, _, _ = both("matte_grey", 16, lamps=lamps)
+    drawn, traced, inside, _ = both("matte_grey", 16, relief=relief, lamps=lamps, sparkle=Sparkle("off"))
+    plain, _, _, _ = both("matte_grey", 16, lamps=lamps, sparkle=Sparkle("off"))
     shapes = (drawn - plain)[inside]
     assert shapes.std() > 0.02
     assert np.corrcoef(shapes, (traced - plain)[inside])[0, 1] > 0.9

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS, LARGEST_SHARE
+from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS, LARGEST_SHARE
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
@@ -26,10 +26,10 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     """Ratio by ratio: the same places, footprints, slopes and spreads in numpy."""
     import mitsuba as mi
 
-    from brdf_suite.reference.flakes.countable import FlakeLayer
+    from brdf_suite.appearance.flakes.tilt import flake_slope
+    from brdf_suite.reference.flakes.population import FlakeLayer
     from brdf_suite.reference.flakes.texture import flakes_seen
     from brdf_suite.reference.raytraced.flakes import sparkling
-    from brdf_suite.reflectance.flakes.tilt import flake_slope
     from tools.evaluation.flake_model import flake_texture_ratio
 
     rng = np.random.default_rng(7)

@@ -14,9 +14,9 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.appearance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
+from brdf_suite.appearance.flakes.glints import APPEARING, FADE_FROM, FADE_TO, FLAKE_AREA, RAREST_TILT
 from brdf_suite.arrays import Floats, Words
-from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
-from brdf_suite.reflectance.flakes.glints import APPEARING, FADE_FROM, FADE_TO, FLAKE_AREA, RAREST_TILT
 
 GOLDEN = np.uint32(0x9E3779B9)
 _SALT = np.uint32(0x51ED270B)
@@ -112,7 +112,7 @@ def glint_field(
     footprint = flake_footprint(at, across, down, size)
     root = math.sqrt(4.0 / math.pi * density)
     level = np.maximum(np.log2(4.0 * FOOTPRINT_END * footprint.widest * root), 0.0)
-    finest = max(math.floor(math.log2(roughness / (math.sqrt(0.5) * FOOTPRINT_END * waviness))), 0)
+    finest = max(math.floor(math.log2(roughness / (FOOTPRINT_END * waviness))), 0)
     return GlintField(footprint, level, root, float(finest), colour_spread)
 
 

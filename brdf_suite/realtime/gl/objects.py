@@ -82,10 +82,12 @@ class GpuObjects:
         with graphics_errors(self.context, f"making a cube map of {size} texels"):
             return self._keep("texture", self.context.texture_cube((size, size), channels, dtype=dtype))
 
-    def texture_3d(self, size: tuple[int, int, int]) -> moderngl.Texture3D:
-        """Make an empty 3-D texture of half floats, RGBA, filtered linearly and held at its edges."""
+    def texture_3d(
+        self, size: tuple[int, int, int], channels: int = 4, dtype: str = "f2"
+    ) -> moderngl.Texture3D:
+        """Make an empty 3-D texture (``f2`` or ``f4``), filtered linearly and held at its edges."""
         with graphics_errors(self.context, f"making a stack of {size[2]} maps of {size[0]} texels"):
-            made = self._keep("texture", self.context.texture3d(size, 4, dtype="f2"))
+            made = self._keep("texture", self.context.texture3d(size, channels, dtype=dtype))
             made.repeat_x = made.repeat_y = made.repeat_z = False
             made.filter = (moderngl.LINEAR, moderngl.LINEAR)
             return made

@@ -16,6 +16,7 @@ from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
 from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
 from brdf_suite.realtime.gl.shader_source import SHADERS, compose, look_up_defines
 from brdf_suite.realtime.lights.block import COLUMNS
+from brdf_suite.realtime.lights.tilt_light import EXPONENTS
 from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
 
 MATERIAL_BINDING = 0
@@ -23,6 +24,7 @@ LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
 SUN_UNIT = 30
+MOSAIC_UNIT, TILT_LIGHT_UNIT = 31, 32
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
 KEPT_UNIT = 13
@@ -125,6 +127,7 @@ class Programs:
             "RAMP_NODES": str(RAMP_NODES),
             "LIGHT_LOBE_COLUMNS": str(COLUMNS),
             "BALL_SHARE": str(BALL_SHARE),
+            "TILT_SLICES": str(len(EXPONENTS)),
         }
         fragment = compose(
             self._surface_shader.name,
@@ -143,6 +146,8 @@ class Programs:
             "kept_light": KEPT_UNIT,
             "lamp_ball": BALL_UNIT,
             "sun_map": SUN_UNIT,
+            "flake_mosaic": MOSAIC_UNIT,
+            "tilt_light": TILT_LIGHT_UNIT,
         }
         assign(program, own | RELIEF_UNITS | _FACTOR_UNITS)
         return program

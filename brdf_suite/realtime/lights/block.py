@@ -9,8 +9,16 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from brdf_suite.appearance.flakes.visible import (
+    ASPECULAR,
+    FLAKE_REFLECTANCE,
+    LARGEST_SHARE,
+    flake_coverage,
+    flake_dimming,
+    mirrored_by_flakes,
+    seen_tilts,
+)
 from brdf_suite.appearance.light.matrix import environment_matrix, lamp_colour
-from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
@@ -23,6 +31,9 @@ from brdf_suite.realtime.values import MaterialWeights
 MOST_LIGHTS = 24
 """Sixteen of the environment and eight lamps."""
 BLOCK_SIZE = (1 + 2 * MOST_LIGHTS) * 16
+
+LARGEST_GLINT = 0.04
+"""Radians: what a broader light of the environment gives flakes is in its maps, and part of the grain."""
 
 _OF_ENVIRONMENT, _DIRECTIONAL, _POINT = 0.0, 1.0, 2.0
 
@@ -50,6 +61,11 @@ class DistantLights:
         for name, shape in (("directions", (count, 3)), ("strengths", (count, 3)), ("spreads", (count,))):
             object.__setattr__(self, name, _checked(getattr(self, name), shape, name))
 
+    def smaller_than(self, spread: float) -> DistantLights:
+        """Return those whose directions spread by less, radians."""
+        small = self.spreads < spread
+        return DistantLights(self.directions[small], self.strengths[small], self.spreads[small])
+
 
 def _checked(values: ArrayLike, shape: tuple[int, ...], name: str) -> Floats:
     array = np.ascontiguousarray(values, np.float64)
@@ -66,6 +82,8 @@ NO_LIGHTS = DistantLights(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0))
 def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     """Return the block, :data:`BLOCK_SIZE` bytes: the environment's lights, turned with it, and the view's lamps."""
     block = np.zeros((1 + 2 * MOST_LIGHTS, 4), np.float32)
+    if view.sparkle.mode == "glints":
+        environment = environment.smaller_than(LARGEST_GLINT)
     count = 0 if view.sparkle.mode == "off" else min(view.sparkle.light_count, len(environment.spreads))
     rows = block[1:].reshape(MOST_LIGHTS, 2, 4)
     rows[:count, 0, :3] = environment.directions[:count] @ about_y(math.radians(view.rotation_deg)).T
@@ -95,40 +113,35 @@ def visible_flake_lobe(
 ) -> Floats:
     """Return the part (n, 3) of a base's lobes ``base`` (n, 3), 1/sr, at γ (n,) radians that visible flakes reflect.
 
-    A paint's flakes lie in many layers; what sparkles are those that can be seen one by one: so many to the square
-    millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they
-    reflect R of the light on them, in and out through the coat. With the density of tilts p = bell / (2π m²) per solid
-    angle, and the solid angle of a mirrored direction outside a coat of index n being 4 n² cos²θ'/cosθ times that of
-    the tilt at the mirror direction (θ' below the coat),
+    A paint's flakes lie in many layers; seen are those on top. As mirrors below a coat they have the mean reflectance
 
-        f(γ) = c R T² bell(δ(γ)) / (8π m² n² cos²θ')
+        f(γ) = d c R T² bell(δ(γ)) / (4π m² n² cos²θ')
 
-    is their mean reflectance at the light's polar angle θ, in 1/sr: δ(γ) the tilt that an aspecular angle sees. Their
-    colour is the base's there, with R in its largest channel (they are seen through the same pigment), and they never
-    send more than most of it.
-
+    at the light's polar angle θ (:func:`~brdf_suite.appearance.flakes.visible.mirrored_by_flakes`): δ(γ) is the tilt
+    that an aspecular angle sees, and d how much dimmer than clean mirrors they are (``flake_dimming``). Their colour is
+    the base's there (they are seen through the same pigment), and they never send more than most of it.
 
     ``theta`` is the light's polar angle that the lobes hold for, radians, ``ior`` the coat's index; ``strength`` is a
     factor on the flakes' light, 1 being what the module derives.
     """
-    n2 = ior * ior
-    cos2_below = 1.0 - math.sin(theta) ** 2 / n2
-    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
-    m2 = flakes.roughness**2
-    peak = flake_coverage(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
-    wanted = strength * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
+    peak = mirrored_by_flakes(flakes, ior, theta)
+    at_15 = [float(np.interp(ASPECULAR, gamma, base[:, k])) for k in range(3)]
+    dimming = flake_dimming(flakes, max(at_15), ior, theta)
+    wanted = strength * dimming * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
     share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
     return np.asarray(base * share[:, None])
 
 
-def seen_tilts(gamma: Floats, theta: float, ior: float, roughness: float) -> Floats:
-    """Return how many flakes are tilted as γ (n,) radians sees, over how many lie flat: the bell of flake_tilt.glsl.
+def flake_power(weights: MaterialWeights, flakes: Flakes, strength: float = 1.0) -> float:
+    """Return the light that a flake mirrors, of its largest channel, over what falls on the coat: d c R T².
 
-    In the plane of incidence, with the light at ``theta``: δ = (asin(sin θ / n) - asin(sin(θ - γ) / n)) / 2.
+    As :func:`visible_flake_lobe` has it; T is that of the fit's angle.
     """
-    tilt = 0.5 * (math.asin(math.sin(theta) / ior) - np.arcsin(np.sin(theta - gamma) / ior))
-    squared = np.tan(tilt) ** 2
-    return np.asarray(((1.0 + squared / roughness**2) / (1.0 + squared)) ** -1.5)
+    base = (math.cos(ASPECULAR) ** np.asarray(weights.exponents) @ weights.kdd + weights.kd).max()
+    theta, ior = weights.theta_fit_rad, weights.ior
+    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
+    dimming = flake_dimming(flakes, float(base), ior, theta)
+    return strength * dimming * flake_coverage(flakes) * FLAKE_REFLECTANCE * through
 
 
 COLUMNS = 160
@@ -162,7 +175,7 @@ def light_lobes(
     table[1, :, :3] = powers @ weights.kg
     if flakes is not None and flakes.density_per_mm2 > 0.0:
         table[2, :, :3] = visible_flake_lobe(
-            flakes, gamma, base, weights.theta_fit_rad, weights.ior, strength
+            flakes, gamma, base + weights.kd, weights.theta_fit_rad, weights.ior, strength
         )
     table[:, :, 3] = weights.kd[:, None]
     return table

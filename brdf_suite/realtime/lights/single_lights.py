@@ -6,27 +6,38 @@ small table more.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import moderngl
 
-from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS, visible_density
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
+from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.programs import LIGHT_LOBES_UNIT, LIGHTS_BINDING, Features
+from brdf_suite.realtime.gl.programs import (
+    LIGHT_LOBES_UNIT,
+    LIGHTS_BINDING,
+    MOSAIC_UNIT,
+    TILT_LIGHT_UNIT,
+    Features,
+)
 from brdf_suite.realtime.lights.block import (
     BLOCK_SIZE,
     COLUMNS,
     NO_LIGHTS,
     ROWS,
     DistantLights,
+    flake_power,
     light_block,
     light_lobes,
 )
+from brdf_suite.realtime.lights.mosaic import FlakeMosaic
+from brdf_suite.realtime.lights.tilt_light import tilt_light
 from brdf_suite.realtime.material.stock_materials import stock_materials
-from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights
 
 FindLights = Callable[[], DistantLights]
 """Finds the small bright lights of an environment; called before a frame that shows flakes or occlusion."""
@@ -50,11 +61,16 @@ class SingleLights:
         self._written: dict[str, tuple[MaterialWeights, Flakes | None, float]] = {}
         self._buffer: moderngl.Buffer | None = None
         self._block = b""
+        self._mosaic = FlakeMosaic(objects)
+        self._ladder = Ladder((1.0,))
+        self._maps: EnvironmentMaps | None = None
 
-    def set_environment(self, find: FindLights, exponents: tuple[float, ...]) -> None:
-        """Replace the environment's lights; stock materials follow its lobes."""
+    def set_environment(self, find: FindLights, maps: EnvironmentMaps, ladder: Ladder) -> None:
+        """Replace the environment's lights; stock materials follow its lobes, grain its broad ones."""
         self._find = find
-        self._stock = stock_materials(exponents)
+        self._ladder = ladder
+        self._maps = maps
+        self._stock = stock_materials(maps.exponents)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights."""
@@ -66,6 +82,14 @@ class SingleLights:
             self._flakes.pop(name, None)
         else:
             self._flakes[name] = flakes
+
+    def prepare(self, view: View) -> None:
+        """Draw what a frame with flakes reads; another framebuffer may be bound afterwards."""
+        if self._sparkles(view) and view.sparkle.mode == "glints":
+            self._mosaic.prepare()
+            if self._maps is not None:
+                self._mosaic.light(tilt_light(self._maps, self._find()))
+                self._maps = None
 
     def features(self, view: View) -> Features:
         """Return the words of lit.glsl for one frame: lamps, and how flakes are drawn where anything has some."""
@@ -97,14 +121,23 @@ class SingleLights:
         flakes = self._flakes.get(material) if view.sparkle.mode != "off" else None
         self._write(material, weights, flakes, view.sparkle.strength)
         self._tables[material].use(LIGHT_LOBES_UNIT)
-        grain = (0.0, 1.0, 1.0, 0.0)
+        ior = weights.ior if weights.coat == "dielectric" else 1.0
+        population = (0.0, 1.0, 1.0, 0.0)
+        own: dict[str, object] = {}
         if flakes is not None:
             size = flakes.size_um * 1e-3
-            grain = (flakes.density_per_mm2, size, flakes.roughness, flakes.colour_spread)
-        return {
+            population = (visible_density(flakes), size, flakes.roughness, flakes.colour_spread)
+            own = self._mosaic.uniforms(flakes, self._ladder)
+            self._mosaic.use(MOSAIC_UNIT, TILT_LIGHT_UNIT)
+        return own | {
             "light_lobes": LIGHT_LOBES_UNIT,
-            "flakes": grain,
-            "flake_optics": (weights.ior if weights.coat == "dielectric" else 1.0, FLAKE_WAVINESS),
+            "flakes": population,
+            "flake_optics": (
+                ior,
+                FLAKE_WAVINESS,
+                ior**2 - math.sin(weights.theta_fit_rad) ** 2,
+                0.0 if flakes is None else flake_power(weights, flakes, view.sparkle.strength),
+            ),
             "has_uv": has_uv,
         }
 

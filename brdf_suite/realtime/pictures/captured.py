@@ -224,6 +224,8 @@ class CapturedForm:
             kept = self._kept.uniforms(material.numbers)
         if kept is not None:
             words |= {KEPT_LIGHT}
+        if lit:
+            drawing.single_lights.prepare(view)
         target.use()
         drawing.objects.context.viewport = (0, number * self._rows, LIST_WIDTH, self._rows)
         program, screen = drawing.programs.without_mesh(material.look_ups, words | {CAPTURED})

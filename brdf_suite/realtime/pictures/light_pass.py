@@ -88,6 +88,7 @@ class LightPass:
         features |= self._dark(view)
         features |= self._sun.features(features)
         sun = self._sun.uniforms(view, features)
+        self._single_lights.prepare(view)
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
         self._environment.bind()

@@ -139,7 +139,7 @@ class Renderer:
         self._first_pass.ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
-        self._single_lights.set_environment(find_lights, maps.exponents)
+        self._single_lights.set_environment(find_lights, maps, self._environment.ladder)
         self._drawing.sun.set_environment(find_lights, self._environment.mean_radiance)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:

@@ -10,7 +10,7 @@
 //     k(t) = (1 - smoothstep(4 - e, 4 + e, t)) / (4 pi sqrt(det S))
 // has the integral 1 for any e: a disc of S's size where flakes are large (e near 0, an edge of a pixel and a half),
 // a soft spot where they are small (e = 4). It ends at t = 8, so nothing is ever cut off.
-const float PIXEL_REACH = 0.5;
+const float PIXEL_REACH = 0.43;
 const float FOOTPRINT_END = 2.8284271;      // sqrt(8) standard deviations
 
 struct Footprint

@@ -1,7 +1,7 @@
 // Provides: vec2 flake_slope(vec3 to_light, vec3 to_eye, float ior), vec3 tilt_place(vec2 slope, float roughness),
 //           float beckmann_slopes(float slope2, float roughness), float ggx_density(float slope2, float roughness),
 //           float tilt_bell(float slope2, float roughness)
-// Needs:    nothing. The same functions in numpy: reflectance/flakes/tilt.py
+// Needs:    nothing. The same functions in numpy: appearance/flakes/tilt.py
 //
 // Directions are of the local frame, z the normal, away from the surface.
 
@@ -14,24 +14,24 @@ vec2 flake_slope(vec3 to_light, vec3 to_eye, float ior)
     return (to_light.xy + to_eye.xy) / max(up, 1e-6);
 }
 
-// Where a slope lies on the unit square (xy), and how much a small angle is stretched there (z, 1/rad). The slopes are
-// divided by the roughness, which makes a hemisphere of them, and the hemisphere is laid on a disc of diameter 1
-// without a change of areas (Lambert): even points of the disc are tilts of the density
-//     tilt_bell / (2 pi roughness^2) per solid angle,  tilt_bell = q^(-3/2),  q = (1 + s^2/m^2) / (1 + s^2).
+// How many flakes have a tilt, per solid angle, over those that lie flat: Beckmann's slopes,
+//     exp(-s^2 / m^2) (1 + s^2)^(3/2);  over (pi m^2) it is their density per solid angle.
+float tilt_bell(float slope2, float roughness)
+{
+    float up = 1.0 + slope2;
+    return exp(-slope2 / (roughness * roughness)) * up * sqrt(up);
+}
+
+// Where a slope lies on the unit square (xy), and how much a small angle is stretched there (z, 1/rad): on a disc of
+// diameter 1 whose even points are tilts of that density, radius^2 = (1 - exp(-s^2 / m^2)) / 4.
 vec3 tilt_place(vec2 slope, float roughness)
 {
     vec2 wide = slope / roughness;
     float wide2 = dot(wide, wide);
-    float up = inversesqrt(1.0 + wide2);
-    vec2 place = 0.5 + wide * (0.5 * up * inversesqrt(1.0 + up));
-    float q = (1.0 + wide2) / (1.0 + dot(slope, slope));
-    return vec3(place, 0.35355339 / (roughness * sqrt(q * sqrt(q))));
-}
-
-float tilt_bell(float slope2, float roughness)
-{
-    float q = (1.0 + slope2 / (roughness * roughness)) / (1.0 + slope2);
-    return inversesqrt(q) / q;
+    float falls = exp(-wide2);
+    float grows = wide2 < 1e-3 ? 1.0 - 0.5 * wide2 : (1.0 - falls) / wide2;
+    float up = 1.0 + dot(slope, slope);
+    return vec3(0.5 + wide * (0.5 * sqrt(grows)), 0.5 / roughness * sqrt(falls * up * sqrt(up)));
 }
 
 // Densities over the slope: of Beckmann's surface, exp(-s^2 / m^2) / (pi m^2); and over solid angle, GGX:

@@ -1,5 +1,5 @@
 // Provides: vec3 reflected_radiance(SurfacePoint p): the sum of lobes.glsl over look-ups that were made before
-// Needs:    ramp.glsl, captured.glsl; BROAD, SHARP, FOR_EACH_SHARP_LOBE as lobes.glsl; a texture that kept_light.py made
+// Needs:    ramp.glsl, captured.glsl, environment.glsl; BROAD, SHARP, FOR_EACH_SHARP_LOBE as lobes.glsl; a texture that kept_light.py made
 //
 // Where a lobe is looked up, and through which exponent, is the same for every paint; only the weights of the ramp differ.
 // So what each look-up gives at each captured place is kept, a list below the other, and a paint weighs it. In alpha is
@@ -7,7 +7,6 @@
 uniform sampler2D kept_light;
 uniform int kept_layers[1 + MAX_SHARP + MAX_BROAD];    // which list, for each row of the ramp
 uniform float kept_scale;                               // what the lists were divided by
-uniform mat3 light_colour;
 
 vec4 kept_at(int row)
 {

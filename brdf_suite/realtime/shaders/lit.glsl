@@ -39,7 +39,9 @@
 #endif
 
 uniform vec4 flakes;            // density 1/mm^2, size mm, roughness of the tilts, colour spread; density 0: none
-uniform vec2 flake_optics;      // index of the coat, waviness of a flake in radians
+// Index n of the coat, waviness of a flake in radians; n^2 cos^2 below the coat at the light's angle of the lobes' fit;
+// light that a flake mirrors, of its largest channel, over what falls on it.
+uniform vec4 flake_optics;
 
 // Tilts rarer than this, and flakes whose contrast in all that is seen is less than this, are left out; both fade to
 // there, so flakes melt into the smooth light with distance.
@@ -49,6 +51,11 @@ float largest(vec3 c)
 {
     return max(c.r, max(c.g, c.b));
 }
+
+#if defined(SPARKLE_GLINTS) && !defined(DARK) && !defined(FACTORS)
+#define GRAIN
+#include "flake_grain.glsl"
+#endif
 
 #if defined(LAMPS) && !defined(FACTOR_BALL) && (!defined(FACTORS) || defined(FACTORS_COATED))
 #define LOBES_LIT
@@ -117,6 +124,13 @@ vec3 sun_difference(SurfacePoint p, vec3 base_gain)
 #endif
 
 #ifdef SPARKLE
+// What flakes reflect goes with one over the cosines below the coat; their lobe has those of the fit.
+float crossing(vec3 to_light, vec3 to_eye)
+{
+    float n2 = flake_optics.x * flake_optics.x;
+    return flake_optics.z * inversesqrt((n2 - dot(to_light.xy, to_light.xy)) * (n2 - dot(to_eye.xy, to_eye.xy)));
+}
+
 // What single flakes add to their mean, and take from it; `radiance` is all that is seen beside.
 vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
 {
@@ -137,7 +151,7 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
     // rarer with their tilt by more than their contrast rises. So faint and broad lights are skipped at once.
     float most = largest(base_gain * flake_lobe(0.0));
 #ifdef SPARKLE_GLINTS
-    most *= glint_contrast(field, 0.35355339 / flakes.z * flake_optics.y);
+    most *= glint_contrast(field, 0.5 / flakes.z * flake_optics.y);
 #else
     most *= flake_contrast(field, flake_optics.y);
 #endif
@@ -157,12 +171,13 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         float cos_light = dot(p.normal, light.direction);
         if (cos_light <= 0.0)
             continue;
-        vec2 slope = flake_slope(to_local * light.direction, to_eye, flake_optics.x);
+        vec3 to_light = to_local * light.direction;
+        vec2 slope = flake_slope(to_light, to_eye, flake_optics.x);
         float bell = tilt_bell(dot(slope, slope), flakes.z);
         if (bell <= RAREST)
             continue;
         float chord = length(2.0 * cos_light * p.normal - light.direction - p.view);
-        vec3 flake_light = light.irradiance * base_gain * cos_light * flake_lobe(chord);
+        vec3 flake_light = light.irradiance * base_gain * (cos_light * crossing(to_light, to_eye)) * flake_lobe(chord);
         if (float(i) < light_counts.x)
         {
 #ifdef SUN
@@ -221,7 +236,13 @@ vec3 lit_radiance(SurfacePoint p, vec3 radiance)
     // Derivatives are taken before anything is asked that neighbours may answer otherwise.
     FlakePlace place = flake_place(p);
     if (flakes.x > 0.0)
-        radiance = max(radiance + sparkle(p, place, base_gain, radiance), 0.0);
+    {
+        vec3 difference = sparkle(p, place, base_gain, radiance);
+#ifdef GRAIN
+        difference += grain_difference(p, place, base_gain, radiance);
+#endif
+        radiance = max(radiance + difference, 0.0);
+    }
 #endif
     return radiance;
 }

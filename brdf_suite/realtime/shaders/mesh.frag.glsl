@@ -6,6 +6,8 @@ uniform vec3 eye;
 #include "surface_point.glsl"
 // A file is included once, so what both ways to the light share comes before the question which it is.
 #include "ramp.glsl"
+#include "environment.glsl"
+#include "lobe_stack.glsl"
 #ifdef KEPT_LIGHT
 #include "kept_light.glsl"
 #elif !defined(DARK)

@@ -49,7 +49,7 @@ GlintField glint_field(vec2 at, vec2 across, vec2 down, float density, float siz
     g.footprint = flake_footprint(at, across, down, size);
     g.root_count = sqrt(1.27323954 * density);
     g.level = max(log2(4.0 * FOOTPRINT_END * g.footprint.widest * g.root_count), 0.0);
-    g.finest = max(floor(log2(roughness / (2.0 * 0.35355339 * FOOTPRINT_END * waviness))), 0.0);
+    g.finest = max(floor(log2(roughness / (FOOTPRINT_END * waviness))), 0.0);
     g.colour_spread = colour_spread;
     return g;
 }

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from brdf_suite.reference.bsdfs.directions import Colour, Vector, number
 from brdf_suite.reference.bsdfs.terms import Sampler, SumTerm
-from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.flakes.population import FlakeLayer
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.place import (
     Frame,
@@ -91,13 +91,12 @@ class LayeredPaintBsdf:
                 below = above
         tilted = self.shape is not None or self.peel is not None
         layer = self.flakes
-        to_flakes = None if layer is None else _frame_of_flakes(place, below)
+        there = None if layer is None else layer.at(place, _frame_of_flakes(place, below))
 
         def flaked(base: Colour, light: Vector, view: Vector) -> Colour:
-            if layer is None:
+            if layer is None or there is None:
                 return base
-            part = layer.visible_part(base, light, view)
-            return base + part * (layer.ratio(place, light, view, to_flakes) - 1.0)
+            return base + layer.visible_part(base, light, view) * (there.ratio(light, view) - 1.0)
 
         def reflected(light: Vector, view: Vector) -> Colour:
             total = mi.Color3f(0.0)
@@ -107,10 +106,12 @@ class LayeredPaintBsdf:
                     total += _of_layer(self.coat, above, direction, view, None)
             return total
 
-        # Flakes are sampled as their base: drawing their tilts as well was measured, and gave more noise.
+        of_base = list(self.base.samplers)
+        if there is not None:
+            of_base += there.samplers(self.base.samplers)
         if not tilted:
-            return LocalBsdf(self.samplers, reflected)
-        samplers: list[Sampler] = [TiltedSampler(sampler, below) for sampler in self.base.samplers]
+            return LocalBsdf((*of_base, *(() if self.coat is None else self.coat.samplers)), reflected)
+        samplers: list[Sampler] = [TiltedSampler(sampler, below) for sampler in of_base]
         if self.coat is not None:
             samplers += [TiltedSampler(sampler, above) for sampler in self.coat.samplers]
         return LocalBsdf(samplers, reflected)
@@ -199,8 +200,8 @@ def _of_layer(
     return dr.select(above, value * light.z, mi.Color3f(0.0))
 
 
-def _frame_of_flakes(place: Place, below: Frame) -> Callable[[Vector], Vector]:
-    """Return the rotation of directions from the tilted frame to that of the flakes, which is fixed on the object.
+def _frame_of_flakes(place: Place, below: Frame) -> Callable[..., Vector]:
+    """Return the rotation of directions from the tilted frame to that of the flakes, fixed on the object, and ``back``.
 
     The tangents are those of the shader's ``local_frame`` (Duff et al., JCGT 6(1), 2017), of the normal in the world.
     """
@@ -211,7 +212,10 @@ def _frame_of_flakes(place: Place, below: Frame) -> Callable[[Vector], Vector]:
     s = mi.Vector3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x)
     t = mi.Vector3f(b, side + n.y * n.y * a, -n.y)
 
-    def turned(direction: Vector) -> Vector:
+    def turned(direction: Vector, *, back: bool = False) -> Vector:
+        if back:
+            world = direction.x * s + direction.y * t + direction.z * n
+            return below.to_local(place.from_world(world))
         world = place.to_world(below.to_world(direction))
         return mi.Vector3f(dr.dot(world, s), dr.dot(world, t), direction.z)
 

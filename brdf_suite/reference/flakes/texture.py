@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
+from brdf_suite.appearance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
+from brdf_suite.appearance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real
 from brdf_suite.reference.flakes.cells import GOLDEN, cell_key, halves, scramble, spot, tint
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
-from brdf_suite.reflectance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
 
 _SALT, _TINT = 0x51ED270B, 0x3C6EF372
 

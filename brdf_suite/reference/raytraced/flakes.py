@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
-from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.flakes.population import FlakeLayer
 from brdf_suite.reference.flakes.texture import FlakesSeen, seen_ratio
 from brdf_suite.reference.mitsuba_modules import dr
 

@@ -26,7 +26,7 @@ import numpy as np
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import scramble
-from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.flakes.population import FlakeLayer
 from brdf_suite.reference.flakes.texture import FlakesSeen, flakes_seen
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.flakes import sparkling

@@ -81,6 +81,11 @@ class Place:
         """Return a direction of the side that is met in the world."""
         return self.frame.to_world(mi.Vector3f(direction.x, direction.y, direction.z * self.side))
 
+    def from_world(self, direction: Vector) -> Vector:
+        """Return a direction of the world on the side that is met."""
+        found = self.frame.to_local(direction)
+        return mi.Vector3f(found.x, found.y, found.z * self.side)
+
 
 def _off_zero(x: Real) -> Real:
     return dr.select(abs(x) < TINY, mi.Float(TINY), x)

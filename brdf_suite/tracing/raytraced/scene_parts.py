@@ -20,7 +20,7 @@ from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.reference.bsdfs.translate import translate
-from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.flakes.population import FlakeLayer
 from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
 from brdf_suite.reference.raytraced.light_set import LightSet, Strata
 from brdf_suite.reference.raytraced.quality import Quality
@@ -32,7 +32,7 @@ from brdf_suite.reference.raytraced.tracer import LightArrays
 from brdf_suite.reference.scene.backdrop import blur_map
 from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.optics import lobe_term
+from brdf_suite.tracing.optics import divide_paint, lobe_term
 from brdf_suite.tracing.traced_picture import PAINT, Kept, Size, choose_materials
 
 _BLURRED_ROWS = 96
@@ -185,8 +185,5 @@ def sparkle_of(paint: Material, view: View) -> FlakeLayer | None:
     flakes = paint.flakes
     if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
         return None
-    if isinstance(paint.reflectance, LobeWeights):
-        ior = paint.reflectance.ior if paint.reflectance.base_under_coat else 1.0
-    else:
-        ior = float(getattr(paint.reflectance, "ior", 1.0))
-    return FlakeLayer(flakes, ior, view.sparkle.strength)
+    base, _, ior, _ = divide_paint(paint.reflectance, view)
+    return FlakeLayer.of(flakes, base, ior, view.sparkle.strength, as_texture=True)

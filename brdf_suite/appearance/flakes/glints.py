@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.reflectance.flakes.footprint import flake_footprint
+from brdf_suite.appearance.flakes.footprint import flake_footprint
 
 APPEARING = 0.2
 """Flakes of a level appear over this range of its weight."""

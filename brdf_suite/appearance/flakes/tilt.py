@@ -25,22 +25,23 @@ def flake_slope(wi: npt.ArrayLike, wo: npt.ArrayLike, ior: float) -> Floats:
 
 
 def tilt_bell(slope2: npt.ArrayLike, roughness: float) -> Floats:
-    """Return the density of tilts over that along the normal, q^(-3/2), q = (1 + s²/m²) / (1 + s²), for s² (...)."""
+    """Return the density of tilts over that along the normal, exp(-s²/m²) (1 + s²)^(3/2), for s² (...).
+
+    These are Beckmann's slopes; over π m² it is their density per solid angle.
+    """
     slope2 = np.asarray(slope2, float)
-    q = (1.0 + slope2 / roughness**2) / (1.0 + slope2)
-    return np.asarray(q**-1.5)
+    return np.asarray(np.exp(-slope2 / roughness**2) * (1.0 + slope2) ** 1.5)
 
 
 def tilt_place(slope: Floats, roughness: float) -> tuple[Floats, Floats]:
     """Return where slopes (..., 2) lie on the unit square (..., 2), and how a small angle is stretched there (...).
 
-    Slopes over the roughness make a hemisphere, and the hemisphere is laid on a disc of diameter 1 without a change
-    of areas (Lambert): even points are tilts of the density ``tilt_bell`` / (2π m²) per solid angle. The stretch,
-    1/rad, is the root of the ratio of areas, (8 m² q^(3/2))^(-1/2).
+    They lie on a disc of diameter 1, at the radius √(1 - exp(-s²/m²)) / 2: even points are tilts of the density
+    ``tilt_bell`` / (π m²) per solid angle. The stretch, 1/rad, is the root of the ratio of areas, (bell / 4m²)^(1/2).
     """
-    wide = slope / roughness
-    wide2 = (wide**2).sum(-1)
-    up = 1.0 / np.sqrt(1.0 + wide2)
-    place = 0.5 + wide * (0.5 * up / np.sqrt(1.0 + up))[..., None]
-    stretch = np.sqrt(tilt_bell((slope**2).sum(-1), roughness) / 8.0) / roughness
+    wide2 = ((slope / roughness) ** 2).sum(-1)
+    grows = -np.expm1(-wide2) / np.where(wide2 > 0.0, wide2, 1.0)
+    grows = np.where(wide2 > 0.0, grows, 1.0)
+    place = 0.5 + slope / roughness * (0.5 * np.sqrt(grows))[..., None]
+    stretch = 0.5 * np.sqrt(tilt_bell((slope**2).sum(-1), roughness)) / roughness
     return place, np.asarray(stretch)

@@ -22,8 +22,8 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 
-PIXEL_REACH = 0.5
-"""Standard deviations of a pixel along an axis, in pixels."""
+PIXEL_REACH = 0.43
+"""Standard deviations of a pixel along an axis, in pixels; the contrast is that of a Gaussian of 0.5."""
 FOOTPRINT_END = math.sqrt(8.0)
 """Where a footprint ends, in standard deviations."""
 
