@@ -20,7 +20,7 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.flakes.glints import Spots, spots
 from brdf_suite.appearance.flakes.tilt import flake_slope, tilt_place
-from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS
+from brdf_suite.appearance.flakes.visible import FLAKE_WAVINESS, visible_density
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -59,7 +59,7 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReading
     wi, wo = illumination(_LIGHT_DEG), aspecular_view(_LIGHT_DEG, np.array(ANGLES_DEG))
     sums = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg)
     gamma = np.radians(ANGLES_DEG)
-    base = sums.base - weights.kd
+    base = sums.base
     single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
     whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
     shares = np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
@@ -76,7 +76,7 @@ def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:
     # A light's extent, seen by a mirror below the coat, is a spread of the mirror's tilt of 1 / (2 n) of it.
     spread = math.hypot(FLAKE_WAVINESS, _SUN_SPREAD / (2.0 * ior))
     return spots(
-        density=flakes.density_per_mm2,
+        density=visible_density(flakes),
         size=flakes.size_um * 1e-3,
         stretch=float(stretch),
         spread=spread,

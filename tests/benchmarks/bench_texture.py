@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, report, subrange
+
+_grain = load_module(Path(__file__).with_name("parts") / "texture_grain.py")
 
 NAME = "texture"
 
@@ -25,7 +29,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "",
         "glare of a drawn frame over that of the eye, minus 1, rings from 0.6° to 15°, largest",
     ),
-}
+} | _grain.BOUNDS
 
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
@@ -42,10 +46,11 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     objects = GpuObjects(context)
     try:
         report(progress, 0.0, "spreading light")
-        return {"glare_energy": _energy(objects), "glare_error": _error(objects)}
+        found = {"glare_energy": _energy(objects), "glare_error": _error(objects)}
     finally:
         objects.release_all()
         release_context(context)
+    return found | _grain.figures(NOTES, subrange(progress, 0.1, 1.0))
 
 
 def _spread(objects, pixels, focal_length_mm):

@@ -317,7 +317,7 @@ def test_the_message_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, d
 
 def test_the_flakes_section_says_what_they_do(designer, qtbot):
     flakes = designer.window.flakes
-    label = flakes.figures[15.0]
+    label = flakes.figures[45.0]
     qtbot.waitUntil(lambda: "spots/mm²" in label.text())
     before = label.text()
     assert "instrument" in label.toolTip()

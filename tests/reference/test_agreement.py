@@ -250,7 +250,7 @@ def test_flakes_of_both_renderers_have_the_same_means(tmp_path: Path, sun: Path,
 
 def test_other_flakes_are_drawn_on_a_baked_surface_too(sun: Path) -> None:
     pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
-    (case,) = compare_flakes(Order(["coarse_silver"], [str(sun)], (48, 48), 128, surface="panel"))
+    (case,) = compare_flakes(Order(["coarse_silver"], [str(sun)], (48, 48), 2048, surface="panel"))
     assert case.contrast_drawn > 0.005
     assert case.contrast_traced > 0.005
 

@@ -174,8 +174,10 @@ def light_lobes(
     table[0, :, :3] = base
     table[1, :, :3] = powers @ weights.kg
     if flakes is not None and flakes.density_per_mm2 > 0.0:
-        table[2, :, :3] = visible_flake_lobe(
-            flakes, gamma, base + weights.kd, weights.theta_fit_rad, weights.ior, strength
-        )
+        theta, ior = weights.theta_fit_rad, weights.ior
+        lobe = visible_flake_lobe(flakes, gamma, base + weights.kd, theta, ior, strength)
+        # The shader knows the tilt itself, not only in the plane of the fit's light.
+        tilts = seen_tilts(gamma, theta, ior, flakes.roughness)
+        table[2, :, :3] = lobe / np.maximum(tilts, 1e-4)[:, None]
     table[:, :, 3] = weights.kd[:, None]
     return table

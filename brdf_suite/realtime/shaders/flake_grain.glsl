@@ -38,7 +38,7 @@ const vec3 GRAIN_LUMINANCE = vec3(0.2627, 0.678, 0.0593);
 const float LEAST_FLAKE = -1.5;
 // Flakes send at most so much of all that is seen.
 const float MOST_GRAIN = 0.6;
-const float GRAIN_FADES = 0.2, GRAIN_ENDS = 0.4;
+const float GRAIN_FADES = 0.5, GRAIN_ENDS = 1.0;
 
 vec4 mosaic_difference(vec2 at, vec2 across, vec2 down)
 {

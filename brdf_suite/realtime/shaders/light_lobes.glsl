@@ -5,7 +5,7 @@
 // A material's lobes as functions of the angle between the mirror direction of a light and the eye, tabulated, so that
 // a light costs one look-up for all of them:
 //     base   sum KDD_i cos(gamma)^E_i      gloss   sum KG_i cos(gamma)^E_i      flakes   the visible flakes' share of
-// the base. The table's variable is sqrt(sin(gamma / 2)), which gives the narrow lobes about gamma = 0 most of it; it
+// the base, over the bell of their tilts. The table's variable is sqrt(sin(gamma / 2)), which gives the narrow lobes about gamma = 0 most of it; it
 // ends at 90 degrees, where every lobe is 0. The alphas of the three rows are KD's red, green and blue.
 uniform sampler2D light_lobes;
 

@@ -177,7 +177,7 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
         if (bell <= RAREST)
             continue;
         float chord = length(2.0 * cos_light * p.normal - light.direction - p.view);
-        vec3 flake_light = light.irradiance * base_gain * (cos_light * crossing(to_light, to_eye)) * flake_lobe(chord);
+        vec3 flake_light = light.irradiance * base_gain * (cos_light * bell * crossing(to_light, to_eye)) * flake_lobe(chord);
         if (float(i) < light_counts.x)
         {
 #ifdef SUN

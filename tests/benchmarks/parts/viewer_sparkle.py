@@ -32,8 +32,13 @@ BOUNDS = {
         "",
         "frame with the flake texture in 8 lights over the baseline frame, median",
     ),
-    "glint_ratio": ("<=", 10.0, "", "the same with converging glints"),
-    "glint_one_light_ratio": ("", None, "", "the same in one light"),
+    "texture_eight_lamps_ratio": (
+        "<=",
+        10.0,
+        "",
+        "the same with glints in 8 lights and grain in all other light",
+    ),
+    "texture_one_light_ratio": ("<=", 4.5, "", "the same with one light"),
     "sparkle_bias": (
         "<=",
         0.02,
@@ -97,8 +102,8 @@ def _frames(context, scene, progress):
     plain = fixed_view(scene)
     views = {
         "flake_ratio": replace(plain, sparkle=Sparkle("texture", 8)),
-        "glint_ratio": replace(plain, sparkle=Sparkle("glints", 8)),
-        "glint_one_light_ratio": replace(plain, sparkle=Sparkle("glints", 1)),
+        "texture_eight_lamps_ratio": replace(plain, sparkle=Sparkle("glints", 8)),
+        "texture_one_light_ratio": replace(plain, sparkle=Sparkle("glints", 1)),
     }
 
     def frame(which, view):
