@@ -16,7 +16,7 @@ from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
 from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
 from brdf_suite.realtime.gl.shader_source import SHADERS, compose, look_up_defines
 from brdf_suite.realtime.lights.block import COLUMNS
-from brdf_suite.realtime.lights.tilt_light import EXPONENTS
+from brdf_suite.realtime.lights.tilt_light import EXPONENTS, MOSAIC_TEXELS
 from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
 
 MATERIAL_BINDING = 0
@@ -128,6 +128,7 @@ class Programs:
             "LIGHT_LOBE_COLUMNS": str(COLUMNS),
             "BALL_SHARE": str(BALL_SHARE),
             "TILT_SLICES": str(len(EXPONENTS)),
+            "MOSAIC_TEXELS": str(MOSAIC_TEXELS),
         }
         fragment = compose(
             self._surface_shader.name,

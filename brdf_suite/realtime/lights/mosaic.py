@@ -13,13 +13,12 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.lights.tilt_light import SIZE
+from brdf_suite.realtime.lights.tilt_light import MOSAIC_TEXELS, SIZE
 
 GRAIN_EXPONENT = 60.0
 """Of the lobes through which a flake sees the environment."""
 CELLS = 256
 """Flakes along an edge of the tile, which repeats."""
-_TEXELS = 4  # along an edge of a flake
 _SECOND_MOMENT = 1.5625
 """Of a flake's brightness, 2.5 u^1.5: the mean of its square over that of itself squared."""
 
@@ -37,7 +36,7 @@ class FlakeMosaic:
         """Draw the tile where that has not been done; another framebuffer is bound afterwards."""
         if self._texture is not None:
             return
-        size = CELLS * _TEXELS
+        size = MOSAIC_TEXELS
         with graphics_errors(self._objects.context, "drawing the flakes"):
             texture = self._objects.texture((size, size), "f4")
             framebuffer = self._objects.framebuffer(texture)

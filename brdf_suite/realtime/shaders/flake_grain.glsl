@@ -40,9 +40,9 @@ const float LEAST_FLAKE = -1.5;
 const float MOST_GRAIN = 0.6;
 const float GRAIN_FADES = 0.5, GRAIN_ENDS = 1.0;
 
-vec4 mosaic_difference(vec2 at, vec2 across, vec2 down)
+vec4 mosaic_difference(vec2 at, float level)
 {
-    return textureGrad(flake_mosaic, at, across, down) - mosaic_mean;
+    return textureLod(flake_mosaic, at, level) - mosaic_mean;
 }
 
 // The means of the light of single flakes and of its square. The directions that flakes of the spread m send the eye to
@@ -54,20 +54,6 @@ vec2 light_moments(vec3 mirror, float exponent)
     return texture(tilt_light, vec3(to_square(mirror) * tilt_square.x + tilt_square.y, level)).rg;
 }
 
-// The light about a direction, of what is no small bright light.
-vec3 broad_rest(SurfacePoint p, vec3 world)
-{
-    vec3 found = light_colour * broad_light(to_environment(world), grain.z);
-    for (int i = 0; i < int(light_counts.x); ++i)
-    {
-        Arriving light = light_at(i, p.position);
-        float cosine = dot(light.direction, world);
-        if (cosine > 0.9)
-            found -= light.irradiance * ((grain.w + 1.0) * 0.15915494 * pow(cosine, grain.w));
-    }
-    return max(found, 0.0);
-}
-
 vec3 grain_difference(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
 {
     vec2 at = place.at * grain.x, across = place.across * grain.x, down = place.down * grain.x;
@@ -76,8 +62,9 @@ vec3 grain_difference(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 rad
     if (near <= 0.0)
         return vec3(0.0);
     const mat2 turned = mat2(0.8, 0.6, -0.6, 0.8);
-    vec4 shares = mosaic_difference(at, across, down)
-        + mosaic_difference(turned * at + vec2(0.37, 0.61), turned * across, turned * down);
+    // The level whose texels are as wide as the pixel.
+    float level = log2(max(widest * float(MOSAIC_TEXELS), 1.0));
+    vec4 shares = mosaic_difference(at, level) + mosaic_difference(turned * at + vec2(0.37, 0.61), level);
     shares *= 0.70710678 * grain.y * near;
 
     mat3 to_local = local_frame(p.normal);
@@ -87,35 +74,52 @@ vec3 grain_difference(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 rad
     float tilt = GRAIN_TILT * flakes.z;
     // As long as the normal of a flake is: 1, and twice the square of a tilt along an axis.
     float over = 2.0 / (1.0 + 2.0 * tilt * tilt);
-    vec3 middle = vec3(0.0), sent = vec3(0.0);
-    vec3 mirrored[4];
+    // In the base's hue at the angle that such tilts see about the mirror direction.
+    vec3 hue = flake_lobe(2.0 * flake_optics.x * 1.4142136 * tilt);
+    vec3 power = hue * (flake_optics.w / max(largest(hue), 1e-9));
+    vec3 towards[4], sends[4], mirrored[4];
     for (int q = 0; q < 4; ++q)
     {
         vec3 flake = vec3(tilt * float(2 * (q & 1) - 1), tilt * float((q & 2) - 1), 1.0);
         vec3 light = over * dot(below, flake) * flake - below;
         float out_of = 1.0 - dot(light.xy, light.xy);
-        mirrored[q] = vec3(0.0);
+        vec3 to_light = vec3(light.xy, sqrt(max(out_of, 0.0)));
+        towards[q] = transpose(to_local) * to_light;
+        mirrored[q] = light_colour * broad_light(to_environment(towards[q]), grain.z);
         // What would leave the coat at more than a right angle stays in it.
-        if (out_of <= 0.0 || light.z <= 0.0)
-            continue;
-        vec3 to_light = vec3(light.xy, sqrt(out_of));
-        float chord = length(vec3(to_light.xy + to_eye.xy, to_light.z - to_eye.z));
-        vec3 world = transpose(to_local) * to_light;
-        vec3 sends = flake_lobe(chord);
-        sends *= flake_optics.w / max(largest(sends), 1e-9);
-        mirrored[q] = sends * broad_rest(p, world);
+        sends[q] = out_of > 0.0 && light.z > 0.0 ? power : vec3(0.0);
+    }
+    // Without what the maps have of small bright lights.
+    for (int i = 0; i < int(light_counts.x); ++i)
+    {
+        Arriving light = light_at(i, p.position);
+        vec4 cosines = vec4(dot(light.direction, towards[0]), dot(light.direction, towards[1]),
+                            dot(light.direction, towards[2]), dot(light.direction, towards[3]));
+        if (any(greaterThan(cosines, vec4(0.9))))
+        {
+            vec4 found = (grain.w + 1.0) * 0.15915494 * pow(max(cosines, 0.0), vec4(grain.w));
+            for (int q = 0; q < 4; ++q)
+                mirrored[q] -= light.irradiance * found[q];
+        }
+    }
+    vec3 middle = vec3(0.0), sent = vec3(0.0);
+    for (int q = 0; q < 4; ++q)
+    {
+        mirrored[q] = sends[q] * max(mirrored[q], 0.0);
         middle += 0.25 * mirrored[q];
-        sent += 0.25 * sends;
+        sent += 0.25 * sends[q];
     }
     vec3 mirror = to_environment(2.0 * dot(p.normal, p.view) * p.normal - p.view);
     float exponent = 0.5 / (n2 * flakes.z * flakes.z);
     vec2 moments = light_moments(mirror, exponent);
-    vec3 hue = light_colour * broad_light(mirror, grain.z - stack_octave * log2(grain.w / exponent));
-    vec3 mean = sent * hue * (moments.x / max(dot(hue, GRAIN_LUMINANCE), 1e-9));
-    float level = max(dot(mean, GRAIN_LUMINANCE), 1e-9);
+    // Of the colour that the four have, where any of them is lit.
+    float lit = dot(middle, GRAIN_LUMINANCE);
+    float all = dot(sent, GRAIN_LUMINANCE) * moments.x;
+    vec3 mean = lit > 1e-3 * all ? middle * (all / lit) : sent * moments.x;
+    float whole = max(dot(mean, GRAIN_LUMINANCE), 1e-9);
     vec4 apart = (vec4(dot(mirrored[0], GRAIN_LUMINANCE), dot(mirrored[1], GRAIN_LUMINANCE),
                        dot(mirrored[2], GRAIN_LUMINANCE), dot(mirrored[3], GRAIN_LUMINANCE))
-                  - dot(middle, GRAIN_LUMINANCE)) / level;
+                  - lit) / whole;
     float found = 0.25 * dot(apart, apart);
     float wanted = max(moments.y / max(moments.x * moments.x, 1e-12) - 1.0, 0.0);
     float drawn = min(sqrt(wanted / max(found, 1e-4)), MOST_DRAWN);

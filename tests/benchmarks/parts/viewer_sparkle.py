@@ -145,8 +145,8 @@ void main()
     vec2 at = 4000.0 * a - 2000.0;
     float longer = sqrt(1.0 + 2.0 * b.x), turn = 6.2831853 * b.y;
     vec2 across = edge * longer * vec2(cos(turn), sin(turn)), down = edge / longer * vec2(-sin(turn), cos(turn));
-    // Tilts as the lobe has them, out to three times the roughness.
-    float tilt = 3.0 * grain.z * sqrt(c.x), way = 6.2831853 * c.y;
+    // Tilts as the lobe has them, out to 1.8 times the roughness.
+    float tilt = 1.8 * grain.z * sqrt(c.x), way = 6.2831853 * c.y;
     GlintField field = glint_field(at, across, down, grain.x, grain.y, grain.z, grain.w, 0.0);
     vec2 slope = tilt * vec2(cos(way), sin(way));
     fragment = vec4(glint_ratio(field, tilt_place(slope, grain.z), grain.w), 1.0);
