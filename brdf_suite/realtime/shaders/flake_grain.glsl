@@ -114,8 +114,9 @@ vec3 grain_difference(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 rad
     vec2 moments = light_moments(mirror, exponent);
     // Of the colour that the four have, where any of them is lit.
     float lit = dot(middle, GRAIN_LUMINANCE);
-    float all = dot(sent, GRAIN_LUMINANCE) * moments.x;
-    vec3 mean = lit > 1e-3 * all ? middle * (all / lit) : sent * moments.x;
+    vec3 grey = sent * (light_colour * vec3(moments.x));
+    float all = dot(grey, GRAIN_LUMINANCE);
+    vec3 mean = lit > 1e-3 * all ? middle * (all / lit) : grey;
     float whole = max(dot(mean, GRAIN_LUMINANCE), 1e-9);
     vec4 apart = (vec4(dot(mirrored[0], GRAIN_LUMINANCE), dot(mirrored[1], GRAIN_LUMINANCE),
                        dot(mirrored[2], GRAIN_LUMINANCE), dot(mirrored[3], GRAIN_LUMINANCE))
