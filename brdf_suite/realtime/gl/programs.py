@@ -24,7 +24,7 @@ LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
 SUN_UNIT = 30
-MOSAIC_UNIT, TILT_LIGHT_UNIT = 31, 32
+MOSAIC_UNIT, TILT_LIGHT_UNIT = 33, 34
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
 KEPT_UNIT = 13

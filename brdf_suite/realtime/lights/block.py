@@ -132,13 +132,18 @@ def visible_flake_lobe(
     return np.asarray(base * share[:, None])
 
 
+def coat_index(weights: MaterialWeights) -> float:
+    """Return the index of the coat that a material's flakes lie below; 1 where they lie below none."""
+    return weights.ior if weights.coat == "dielectric" else 1.0
+
+
 def flake_power(weights: MaterialWeights, flakes: Flakes, strength: float = 1.0) -> float:
     """Return the light that a flake mirrors, of its largest channel, over what falls on the coat: d c R T².
 
     As :func:`visible_flake_lobe` has it; T is that of the fit's angle.
     """
     base = (math.cos(ASPECULAR) ** np.asarray(weights.exponents) @ weights.kdd + weights.kd).max()
-    theta, ior = weights.theta_fit_rad, weights.ior
+    theta, ior = weights.theta_fit_rad, coat_index(weights)
     through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     dimming = flake_dimming(flakes, float(base), ior, theta)
     return strength * dimming * flake_coverage(flakes) * FLAKE_REFLECTANCE * through
@@ -174,7 +179,7 @@ def light_lobes(
     table[0, :, :3] = base
     table[1, :, :3] = powers @ weights.kg
     if flakes is not None and flakes.density_per_mm2 > 0.0:
-        theta, ior = weights.theta_fit_rad, weights.ior
+        theta, ior = weights.theta_fit_rad, coat_index(weights)
         lobe = visible_flake_lobe(flakes, gamma, base + weights.kd, theta, ior, strength)
         # The shader knows the tilt itself, not only in the plane of the fit's light.
         tilts = seen_tilts(gamma, theta, ior, flakes.roughness)

@@ -30,6 +30,7 @@ from brdf_suite.realtime.lights.block import (
     NO_LIGHTS,
     ROWS,
     DistantLights,
+    coat_index,
     flake_power,
     light_block,
     light_lobes,
@@ -121,7 +122,7 @@ class SingleLights:
         flakes = self._flakes.get(material) if view.sparkle.mode != "off" else None
         self._write(material, weights, flakes, view.sparkle.strength)
         self._tables[material].use(LIGHT_LOBES_UNIT)
-        ior = weights.ior if weights.coat == "dielectric" else 1.0
+        ior = coat_index(weights)
         population = (0.0, 1.0, 1.0, 0.0)
         own: dict[str, object] = {}
         if flakes is not None:

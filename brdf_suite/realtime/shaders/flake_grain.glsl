@@ -70,7 +70,7 @@ vec3 grain_difference(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 rad
     mat3 to_local = local_frame(p.normal);
     vec3 to_eye = to_local * p.view;
     float n2 = flake_optics.x * flake_optics.x;
-    vec3 below = vec3(to_eye.xy, sqrt(n2 - dot(to_eye.xy, to_eye.xy)));
+    vec3 below = vec3(to_eye.xy, sqrt(max(n2 - dot(to_eye.xy, to_eye.xy), 1e-6)));
     float tilt = GRAIN_TILT * flakes.z;
     // As long as the normal of a flake is: 1, and twice the square of a tilt along an axis.
     float over = 2.0 / (1.0 + 2.0 * tilt * tilt);

@@ -128,7 +128,8 @@ vec3 sun_difference(SurfacePoint p, vec3 base_gain)
 float crossing(vec3 to_light, vec3 to_eye)
 {
     float n2 = flake_optics.x * flake_optics.x;
-    return flake_optics.z * inversesqrt((n2 - dot(to_light.xy, to_light.xy)) * (n2 - dot(to_eye.xy, to_eye.xy)));
+    float below = (n2 - dot(to_light.xy, to_light.xy)) * (n2 - dot(to_eye.xy, to_eye.xy));
+    return flake_optics.z * inversesqrt(max(below, 1e-2));
 }
 
 // What single flakes add to their mean, and take from it; `radiance` is all that is seen beside.

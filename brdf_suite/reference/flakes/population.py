@@ -245,9 +245,13 @@ class FlakeSampler:
         slope = p * (d.number(roughness) * dr.sqrt(wide2 / dr.maximum(radius2, 1e-12)))
         below, flake, _ = self._mirror(view, slope)
         light = 2.0 * dr.dot(below, flake) * flake - below
+        # Past the rim of the disc there is no tilt.
+        within = dr.squared_norm(p) < 0.249999
         flat = light.x * light.x + light.y * light.y
         out = mi.Vector3f(light.x, light.y, dr.sqrt(dr.maximum(1.0 - flat, 0.0)))
-        return self._back(dr.select((flat < 1.0) & (light.z > 0.0), out, mi.Vector3f(0.0, 0.0, -1.0)))
+        return self._back(
+            dr.select(within & (flat < 1.0) & (light.z > 0.0), out, mi.Vector3f(0.0, 0.0, -1.0))
+        )
 
     def pdf(self, light: Vector, view: Vector) -> Real:
         """Return the density per solid angle."""
@@ -257,7 +261,7 @@ class FlakeSampler:
         on_disc, stretch = _on_disc(slope, there.layer.flakes.roughness)
         below, flake, n = self._mirror(view, slope)
         n2 = n * n
-        within = dr.sqrt(n2 - (light_there.x**2 + light_there.y**2))
+        within = dr.sqrt(dr.maximum(n2 - (light_there.x**2 + light_there.y**2), 1e-6))
         # dω = 4 n² (h·v') cosθ'/cosθ dω_h, the two cosines below the coat and the vectors of the length n.
         turned = light_there.z / dr.maximum(4.0 * dr.dot(below, flake) * within, 1e-6)
         return _bell(on_disc - there.place, self._sigma) * dr.square(stretch) * turned
@@ -270,7 +274,7 @@ class FlakeSampler:
         """Return the view below the coat, of the length n, a flake's normal, and n."""
         view = self.there.to_flakes(view)
         n = d.number(self.there.layer.ior)
-        below = mi.Vector3f(view.x, view.y, dr.sqrt(n * n - (view.x**2 + view.y**2)))
+        below = mi.Vector3f(view.x, view.y, dr.sqrt(dr.maximum(n * n - (view.x**2 + view.y**2), 1e-6)))
         return below, dr.normalize(mi.Vector3f(slope.x, slope.y, 1.0)), n
 
     def _back(self, direction: Vector) -> Vector:

@@ -9,6 +9,7 @@ from typing import Any
 
 from brdf_suite.appearance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
 from brdf_suite.appearance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
+from brdf_suite.appearance.flakes.visible import visible_density
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real
@@ -33,7 +34,7 @@ def flakes_seen(flakes: Flakes, at: Any, across: Any, down: Any, reach: float = 
 
     ``reach`` of a sample, in pixels.
     """
-    root, size = math.sqrt(flakes.density_per_mm2), 1e-3 * flakes.size_um
+    root, size = math.sqrt(visible_density(flakes)), 1e-3 * flakes.size_um
     per_mm = d.number(root)
     whole, widest = spot(at, across, down, d.number((0.25 * size) ** 2), PIXEL_REACH)
     most = 0.5 / (FOOTPRINT_END * root)
@@ -49,7 +50,7 @@ def flakes_seen(flakes: Flakes, at: Any, across: Any, down: Any, reach: float = 
     x = dr.clip((widest * per_mm - FADE_FROM) / (FADE_TO - FADE_FROM), 0.0, 1.0)
     contrast = dr.minimum(dr.sqrt(whole.height / kept.height), 1.0) * (1.0 - x * x * (3.0 - 2.0 * x))
     first_x, first_y = (dr.floor(along * per_mm - 0.5) for along in (at.x, at.y))
-    area, step = d.number(1.0 / flakes.density_per_mm2), d.number(1.0 / root)
+    area, step = d.number(1.0 / visible_density(flakes)), d.number(1.0 / root)
     covers, slopes, tints = [], [], []
     for right, above in product((0.0, 1.0), repeat=2):
         cell_x, cell_y = first_x + right, first_y + above

@@ -20,7 +20,7 @@ def near(start, lights):
     view = View(
         environment=str(lights["dim"]),
         surface="sphere",
-        camera=Camera(20.0, 15.0, 0.3, focal_length_mm=130.0),
+        camera=Camera(20.0, 15.0, 0.3, focal_length_mm=260.0),
         lamps=(Lamp("directional", azimuth_deg=35.0, elevation_deg=25.0),),
         sparkle=Sparkle("off"),
     )
@@ -81,7 +81,7 @@ def test_it_shows_a_view_that_comes_from_elsewhere(near) -> None:
 
 def test_the_paints_flakes_are_reported(near) -> None:
     facts = near.window.sparkle.facts
-    assert facts.text() == "55 flakes per mm² of 38 µm, tilts spread by 0.15, of one colour"
+    assert facts.text() == "890 flakes per mm² of 38 µm, tilts spread by 0.15, of one colour"
     near.controller.paint.open("solid_white")
     assert facts.text() == NO_FLAKES
     assert facts.isVisibleTo(near.window)
