@@ -46,16 +46,21 @@ def visible_density(flakes: Flakes) -> float:
     return min(flakes.density_per_mm2, full_density(flakes.size_um))
 
 
+def mirrored_share(flakes: Flakes, ior: float, theta: float) -> float:
+    """Return what visible flakes mirror as clean mirrors of light at ``theta``, over what falls on the coat: c R T²."""
+    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
+    return flake_coverage(flakes) * FLAKE_REFLECTANCE * through
+
+
 def mirrored_by_flakes(flakes: Flakes, ior: float, theta: float = math.pi / 4.0) -> float:
     """Return the mean f_r, 1/sr, of the visible flakes as clean mirrors, at the mirror direction of a light.
 
     It is c R T² / (4π m² n² cos²θ'): flakes of coverage c and reflectance R below a coat of index ``ior``, whose tilts
     have Beckmann's density of the spread m; ``theta`` is the light's polar angle, θ' below the coat, radians.
     """
-    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     cos2_below = 1.0 - (math.sin(theta) / ior) ** 2
     spread2 = 4.0 * math.pi * (flakes.roughness * ior) ** 2
-    return flake_coverage(flakes) * FLAKE_REFLECTANCE * through / (spread2 * cos2_below)
+    return mirrored_share(flakes, ior, theta) / (spread2 * cos2_below)
 
 
 def flake_dimming(flakes: Flakes, base: float, ior: float, theta: float = math.pi / 4.0) -> float:

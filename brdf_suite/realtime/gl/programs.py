@@ -16,7 +16,8 @@ from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
 from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
 from brdf_suite.realtime.gl.shader_source import SHADERS, compose, look_up_defines
 from brdf_suite.realtime.lights.block import COLUMNS
-from brdf_suite.realtime.lights.tilt_light import EXPONENTS, MOSAIC_TEXELS
+from brdf_suite.realtime.lights.mosaic import MOSAIC_TEXELS
+from brdf_suite.realtime.lights.tilt_light import EXPONENTS
 from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
 
 MATERIAL_BINDING = 0

@@ -11,11 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.flakes.visible import (
     ASPECULAR,
-    FLAKE_REFLECTANCE,
     LARGEST_SHARE,
-    flake_coverage,
     flake_dimming,
     mirrored_by_flakes,
+    mirrored_share,
     seen_tilts,
 )
 from brdf_suite.appearance.light.matrix import environment_matrix, lamp_colour
@@ -25,7 +24,6 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import about_y, from_horizon
-from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.values import MaterialWeights
 
 MOST_LIGHTS = 24
@@ -144,9 +142,8 @@ def flake_power(weights: MaterialWeights, flakes: Flakes, strength: float = 1.0)
     """
     base = (math.cos(ASPECULAR) ** np.asarray(weights.exponents) @ weights.kdd + weights.kd).max()
     theta, ior = weights.theta_fit_rad, coat_index(weights)
-    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
     dimming = flake_dimming(flakes, float(base), ior, theta)
-    return strength * dimming * flake_coverage(flakes) * FLAKE_REFLECTANCE * through
+    return strength * dimming * mirrored_share(flakes, ior, theta)
 
 
 COLUMNS = 160

@@ -13,12 +13,14 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.lights.tilt_light import MOSAIC_TEXELS, SIZE
+from brdf_suite.realtime.lights.tilt_light import SIZE
 
 GRAIN_EXPONENT = 60.0
 """Of the lobes through which a flake sees the environment."""
 CELLS = 256
 """Flakes along an edge of the tile, which repeats."""
+MOSAIC_TEXELS = 4 * CELLS
+"""Along an edge of the tile."""
 _SECOND_MOMENT = 1.5625
 """Of a flake's brightness, 2.5 u^1.5: the mean of its square over that of itself squared."""
 

@@ -23,8 +23,6 @@ Singles = NDArray[np.float32]
 
 EXPONENTS = (2.0, 4.0, 8.0, 16.0, 32.0, 64.0)
 """Of the slices: a lobe of cosines for the directions; each the square of the one before."""
-MOSAIC_TEXELS = 1024
-"""Along an edge of the mosaic of flakes."""
 SIZE = 33
 """Texels along an edge of a slice, an octahedral square."""
 _OF_FLAKE = 1000.0

@@ -90,13 +90,7 @@ class FlakeLayer:
         """
         slope = d.slope_between(light, view, self.ior)
         m2 = self.flakes.roughness**2
-        most = (
-            self.strength
-            * self.dimming
-            * flake_coverage(self.flakes)
-            * FLAKE_REFLECTANCE
-            / (4.0 * math.pi * m2)
-        )
+        most = self.strength * self.dimming * self.coverage * FLAKE_REFLECTANCE / (4.0 * math.pi * m2)
         wanted = d.number(most / self.ior**2) * tilt_bell(dr.squared_norm(slope), self.flakes.roughness)
         for w in (light, view):
             below = dr.sqrt(1.0 - (w.x * w.x + w.y * w.y) * d.number(1.0 / self.ior**2))
