@@ -19,6 +19,8 @@ from brdf_suite.appearance.flakes.glints import APPEARING, FADE_FROM, FADE_TO, F
 from brdf_suite.arrays import Floats, Words
 
 GOLDEN = np.uint32(0x9E3779B9)
+AREA_MOMENT, COUNT_CELL = 1.8, 3.0
+LEAST_COUNTED, COUNTED_FROM, COUNTED_WITHIN = 2.2, 0.5, 0.8
 _SALT = np.uint32(0x51ED270B)
 _TINT = np.uint32(0x3C6EF372)
 
@@ -144,6 +146,57 @@ def glint_ratio(field: GlintField, place: Floats, stretch: Floats, spread: Float
 
     ``spread`` (n,): standard deviation of tilt over which one flake still mirrors the light, radians.
     """
+    above = field.level - max(field.finest, LEAST_COUNTED) - COUNTED_FROM
+    single = (1.0 - np.clip(above / COUNTED_WITHIN, 0.0, 1.0))[:, None]
+    counted = _counted_ratio(field, place, stretch * spread, ((1.0 - single) / (1.0 + single))[:, 0])
+    return np.asarray(
+        single * _single_ratio(field, place, stretch, spread)
+        + np.where(single < 1.0, (1.0 - single) * counted, 0.0)
+    )
+
+
+def lit_flakes(even: Floats, lit: Floats) -> Floats:
+    """Return what cells (n, ...) send over their mean, of mean 1 and variance 9/5 over ``lit`` (n,) flakes each."""
+    lit = lit.reshape(lit.shape + (1,) * (even.ndim - lit.ndim))
+    chance = np.minimum(lit * AREA_MOMENT / (AREA_MOMENT + lit), 1.0)
+    deviation = np.minimum(1.5 / np.sqrt(lit), 1.0)
+    return np.asarray(1.0 + deviation * (FLAKE_AREA / chance * np.maximum(1.0 - even / chance, 0.0) ** 2 - 1.0))
+
+
+def _bilinear(at: Floats) -> Floats:
+    x, y = at[:, 0], at[:, 1]
+    return np.stack([(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y], -1)
+
+
+def _counted_ratio(field: GlintField, place: Floats, width: Floats, fewer: Floats) -> Floats:
+    level = np.maximum(np.log2(COUNT_CELL * field.footprint.widest * field.root_count), 0.0)
+    low = np.floor(level)
+    on_square = place * 2.0 ** (field.finest + 1.0) - 0.5
+    tilt = np.floor(on_square)
+    tilts = _bilinear(on_square - tilt)
+    mixed = wrap_words(tilt[:, 0]) * np.uint32(0x3C6EF35F) + wrap_words(tilt[:, 1]) * np.uint32(0x19660D)
+    apart = np.array([0, 0x3C6EF35F, 0x19660D, 0x3C6EF35F + 0x19660D], np.uint32)
+    keys, weights = [], []
+    for above in (0.0, 1.0):
+        at = field.footprint.at * (field.root_count * np.exp2(-low - above))[:, None] - 0.5
+        first = np.floor(at)
+        weights.append((1.0 - np.abs(level - low - above))[:, None] * _bilinear(at - first))
+        salt = wrap_words(low + above) * GOLDEN + _SALT
+        keys.append(
+            np.stack([cell_key(first[:, 0] + x, first[:, 1] + y, salt) for y in (0, 1) for x in (0, 1)], -1)
+        )
+    key, weight = np.concatenate(keys, -1), np.concatenate(weights, -1)
+    contrast2 = 9.0 / 40.0 / math.pi * 26.0 / 35.0 * 9.0 / 5.0 * field.footprint.height
+    contrast2 = contrast2 / (width * field.root_count) ** 2
+    lit = fewer * AREA_MOMENT * (weight**2).sum(-1) * (tilts**2).sum(-1) / contrast2
+    word = (key + mixed[:, None])[..., None] + apart
+    word = (word ^ (word >> np.uint32(16))) * np.uint32(0x21F0AAAD)
+    even = ((word >> np.uint32(8)).astype(float) + 0.5) / 16777216.0
+    seen = (lit_flakes(even, np.maximum(lit, 1e-300)) * tilts[:, None, :]).sum(-1)
+    return np.asarray(((weight * seen)[..., None] * flake_tint(key, field.colour_spread)).sum(1))
+
+
+def _single_ratio(field: GlintField, place: Floats, stretch: Floats, spread: Floats | float) -> Floats:
     level = np.floor(field.level)
     rest = field.level - level
     wanted = stretch * spread

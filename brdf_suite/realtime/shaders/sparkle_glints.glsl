@@ -1,6 +1,6 @@
 // Provides: struct GlintField, GlintField glint_field(...), float glint_contrast(GlintField g, float width),
-//           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int
-// count),           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
+//           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int count),
+//           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
 // Needs:    nothing. The same functions in numpy: tools/evaluation/flake_model.py
 //
 // How bright the visible flakes of a footprint are in one light, over their mean: 1 for endlessly many, mostly 0 and
@@ -20,6 +20,9 @@
 // spread with the contrast lowered in the same way. So contrast falls with the root of the count everywhere.
 // And the flakes of a cell on the surface share their place in it: at most one of them is seen at a time, and the
 // places that a footprint covers are then the same for all lights, are few, and are found once.
+//
+// Where one flake would represent many, how many of a pixel's flakes are lit is drawn instead (lit_flakes). The two are
+// mixed by weights of the sum 1, so nothing becomes negative; the counted ones are so much fewer that the contrast stays.
 #include "sparkle_hash.glsl"
 #include "flake_footprint.glsl"
 #include "flake_tilt.glsl"
@@ -140,8 +143,94 @@ GlintLevel glint_level(GlintField g, int above)
                       exp2(angular - level));
 }
 
-// The sum over the lights of power times (ratio - 1).
-vec3 glint_difference(GlintField g, int count)
+// Cells of the surface in which lit flakes are counted: their edge over the footprint's standard deviation, from half of
+// this to twice. How far above the finest level, and above LEAST_COUNTED, that begins, and within how many levels.
+const float COUNT_CELL = 3.0;
+const float LEAST_COUNTED = 2.2, COUNTED_FROM = 0.5, COUNTED_WITHIN = 0.8;
+const float AREA_MOMENT = 1.8;     // mean square of FLAKE_AREA u^2
+
+// How much of the light is of flakes that are drawn one by one; the rest is of counted ones.
+float drawn_singly(GlintField g)
+{
+    float above = g.level - max(g.finest, LEAST_COUNTED) - COUNTED_FROM;
+    return 1.0 - clamp(above / COUNTED_WITHIN, 0.0, 1.0);
+}
+
+// What a cell sends over its mean, for numbers in (0, 1), even, where `lit` of its flakes are lit on the average: of
+// the mean 1 and the variance AREA_MOMENT / lit. Few are: with a chance of about `lit`, by one of them, of its area.
+// Many are: always, with the area's deviation made smaller.
+vec4 lit_flakes(vec4 even, float lit)
+{
+    float chance = min(lit * AREA_MOMENT / (AREA_MOMENT + lit), 1.0);
+    float deviation = min(1.5 * inversesqrt(lit), 1.0);
+    vec4 u = max(1.0 - even / chance, 0.0);
+    return 1.0 + deviation * (FLAKE_AREA / chance * u * u - 1.0);
+}
+
+// The mean of that over four tilts, by their weights. A key has been scrambled, so half of that is enough.
+float lit_cell(uint key, vec4 tilts, float lit)
+{
+    uvec4 word = key + uvec4(0u, 0x3c6ef35fu, 0x19660du, 0x3c6ef35fu + 0x19660du);
+    word = (word ^ (word >> 16u)) * 0x21f0aaadu;
+    return dot(tilts, lit_flakes((vec4(word >> 8u) + 0.5) * (1.0 / 16777216.0), lit));
+}
+
+vec4 bilinear(vec2 at)
+{
+    vec2 less = 1.0 - at;
+    return vec4(less.x * less.y, at.x * less.y, less.x * at.y, at.x * at.y);
+}
+
+// The sum over the lights of power times (ratio - 1), of lit flakes counted in cells of about a pixel's size and of a
+// flake's spread of tilts, on two levels. Between them it is interpolated: the weights' sum of squares tells by how much
+// fewer flakes a cell has to have for the sum to have the footprint's variance. `fewer`: by how much besides.
+vec3 counted_difference(GlintField g, int count, float fewer)
+{
+    float level = max(log2(COUNT_CELL * g.footprint.widest * g.root_count), 0.0);
+    float low = floor(level);
+    float per_square = exp2(g.finest + 1.0);
+    uvec4 keys[2];
+    mat4x3 cells[2];      // weight times tint of each
+    float squares = 0.0;
+    for (int above = 0; above < 2; ++above)
+    {
+        vec2 at = g.footprint.at * (g.root_count * exp2(-low - float(above))) - 0.5;
+        vec2 first = floor(at);
+        vec4 weight = (1.0 - abs(level - low - float(above))) * bilinear(at - first);
+        squares += dot(weight, weight);
+        uint salt = uint(int(low) + above) * 0x9e3779b9u + 0x51ed270bu;
+        uvec2 row = uvec2(scrambled(uint(int(first.y)) + salt), scrambled(uint(int(first.y) + 1) + salt));
+        keys[above] = scrambled(uint(int(first.x)) + uvec4(0u, 1u, 0u, 1u) + row.xxyy);
+        cells[above] = mat4x3(weight.xxx, weight.yyy, weight.zzz, weight.www);
+        int tinted = g.colour_spread > 0.0 ? 4 : 0;
+        for (int j = 0; j < tinted; ++j)
+            cells[above][j] *= flake_tint(keys[above][j], g.colour_spread);
+    }
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < count; ++k)
+    {
+        vec2 on_square = glint_places[k] * per_square - 0.5;
+        vec2 first = floor(on_square);
+        vec4 tilts = bilinear(on_square - first);
+        float contrast = glint_contrast(g, glint_widths[k]);
+        float lit = fewer * AREA_MOMENT * squares * dot(tilts, tilts) / (contrast * contrast);
+        uint mixed = uint(int(first.x) * 0x3c6ef35f + int(first.y) * 0x19660d);
+        vec3 ratio = vec3(0.0);
+        int levels = lit > 0.0 ? 2 : 0;
+        for (int above = 0; above < levels; ++above)
+        {
+            uvec4 key = (above == 0 ? keys[0] : keys[1]) + mixed;
+            ratio += (above == 0 ? cells[0] : cells[1])
+                * vec4(lit_cell(key.x, tilts, lit), lit_cell(key.y, tilts, lit), lit_cell(key.z, tilts, lit),
+                       lit_cell(key.w, tilts, lit));
+        }
+        sum += glint_powers[k] * (ratio - 1.0);
+    }
+    return sum;
+}
+
+// The same of flakes drawn one by one.
+vec3 single_difference(GlintField g, int count)
 {
     // Two levels of two by two cells, in one loop whose end the compiler does not know: written out eight times over, a
     // software renderer takes seconds to compile it. The places that the footprint covers are found first, since it
@@ -183,6 +272,18 @@ vec3 glint_difference(GlintField g, int count)
     for (int k = 0; k < count; ++k)
         sum -= glint_powers[k] * (low_mean * min(low_widest / glint_widths[k], 1.0)
                                   + high_mean * min(high_widest / glint_widths[k], 1.0));
+    return sum;
+}
+
+// The sum over the lights of power times (ratio - 1).
+vec3 glint_difference(GlintField g, int count)
+{
+    float single = drawn_singly(g);
+    vec3 sum = vec3(0.0);
+    if (single > 0.0)
+        sum += single * single_difference(g, count);
+    if (single < 1.0)
+        sum += (1.0 - single) * counted_difference(g, count, (1.0 - single) / (1.0 + single));
     return sum;
 }
 

@@ -1,4 +1,4 @@
-// Provides: uint scrambled(uint x), uint cell_key(ivec2 cell, uint salt), vec2 halves(uint word)
+// Provides: uint scrambled(uint x), uvec4 scrambled(uvec4 x), uint cell_key(ivec2 cell, uint salt), vec2 halves(uint word)
 // Needs:    nothing
 //
 // Integers only, so that every machine, and the same functions in numpy (tools/evaluation/flake_model.py), agree to the
@@ -11,6 +11,13 @@ uint scrambled(uint x)
     x = (x ^ (x >> 16)) * 0x21f0aaadu;
     x = (x ^ (x >> 15)) * 0xd35a2d97u;
     return x ^ (x >> 15);
+}
+
+uvec4 scrambled(uvec4 x)
+{
+    x = (x ^ (x >> 16u)) * 0x21f0aaadu;
+    x = (x ^ (x >> 15u)) * 0xd35a2d97u;
+    return x ^ (x >> 15u);
 }
 
 uint cell_key(ivec2 cell, uint salt)

@@ -167,21 +167,15 @@ def test_strength_nought_is_smooth_and_more_is_more(lit, scenes):
 def test_lights_turn_with_the_environment(lit, scenes):
     weights = scenes.weights(kd=0.02, directional=0.5)
     view = replace(NEAR, sparkle=Sparkle("glints"))
-    plain = lit(NEAR, weights, environment=1.0)
-    shown = lit(view, weights, lights=one_light(), flakes=FLAKES, environment=1.0)
-    away = lit(replace(view, rotation_deg=180.0), weights, lights=one_light(), flakes=FLAKES, environment=1.0)
-    back = lit(
-        replace(view, rotation_deg=180.0),
-        weights,
-        lights=one_light((-0.2, 0.1, -0.97)),
-        flakes=FLAKES,
-        environment=1.0,
-    )
-    assert np.abs(shown - plain).max() > 0.2
+    turned = replace(view, rotation_deg=180.0)
+    away = lit(turned, weights, lights=one_light(), flakes=FLAKES, environment=1.0)
     grain = lit(view, weights, flakes=FLAKES, environment=1.0)
     np.testing.assert_allclose(away, grain, atol=1e-4)
-    # A flake at the edge of being seen may differ by rounding.
-    assert (np.abs(back - shown) > 2e-3 * shown.max()).mean() < 1e-3
+    shown = lit(view, weights, lights=one_light(), flakes=FLAKES, environment=1.0)
+    back = lit(turned, weights, lights=one_light((-0.2, 0.1, -0.97)), flakes=FLAKES, environment=1.0)
+    assert np.abs(shown - grain).max() > 0.2
+    # The map has no such light; what grain takes out of it for that depends on the direction by a little.
+    assert np.corrcoef(back.ravel(), shown.ravel())[0, 1] > 0.9995
 
 
 def test_lights_are_looked_for_only_where_flakes_are_drawn(renderer, scenes):
