@@ -160,7 +160,9 @@ def lit_flakes(even: Floats, lit: Floats) -> Floats:
     lit = lit.reshape(lit.shape + (1,) * (even.ndim - lit.ndim))
     chance = np.minimum(lit * AREA_MOMENT / (AREA_MOMENT + lit), 1.0)
     deviation = np.minimum(1.5 / np.sqrt(lit), 1.0)
-    return np.asarray(1.0 + deviation * (FLAKE_AREA / chance * np.maximum(1.0 - even / chance, 0.0) ** 2 - 1.0))
+    return np.asarray(
+        1.0 + deviation * (FLAKE_AREA / chance * np.maximum(1.0 - even / chance, 0.0) ** 2 - 1.0)
+    )
 
 
 def _bilinear(at: Floats) -> Floats:

@@ -9,7 +9,10 @@ from pathlib import Path
 
 from numpy import asarray
 
+from brdf_suite.appearance.flakes.lobes import flakes_of_lobes
 from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.files.measured.brdftable import write_brdftable
@@ -39,6 +42,8 @@ def add(command: argparse.ArgumentParser) -> None:
             "--lobes N=3": "1 to 6; default: 3",
             "--model MODEL=cook-torrance": "cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a "
             "coat over the rest",
+            "--flake-size UM": "give the paint flakes of this mean diameter in µm, tilted as its lobes say and lying "
+            "side by side; whether there are any is not in the lobes",
             "--compare": "fit the other models too, and print the errors side by side",
             "--loss LOSS=l1": "l1 (default): |log(fit/measured)|; l2: its square; robust: Cauchy's, deaf to outliers",
             "--starts N=8": "from how many places to search; default: 8",
@@ -50,6 +55,7 @@ def add(command: argparse.ArgumentParser) -> None:
             "--json": "print one JSON object",
         },
         reflectance=str,
+        flake_size=float,
     )
     command.set_defaults(run=run)
 
@@ -96,6 +102,8 @@ def run(options: argparse.Namespace) -> int:
             )
             for k, model in enumerate(others)
         ]
+    if options.flake_size is not None and found.paint is not None:
+        found = replace(found, paint=_flaked(found.paint, options.flake_size))
     if options.output is not None:
         if found.paint is not None and options.output.suffix.lower() == _PAINT:
             save_paint(found.paint, options.output)
@@ -122,9 +130,22 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
+def _flaked(paint: CookTorrancePaint, size_um: float) -> CookTorrancePaint:
+    flakes = flakes_of_lobes(paint, size_um)
+    if flakes is None:
+        raise FittingError(
+            f"{paint.name}: no lobe is as wide as tilts of flakes; fit more lobes, or no flakes"
+        )
+    return replace(paint, flakes=flakes)
+
+
 def _check_output(options: argparse.Namespace) -> None:
-    """Refuse before the fit what could not be written after it."""
+    """Refuse before the fit what could not be written after it; raise FileError, FittingError or ValueRangeError."""
     output: Path | None = options.output
+    if options.flake_size is not None:
+        if output is None or output.suffix.lower() != _PAINT:
+            raise FittingError(f"--flake-size: flakes go into a {_PAINT}; name one with -o")
+        Flakes(0.0, options.flake_size)  # of a size that flakes can have
     if output is None:
         return
     ending = output.suffix.lower()

@@ -47,6 +47,22 @@ def test_the_paint_of_a_table_has_its_parameters_and_opens_again(table: Path, tm
     assert main(["measure", str(out), "--json"]) == 0
 
 
+def test_flakes_are_tilted_as_the_lobe_says(table: Path, tmp_path: Path, capsys) -> None:
+    out = tmp_path / "paint.brdfpaint"
+    assert main(["fit-cook-torrance", str(table), "-o", str(out), "--flake-size", "30", *QUICK]) == 0
+    paint = load_any_paint(out)
+    assert paint.flakes.size_um == 30.0
+    assert paint.flakes.roughness in [lobe.m for lobe in paint.lobes]
+    assert paint.flakes.density_per_mm2 * np.pi * 0.03**2 / 4 == pytest.approx(1.0, rel=0.01)
+    assert main(["measure", str(out), "--json"]) == 0
+    capsys.readouterr()
+    for wrong, word in (("-1", "size_um"), ("30", "-o")):
+        named = ["-o", str(tmp_path / "other.brdfpaint")] if wrong == "-1" else []
+        assert main(["fit-cook-torrance", str(table), *named, "--flake-size", wrong, *QUICK]) == FAILED
+        assert word in capsys.readouterr().err
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["paint.brdfpaint"]
+
+
 def test_starts_are_kept_and_a_broken_fit_goes_on(
     table: Path, tmp_path: Path, capsys, monkeypatch: pytest.MonkeyPatch
 ) -> None:
