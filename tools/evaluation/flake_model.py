@@ -19,8 +19,9 @@ from brdf_suite.appearance.flakes.glints import APPEARING, FADE_FROM, FADE_TO, F
 from brdf_suite.arrays import Floats, Words
 
 GOLDEN = np.uint32(0x9E3779B9)
-AREA_MOMENT, COUNT_CELL = 1.8, 3.0
-LEAST_COUNTED, COUNTED_FROM, COUNTED_WITHIN = 2.2, 0.5, 0.8
+AREA_MOMENT, COUNT_CELL = 1.8, 2.5
+_COUNT_TURN = np.array([[0.8, -0.6], [0.6, 0.8]])
+LEAST_COUNTED, COUNTED_FROM, COUNTED_WITHIN = 2.0, 0.3, 0.5
 _SALT = np.uint32(0x51ED270B)
 _TINT = np.uint32(0x3C6EF372)
 
@@ -180,7 +181,7 @@ def _counted_ratio(field: GlintField, place: Floats, width: Floats, fewer: Float
     apart = np.array([0, 0x3C6EF35F, 0x19660D, 0x3C6EF35F + 0x19660D], np.uint32)
     keys, weights = [], []
     for above in (0.0, 1.0):
-        at = field.footprint.at * (field.root_count * np.exp2(-low - above))[:, None] - 0.5
+        at = field.footprint.at @ _COUNT_TURN.T * (field.root_count * np.exp2(-low - above))[:, None] - 0.5
         first = np.floor(at)
         weights.append((1.0 - np.abs(level - low - above))[:, None] * _bilinear(at - first))
         salt = wrap_words(low + above) * GOLDEN + _SALT

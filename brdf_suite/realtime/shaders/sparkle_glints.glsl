@@ -145,8 +145,10 @@ GlintLevel glint_level(GlintField g, int above)
 
 // Cells of the surface in which lit flakes are counted: their edge over the footprint's standard deviation, from half of
 // this to twice. How far above the finest level, and above LEAST_COUNTED, that begins, and within how many levels.
-const float COUNT_CELL = 3.0;
-const float LEAST_COUNTED = 2.2, COUNTED_FROM = 0.5, COUNTED_WITHIN = 0.8;
+const float COUNT_CELL = 2.5;
+// Cells of a pixel's size lie askew, so that no bands are seen where they and the pixels nearly agree.
+const mat2 COUNT_TURN = mat2(0.8, 0.6, -0.6, 0.8);
+const float LEAST_COUNTED = 2.0, COUNTED_FROM = 0.3, COUNTED_WITHIN = 0.5;
 const float AREA_MOMENT = 1.8;     // mean square of FLAKE_AREA u^2
 
 // How much of the light is of flakes that are drawn one by one; the rest is of counted ones.
@@ -194,7 +196,7 @@ vec3 counted_difference(GlintField g, int count, float fewer)
     float squares = 0.0;
     for (int above = 0; above < 2; ++above)
     {
-        vec2 at = g.footprint.at * (g.root_count * exp2(-low - float(above))) - 0.5;
+        vec2 at = COUNT_TURN * g.footprint.at * (g.root_count * exp2(-low - float(above))) - 0.5;
         vec2 first = floor(at);
         vec4 weight = (1.0 - abs(level - low - float(above))) * bilinear(at - first);
         squares += dot(weight, weight);
