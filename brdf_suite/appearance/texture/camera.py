@@ -27,6 +27,7 @@ from brdf_suite.appearance.texture.instrument import (
 )
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
+from brdf_suite.progress import Progress, report
 
 LIT_FLAKES = 20_000
 """A picture in directed light is so large that it is expected to hold so many."""
@@ -45,18 +46,22 @@ _REACH = 3  # pixels, of such an image
 _FINE = 4  # places along a pixel's edge, of many
 
 
-def measure_texture(paint: PaintLight, flakes: Flakes | None, seed: int = 0) -> TextureReadings:
+def measure_texture(
+    paint: PaintLight, flakes: Flakes | None, seed: int = 0, progress: Progress | None = None
+) -> TextureReadings:
     """Return the readings of a paint's flakes; zeros where it has none.
 
-    ``seed``: of the flakes' places and tilts, a whole number ≥ 0.
+    ``seed``: of the flakes' places and tilts, a whole number ≥ 0. :class:`Cancelled` where the callback asks for it.
     """
     if flakes is None or flakes.density_per_mm2 <= 0.0:
         return NO_TEXTURE
     rows = []
     for k, light in enumerate(LIGHTS_DEG):
+        report(progress, 0.25 * k, "taking pictures of the flakes")
         seen = speckle(paint, flakes, light)
         picture = sparkle_picture(seen, np.random.default_rng((seed, k)))
         rows.append(read_sparkle(picture, seen.share, light))
+    report(progress, 0.75, "taking pictures of the flakes")
     seen_grain = grain(paint, flakes)
     picture = grain_picture(seen_grain, np.random.default_rng((seed, len(LIGHTS_DEG))))
     return TextureReadings(tuple(rows), seen_grain.share * float(picture.std() / picture.mean()))

@@ -148,7 +148,13 @@ def find_flakes(
         )
         tried.append(walked(coarse.x))
     best = min(tried, key=lambda one: one[0])[1]
-    flakes = _flakes(best, near)
+    exact = _flakes(best, near)
+    flakes = replace(
+        near,
+        density_per_mm2=float(f"{exact.density_per_mm2:.4g}"),
+        size_um=round(exact.size_um, 2),
+        roughness=round(exact.roughness, 4),
+    )
     scales = expected_scales(paint, flakes)
     away = np.where(asked, (scales - target) / np.maximum(target, _LEAST), 0.0)
     return FoundFlakes(flakes, tuple(scales.tolist()), tuple(away.tolist()))
