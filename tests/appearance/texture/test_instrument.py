@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -35,6 +36,7 @@ from brdf_suite.errors import ValueRangeError
 from brdf_suite.inspection.texture import paint_light, texture_of
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
+from brdf_suite.reflectance.registry import MODELS
 
 
 def light_of(name: str) -> PaintLight:
@@ -152,3 +154,13 @@ def test_what_no_flakes_have_is_said_with_the_nearest(blue: PaintLight) -> None:
 def test_wanted_readings_are_checked(wanted: list[float | None], blue: PaintLight) -> None:
     with pytest.raises(ValueRangeError):
         find_flakes(blue, wanted)
+
+
+@pytest.mark.parametrize("name", sorted(MODELS))
+def test_every_model_can_carry_flakes(name: str) -> None:
+    material = load_material(name)
+    assert texture_of(material) == NO_TEXTURE
+    found = texture_of(replace(material, flakes=Flakes(1000.0, 30.0, 0.17)))
+    assert np.isfinite(found.scales()).all()
+    # The model of a coat alone has no base whose light flakes could send.
+    assert found == NO_TEXTURE if name == "coat" else 0.0 < found.graininess < 1.0

@@ -20,6 +20,7 @@ _COLOURS = ("fine_silver", "blue", "dark_grey", "red", "pearl", "candy_red")
 _SIZES_UM = (10.0, 14.0, 20.0, 28.0, 40.0)
 _DENSITIES = (20.0, 60.0, 200.0, 600.0)
 _SPARSE_UM = 15.0
+_SHOWN = ("fine_silver", "blue", "coarse_silver")
 _SEEDS, _TARGETS = 10, 4
 
 BOUNDS = {
@@ -42,6 +43,11 @@ BOUNDS = {
         "",
         "mean of these grades and graininess over their expectation without a picture, minus 1: largest",
     ),
+    **{
+        f"{name}_{kind}": ("", None, "", f"{name.replace('_', ' ')}: {what}, mean of ten seeds")
+        for name in _SHOWN
+        for kind, what in (("grade", "sparkle grade under light from 45°"), ("graininess", "graininess"))
+    },
     "inverse_error": (
         "<=",
         0.05,
@@ -89,7 +95,7 @@ def _monotone() -> float:
 
 
 def _repeat(notes: dict[str, str]) -> dict[str, float]:
-    spreads, away = {}, {}
+    spreads, away, shown = {}, {}, {}
     for name in paint_names():
         material = load_material(name)
         if material.flakes is None:
@@ -99,11 +105,13 @@ def _repeat(notes: dict[str, str]) -> dict[str, float]:
         mean = values.mean(axis=0)
         seen = mean > 0.0
         spreads[name] = float((values.std(axis=0, ddof=1)[seen] / mean[seen]).max())
+        if name in _SHOWN:
+            shown[f"{name}_grade"], shown[f"{name}_graininess"] = float(mean[7]), float(mean[12])
         expected = expected_scales(light, material.flakes)
         away[name] = float(np.abs(mean[[3, 7, 11, 12]] / expected - 1.0).max())
     worst = max(spreads, key=lambda name: spreads[name])
     notes["readings_repeat"] = f"{worst}; median of the paints {np.median(list(spreads.values())):.3f}"
-    return {"readings_repeat": spreads[worst], "readings_expected_error": max(away.values())}
+    return shown | {"readings_repeat": spreads[worst], "readings_expected_error": max(away.values())}
 
 
 def _inverse(notes: dict[str, str]) -> float:
