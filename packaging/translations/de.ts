@@ -9214,8 +9214,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>{name}: am nächsten {value:.3g} %, {away:+.0f} %</translation>
     </message>
     <message>
-        <source>Not reachable with flakes in a paint of this colour. The nearest are set. {missed}</source>
-        <translation>Mit Flakes in einem Lack dieser Farbe nicht erreichbar. Die nächstliegenden sind gesetzt. {missed}</translation>
+        <source>Not reachable with flakes in a paint of this colour. The nearest are set.</source>
+        <translation>Mit Flakes in einem Lack dieser Farbe nicht erreichbar. Die nächstliegenden sind gesetzt.</translation>
     </message>
 </context>
 </TS>

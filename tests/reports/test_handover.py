@@ -268,7 +268,7 @@ def test_a_report_says_the_texture(blue: Paint) -> None:
     figures = dict(dict(build_report(item_of_paint(blue), PLAIN).figures)["Flakes"])
     grain = texture_of(material_of(blue)).graininess
     assert figures["Graininess"] == f"{100 * grain:.2f} %"
-    assert {f"Sparkle grade, {angle}°" for angle in (15, 45, 75)} <= set(figures)
+    assert {f"Sparkle {angle}°" for angle in (15, 45, 75)} <= set(figures)
     plain = build_report(item_of_paint(replace(blue, flakes=None)), PLAIN)
     assert dict(dict(plain.figures)["Flakes"])["Sparkle, graininess"] == "none"
 

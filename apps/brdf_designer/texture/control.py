@@ -191,16 +191,15 @@ def _sentence(found: FoundFlakes) -> str:
     if found.reached:
         return tr("Flakes found. Undo brings the others back.")
     names = [*(f"{light:g}°" for light in LIGHTS_DEG), tr("graininess")]
-    missed = "; ".join(
+    missed = "\n".join(
         tr("{name}: nearest {value:.3g} %, {away:+.0f} %").format(
             name=name, value=100.0 * value, away=100.0 * error
         )
         for name, value, error in zip(names, found.scales, found.errors, strict=True)
         if abs(error) > REACHED
     )
-    return tr("Not reachable with flakes in a paint of this colour. The nearest are set. {missed}").format(
-        missed=missed.replace("-", "−")
-    )
+    said = tr("Not reachable with flakes in a paint of this colour. The nearest are set.")
+    return f"{said}\n{missed.replace('-', '−')}"
 
 
 def _raise(error: Exception) -> None:

@@ -321,8 +321,8 @@ def _flake_figures(fit: LobeFit, texture: TextureReadings | None) -> tuple[tuple
     ]
     if texture is not None:
         for one in texture.sparkle:
-            value = f"{100.0 * one.grade:.0f} % ({100.0 * one.area:.1f} % of area, ×{one.intensity:.1f})"
-            rows.append((f"Sparkle grade, {one.light_deg:g}°", value))
+            value = f"{100.0 * one.grade:.0f} %, area {100.0 * one.area:.1f} %"
+            rows.append((f"Sparkle {one.light_deg:g}°", value))
         rows.append(("Graininess", f"{100.0 * texture.graininess:.2f} %"))
     return tuple(rows)
 
