@@ -32,6 +32,7 @@ from brdf_designer.history.control import HistoryControl
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.control import StandardControl
+from brdf_designer.texture.control import TextureControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow
@@ -52,6 +53,7 @@ FIRST_PAINT = "blue"
 PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     ColourCommands,
     CoatControl,
+    TextureControl,
     NearestOffer,
     PreviewControl,
     HistoryControl,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +12,11 @@ import numpy as np
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
-from brdf_suite.errors import FileError, PathLike, SuiteError, UnreachableError, ValueRangeError
+from brdf_suite.errors import FileError, FittingError, PathLike, SuiteError, UnreachableError, ValueRangeError
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports import read_paints as read_known_paints
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, paint_of_report
+from brdf_suite.inspection.texture import texture_of
 from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.instruments.aperture import POINT
@@ -97,6 +98,14 @@ def _read_by_instruments(material: Material, name: str, source: str) -> ExportIt
     return ExportItem(paint, material, spectra)
 
 
+def with_texture(item: ExportItem) -> ExportItem:
+    """Return an item with what the texture instrument reads of its flakes, where there is such a paint."""
+    try:
+        return replace(item, texture=texture_of(item.material or material_of(item.paint)))
+    except (UnreachableError, FittingError):
+        return item
+
+
 def export_losses(known: ExportFormat, item: ExportItem) -> tuple[str, ...]:
     """Return what a format cannot hold of a paint, with the paint's name before what makes it impossible."""
     try:
@@ -139,6 +148,8 @@ def export(
     report(progress, 0.0, "reading")
     # All losses before anything is written: what cannot be handed over at all is found here, too.
     losses = tuple(dict.fromkeys(loss for item in items for loss in export_losses(known, item)))
+    if known.texture:
+        items = [with_texture(item) for item in items]
     notes = known.write(items, path, progress)
     report(progress, 1.0, "written")
     return Exported(Path(path), known.name, len(items), losses, notes)

@@ -1156,28 +1156,8 @@
         <translation>Viewer zeigt diese Flakes einzeln in den hellsten Lichtern. Die mittlere Farbe entspricht weiter den Messwerten.</translation>
     </message>
     <message>
-        <source>Sparkle (BRDF Suite metric), computed from the flake model: spots per mm² that are at least {contrast:.0%} brighter than their surroundings, and their mean contrast. In the sun at 45° from the normal, seen from {distance:g} mm by an eye that resolves {resolved:.3f} mm. Not comparable with the readings of an instrument.</source>
-        <translation>Glitzern (Maß der BRDF Suite), aus dem Modell der Flakes berechnet: Punkte je mm², die mindestens {contrast:.0%} heller sind als ihre Umgebung, und ihr mittlerer Kontrast. In der Sonne 45° neben der Normalen, aus {distance:g} mm gesehen von einem Auge, das {resolved:.3f} mm auflöst. Nicht mit Messwerten eines Geräts vergleichbar.</translation>
-    </message>
-    <message>
         <source>Visible flakes</source>
         <translation>Sichtbare Flakes</translation>
-    </message>
-    <message>
-        <source>Sparkle {angle:g}°</source>
-        <translation>Glitzern {angle:g}°</translation>
-    </message>
-    <message>
-        <source>no spots</source>
-        <translation>keine Punkte</translation>
-    </message>
-    <message>
-        <source>grain: spots run together</source>
-        <translation>Körnung: Punkte laufen zusammen</translation>
-    </message>
-    <message>
-        <source>{spots:.2f} spots/mm², contrast {contrast:.1f}</source>
-        <translation>{spots:.2f} Punkte/mm², Kontrast {contrast:.1f}</translation>
     </message>
     <message>
         <source>Flop index</source>
@@ -2714,8 +2694,104 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Abstand der Nachbarn in ΔL*, ΔC* oder ΔH*, ungefähr ΔE*ab</translation>
     </message>
     <message>
+        <source>Read from simulated pictures of the flakes, from 500 mm, by an eye that resolves one minute of arc, on a scale of BRDF Suite: not comparable with the indices of makers of instruments.</source>
+        <translation>Aus simulierten Bildern der Flakes gelesen, aus 500 mm, von einem Auge, das eine Bogenminute auflöst, auf einer Skala von BRDF Suite: nicht mit den Kennzahlen von Geräteherstellern vergleichbar.</translation>
+    </message>
+    <message>
+        <source>Contrast that sparkles add to the picture: root mean square of all places that are at least {contrast:.0%} brighter than the mean. The light comes from {light:g}° off the normal.</source>
+        <translation>Kontrast, den das Glitzern zum Bild beiträgt: quadratisches Mittel aller Stellen, die mindestens {contrast:.0%} heller als das Mittel sind. Das Licht kommt aus {light:g}° zur Normalen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the picture in diffuse light, over its mean.</source>
+        <translation>Standardabweichung des Bildes in diffusem Licht, geteilt durch sein Mittel.</translation>
+    </message>
+    <message>
+        <source>– leaves it open.</source>
+        <translation>– lässt ihn offen.</translation>
+    </message>
+    <message>
         <source>Light</source>
         <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Grade</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>To target</source>
+        <translation>Zum Ziel</translation>
+    </message>
+    <message>
+        <source>Sparkle and graininess</source>
+        <translation>Glitzern und Körnigkeit</translation>
+    </message>
+    <message>
+        <source>What sparkles add to the contrast of the picture</source>
+        <translation>Was das Glitzern zum Kontrast des Bildes beiträgt</translation>
+    </message>
+    <message>
+        <source>Share of the picture that sparkles</source>
+        <translation>Anteil des Bildes, der glitzert</translation>
+    </message>
+    <message>
+        <source>Mean contrast of the sparkling points: 1 is twice as bright as the surface</source>
+        <translation>Mittlerer Kontrast der glitzernden Punkte: 1 ist doppelt so hell wie die Fläche</translation>
+    </message>
+    <message>
+        <source>Difference from the target; bold where it is beyond the tolerance</source>
+        <translation>Unterschied zum Ziel; fett, wo er die Toleranz überschreitet</translation>
+    </message>
+    <message>
+        <source>Target, diffuse</source>
+        <translation>Ziel, diffus</translation>
+    </message>
+    <message>
+        <source>Target {angle:g}°</source>
+        <translation>Ziel {angle:g}°</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Of each target, to either side</source>
+        <translation>Von jedem Ziel, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Use Readings</source>
+        <translation>Messwerte übernehmen</translation>
+    </message>
+    <message>
+        <source>Make the readings the targets.</source>
+        <translation>Macht die Messwerte zu den Zielen.</translation>
+    </message>
+    <message>
+        <source>Look for density, size and roughness of flakes that have these readings, as one step.</source>
+        <translation>Sucht Dichte, Größe und Rauheit von Flakes mit diesen Messwerten, als ein Schritt.</translation>
+    </message>
+    <message>
+        <source>This paint has no flakes: no sparkle, no graininess.</source>
+        <translation>Dieser Lack hat keine Flakes: kein Glitzern, keine Körnigkeit.</translation>
+    </message>
+    <message>
+        <source>{points:.2f} points/mm²</source>
+        <translation>{points:.2f} Punkte/mm²</translation>
+    </message>
+    <message>
+        <source>within tolerance</source>
+        <translation>innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>beyond tolerance</source>
+        <translation>außerhalb der Toleranz</translation>
     </message>
     <message>
         <source>Light of the thumbnails</source>
@@ -9108,6 +9184,38 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>The work ended without a message.</source>
         <translation>Die Berechnung endete ohne Meldung.</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Looking for flakes…</source>
+        <translation>Flakes werden gesucht …</translation>
+    </message>
+    <message>
+        <source>The paint has changed; look again.</source>
+        <translation>Der Lack hat sich geändert; bitte erneut suchen.</translation>
+    </message>
+    <message>
+        <source>Find Flakes</source>
+        <translation>Flakes suchen</translation>
+    </message>
+    <message>
+        <source>Flakes found. Undo brings the others back.</source>
+        <translation>Flakes gefunden. Rückgängig bringt die anderen zurück.</translation>
+    </message>
+    <message>
+        <source>graininess</source>
+        <translation>Körnigkeit</translation>
+    </message>
+    <message>
+        <source>{name}: nearest {value:.3g} %, {away:+.0f} %</source>
+        <translation>{name}: am nächsten {value:.3g} %, {away:+.0f} %</translation>
+    </message>
+    <message>
+        <source>Not reachable with flakes in a paint of this colour. The nearest are set.</source>
+        <translation>Mit Flakes in einem Lack dieser Farbe nicht erreichbar. Die nächstliegenden sind gesetzt.</translation>
     </message>
 </context>
 </TS>

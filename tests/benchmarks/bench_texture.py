@@ -1,4 +1,4 @@
-"""Texture of paint in pictures, and the glare of its sparkles."""
+"""Texture of paint in pictures, the glare of its sparkles, and what the virtual texture instrument reads."""
 
 from __future__ import annotations
 
@@ -12,24 +12,29 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.progress import Progress, report, subrange
 
 _grain = load_module(Path(__file__).with_name("parts") / "texture_grain.py")
+_readings = load_module(Path(__file__).with_name("parts") / "texture_readings.py")
 
 NAME = "texture"
 
 #: key: (comparison, bound, unit, meaning)
-BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
-    "glare_energy": (
-        "<=",
-        0.001,
-        "",
-        "light added or lost by glare over the light above white, sources in the middle of a wide picture, largest",
-    ),
-    "glare_error": (
-        "",
-        None,
-        "",
-        "glare of a drawn frame over that of the eye, minus 1, rings from 0.6° to 15°, largest",
-    ),
-} | _grain.BOUNDS
+BOUNDS: dict[str, tuple[str, float | None, str, str]] = (
+    {
+        "glare_energy": (
+            "<=",
+            0.001,
+            "",
+            "light added or lost by glare over the light above white, sources in the middle of a wide picture, largest",
+        ),
+        "glare_error": (
+            "",
+            None,
+            "",
+            "glare of a drawn frame over that of the eye, minus 1, rings from 0.6° to 15°, largest",
+        ),
+    }
+    | _grain.BOUNDS
+    | _readings.BOUNDS
+)
 
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
@@ -50,7 +55,8 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
     finally:
         objects.release_all()
         release_context(context)
-    return found | _grain.figures(NOTES, subrange(progress, 0.1, 1.0))
+    found |= _readings.figures(NOTES, subrange(progress, 0.1, 0.3))
+    return found | _grain.figures(NOTES, subrange(progress, 0.3, 1.0))
 
 
 def _spread(objects, pixels, focal_length_mm):

@@ -315,19 +315,6 @@ def test_the_message_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, d
     assert "save" not in designer.window.messages.shown()
 
 
-def test_the_flakes_section_says_what_they_do(designer, qtbot):
-    flakes = designer.window.flakes
-    label = flakes.figures[45.0]
-    qtbot.waitUntil(lambda: "spots/mm²" in label.text())
-    before = label.text()
-    assert "instrument" in label.toolTip()
-    assert "Viewer renders" in flakes.has_flakes.toolTip()
-    type_in(flakes.panel.fields["flakes.density_per_mm2"], "300")
-    qtbot.waitUntil(lambda: label.text() != before)
-    flakes.has_flakes.click()
-    qtbot.waitUntil(lambda: label.text() == "no spots")
-
-
 def test_a_bad_file_is_reported_and_the_open_paint_stays(designer, dialogs, tmp_path):
     bad = tmp_path / "bad.brdfpaint"
     save_paint(load_shipped_paint("red"), bad)

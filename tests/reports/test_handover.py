@@ -16,13 +16,15 @@ from PIL import Image
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.difference.tolerance import Tolerances
+from brdf_suite.appearance.texture.instrument import NO_TEXTURE
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, SuiteError, UnreachableError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
+from brdf_suite.inspection.texture import texture_of
 from brdf_suite.paint_design.standard import standard_of
-from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.pipeline.material import load_shipped_paint, material_of
 from brdf_suite.reports.handover import (
     export,
     export_losses,
@@ -248,3 +250,40 @@ def test_readings_without_a_sample_near_them_are_marked_in_reports(shared_data: 
     export(format_named("json"), [sparse], tmp_path / "sparse.json")
     read = json.loads((tmp_path / "sparse.json").read_text(encoding="utf-8"))["paints"][0]["readings"]
     assert read[0]["nearest_sample_deg"] == pytest.approx(46.8, abs=0.1)
+
+
+def test_cxf_and_json_carry_the_texture(blue: Paint, tmp_path: Path) -> None:
+    expected = texture_of(material_of(blue))
+    export(format_named("cxf"), [item_of_paint(blue)], tmp_path / "blue.cxf")
+    assert read_cxf(tmp_path / "blue.cxf").samples[0].texture == expected
+    export(format_named("json"), [item_of_paint(blue)], tmp_path / "blue.json")
+    kept = json.loads((tmp_path / "blue.json").read_text())["paints"][0]["texture"]
+    assert kept == expected.to_json()
+    plain = replace(blue, flakes=None)
+    export(format_named("cxf"), [item_of_paint(plain)], tmp_path / "plain.cxf")
+    assert read_cxf(tmp_path / "plain.cxf").samples[0].texture == NO_TEXTURE
+
+
+def test_a_report_says_the_texture(blue: Paint) -> None:
+    figures = dict(dict(build_report(item_of_paint(blue), PLAIN).figures)["Flakes"])
+    grain = texture_of(material_of(blue)).graininess
+    assert figures["Graininess"] == f"{100 * grain:.2f} %"
+    assert {f"Sparkle {angle}°" for angle in (15, 45, 75)} <= set(figures)
+    plain = build_report(item_of_paint(replace(blue, flakes=None)), PLAIN)
+    assert dict(dict(plain.figures)["Flakes"])["Sparkle, graininess"] == "none"
+
+
+def test_a_texture_of_another_scale_or_with_a_gap_is_no_texture(blue: Paint, tmp_path: Path) -> None:
+    path = tmp_path / "blue.cxf"
+    export(format_named("cxf"), [item_of_paint(blue)], path)
+    whole = path.read_text()
+    path.write_text(whole.replace("BRDF Suite texture 1", "Another texture 2"))
+    found = read_cxf(path)
+    assert found.samples[0].texture is None
+    assert any("Another texture 2" in text for text in found.refused)
+    path.write_text(re.sub(r'<cc:Tag Name="texture.graininess"[^>]*/>', "", whole))
+    with pytest.raises(FileError, match=r"texture\.graininess is missing"):
+        read_cxf(path)
+    path.write_text(re.sub(r'(Name="texture.graininess" Value=")', r"\1-", whole))
+    with pytest.raises(FileError, match="must not be negative"):
+        read_cxf(path)

@@ -5,12 +5,16 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
+from dataclasses import astuple
 from pathlib import Path
+from typing import NamedTuple
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.light.colour import ColourUnderLight
+from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, TextureReadings
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.inspection.measuring import measurement_json
+from brdf_suite.inspection.texture import texture_of
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.reflectance.instruments.aperture import aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport, measure
@@ -27,6 +31,8 @@ APERTURE_HELP = (
 # The chroma C* below which a hue is rounding alone.
 _GREY = 0.005
 
+_SPARKLE = ("points_per_mm2", "area", "intensity", "grade")
+
 ANYTHING = "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint"
 
 
@@ -34,9 +40,10 @@ def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
     command.description = (
         "Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
-        "and glossmeter (20, 60, 85°). Of scattered samples the angle to the nearest one is printed beside each "
-        f"reading; a reading without a sample within {SUPPORT_DEG:g}° has a star, as has a gloss without a sample in "
-        "the receptor."
+        "and glossmeter (20, 60, 85°), and the sparkle and graininess of its flakes with a texture instrument of the "
+        "suite's own scale (docs/method/texture.md). Of scattered samples the angle to the nearest one is printed "
+        f"beside each reading; a reading without a sample within {SUPPORT_DEG:g}° has a star, as has a gloss without "
+        "a sample in the receptor."
     )
     command.add_argument("what", metavar="FILE|PAINT", nargs="+", help=ANYTHING)
     add_instrument(command)
@@ -75,28 +82,37 @@ def add_instrument(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     geometries, through = geometry_set(options.geometry), aperture(options.aperture)
-    measured: list[tuple[Material, InstrumentReport]] = []
+    measured: list[_Measured] = []
     for what in options.what:
         item = load_material(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
         )
-        measured.append((item, measure(item.reflectance, geometries, through)))
+        measured.append(_Measured(item, measure(item.reflectance, geometries, through), texture_of(item)))
     if options.json:
-        answers = [measurement_json(item, report, options.illuminant) for item, report in measured]
+        answers = [
+            measurement_json(one.item, one.report, options.illuminant) | {"texture": one.texture.to_json()}
+            for one in measured
+        ]
         print_json(answers[0] if len(answers) == 1 else {"paints": answers})
     elif options.csv:
         _print_csv(measured, options.illuminant)
     else:
-        for item, report in measured:
-            _print_table(item, report, options.illuminant)
+        for one in measured:
+            _print_table(one.item, one.report, one.texture, options.illuminant)
     return 0
+
+
+class _Measured(NamedTuple):
+    item: Material
+    report: InstrumentReport
+    texture: TextureReadings
 
 
 def _under(item: Material, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
     return readings_under(item.reflectance, report, illuminant, item.observer_deg)
 
 
-def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> None:
+def _print_table(item: Material, report: InstrumentReport, texture: TextureReadings, illuminant: str) -> None:
     # Two paints may share a name, as the shipped blue and that of Table 1 do.
     plain = Path(item.origin).name.replace("_", " ").lower()
     named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.origin})"
@@ -118,6 +134,7 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
         for angle, value in report.gloss.items()
     )
     print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
+    _print_texture(texture)
     if report.flop is not None:
         print(f"  flop index: {report.flop.value:.2f}")
     if report.travel is not None:
@@ -134,9 +151,22 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
     print_notes((*item.notices, *report.notices))
 
 
-def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: str) -> None:
+def _print_texture(texture: TextureReadings) -> None:
+    if texture == NO_TEXTURE:
+        print("  texture: none, it has no flakes")
+        return
+    print("  texture        points/mm²   area %  intensity  grade %")
+    for one in texture.sparkle:
+        print(
+            f"    sparkle {one.light_deg:2g}° {one.points_per_mm2:12.3f} {100.0 * one.area:8.2f} "
+            f"{one.intensity:10.2f} {100.0 * one.grade:8.1f}"
+        )
+    print(f"    graininess {100.0 * texture.graininess:.2f} %")
+
+
+def _print_csv(measured: list[_Measured], illuminant: str) -> None:
     writer = csv.writer(sys.stdout, lineterminator="\n")
-    first = measured[0][1]
+    first = measured[0].report
     # Columns of the usual light are named by the aspecular angle alone.
     names = [reading.geometry.name.removeprefix("45as") for reading in first.readings]
     head = ["name", "source", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
@@ -144,9 +174,11 @@ def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: st
         head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
     head += [f"factor_{name}" for name in names]
     head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
+    head += [f"sparkle_{part}_{light:g}" for light in LIGHTS_DEG for part in _SPARKLE]
+    head.append("graininess")
     head += [f"nearest_sample_deg_{name}" for name in (*names, "G20", "G60", "G85")]
     writer.writerow(head)
-    for item, report in measured:
+    for item, report, texture in measured:
         row: list[str] = [item.name, item.origin]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":
@@ -159,6 +191,8 @@ def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: st
         row += (
             ["", "", ""] if path is None else [f"{v:.4f}" for v in (path.length, path.hue_deg, path.chroma)]
         )
+        row += [f"{value:.5g}" for one in texture.sparkle for value in astuple(one)[1:]]
+        row.append(f"{texture.graininess:.5g}")
         distances = (*(reading.sample_deg for reading in report.readings), *report.gloss_sample_deg.values())
         row += [f"{distance:.2f}" for distance in distances]
         writer.writerow(row)

@@ -1,4 +1,4 @@
-"""``brdf-suite design``: a paint from a measurement, as a variation, or interpolated between two others."""
+"""``brdf-suite design``: a paint from a measurement, as a variation, between two others, or with flakes by texture."""
 
 from __future__ import annotations
 
@@ -7,16 +7,20 @@ from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.appearance.geometries import geometry_set
+from brdf_suite.appearance.texture.instrument import LIGHTS_DEG
+from brdf_suite.appearance.texture.inverse import SCALES, find_flakes
 from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.documents.paint import SCATTERINGS, Paint
 from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
+from brdf_suite.inspection.texture import paint_light
 from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.paint_design.variations import examined, variations
-from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter, fit_material
+from brdf_suite.pipeline.material import material_of
 from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
 DIRECTIONS = ("lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back")
@@ -48,7 +52,24 @@ def add(command: argparse.ArgumentParser) -> None:
         "--share", type=float, default=0.5, metavar="S", help="0 is A, 1 is B; -0.5 to 1.5 (default: 0.5)"
     )
     between.set_defaults(run=run_between)
-    for kind in (start, step, between):
+    flakes = kinds.add_parser(
+        "flakes",
+        help="with flakes whose sparkle and graininess are wanted",
+        description="Look for density, size and roughness of flakes that have the readings of the texture instrument; "
+        "the colours stay. What cannot be reached is said, with the nearest.",
+    )
+    flakes.add_argument("what", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint")
+    flakes.add_argument(
+        "--sparkle",
+        action="append",
+        default=[],
+        type=_grade,
+        metavar="LIGHT=PERCENT",
+        help="the grade under light from 15, 45 or 75°, as in 45=80; once for each",
+    )
+    flakes.add_argument("--graininess", type=float, metavar="PERCENT", help="in diffuse light")
+    flakes.set_defaults(run=run_flakes)
+    for kind in (start, step, between, flakes):
         kind.add_argument("-o", "--output", metavar="OUT", type=Path, help="the .brdfpaint file to write")
         kind.add_argument(
             "--scattering",
@@ -117,6 +138,48 @@ def run_between(options: argparse.Namespace) -> int:
     first = _design(options.first)
     second = second_end(first, load_standards(options.second)[0])
     return _done(mixed(first, second, options.share), options, {"share": options.share}, [])
+
+
+def run_flakes(options: argparse.Namespace) -> int:
+    """Find flakes, write, and print."""
+    _check_output(options.output)
+    grades = dict(options.sparkle)
+    wanted = [grades.get(light) for light in LIGHTS_DEG]
+    wanted.append(None if options.graininess is None else options.graininess / 100.0)
+    if all(value is None for value in wanted):
+        raise SuiteError("Name at least one reading: --sparkle LIGHT=PERCENT or --graininess PERCENT.")
+    paint = _design(options.what)
+    fit = fit_material(material_of(paint, options.what))
+    with progress_bar("flakes", quiet=options.json) as progress:
+        found = find_flakes(paint_light(fit.weights), wanted, paint.flakes, progress)
+    flakes = found.flakes
+    lines = [
+        f"flakes: {flakes.density_per_mm2:g} /mm², {flakes.size_um:g} µm, roughness {flakes.roughness:g}",
+        "expected: "
+        + ", ".join(
+            f"{name} {100.0 * value:.3g} %" for name, value in zip(SCALES, found.scales, strict=True)
+        ),
+    ]
+    if not found.reached:
+        lines.append(f"note: {found.sentence()}")
+    facts: dict[str, object] = {
+        "reached": found.reached,
+        "expected": dict(zip(SCALES, found.scales, strict=True)),
+        "relative_errors": dict(zip(SCALES, found.errors, strict=True)),
+    }
+    return _done(replace(paint, flakes=flakes), options, facts, lines)
+
+
+def _grade(text: str) -> tuple[float, float]:
+    light, _, value = text.partition("=")
+    try:
+        found = float(light), float(value) / 100.0
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"expected LIGHT=PERCENT, as in 45=80, not {text!r}") from None
+    if found[0] not in LIGHTS_DEG:
+        lights = ", ".join(f"{one:g}" for one in LIGHTS_DEG)
+        raise argparse.ArgumentTypeError(f"the light comes from one of {lights}°, not {light}°")
+    return found
 
 
 def _design(name_or_path: str) -> Paint:

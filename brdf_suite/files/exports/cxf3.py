@@ -3,12 +3,14 @@
 A value in CxF3 cannot name its angle, so each angle has a specification of its own with one BRDFAngle, noted as the
 trade does (``45as15``: light at 45°, 15° from the mirror direction). Tristimulus values are L*a*b* of D65 and the 10°
 observer. Where the spectra are known they stand beside them. Gloss goes into the physical attributes. What CxF3 has no
-place for (flakes, the rule between angles) is kept as tags, which only this suite reads.
+place for (flakes, their texture as the suite's own instrument reads it, the rule between angles) is kept as tags,
+which only this suite reads.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from datetime import UTC, datetime
 from importlib.metadata import version
 from types import MappingProxyType
@@ -17,10 +19,11 @@ import numpy as np
 
 from brdf_suite.appearance.colour.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.texture.instrument import SCALE, TextureReadings
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import VERSIONS
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
+from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, TEXTURE, VERSION, is_cxf, read_cxf
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, readings_loss
 from brdf_suite.files.hardened_xml import attribute, clean_text, text_content
 from brdf_suite.files.paint_fields import flatten_paint, setting_text
@@ -97,6 +100,7 @@ def write_object(
     """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
     paint, values = item.paint, []
     tags = {VERSION: str(VERSIONS["brdfpaint"]), **({SOURCE: paint.source} if paint.source else {})}
+    tags |= texture_tags(item.texture)
     tags |= {SETTING + name: setting_text(value) for name, value in flatten_paint(paint).items()}
     spectra = None if item.spectra is None else _even(item.spectra)
     for index, reading in enumerate(paint.measurements):
@@ -133,6 +137,18 @@ def write_object(
         )
         + "        </cc:PhysicalAttributes>\n      </cc:Object>\n"
     )
+
+
+def texture_tags(texture: TextureReadings | None) -> dict[str, str]:
+    """Return the texture instrument's readings as tags, which :func:`brdf_suite.files.cxf.read_cxf` reads."""
+    if texture is None:
+        return {}
+    tags = {TEXTURE + "scale": SCALE}
+    for one in texture.sparkle:
+        for part, value in asdict(one).items():
+            if part != "light_deg":
+                tags[f"{TEXTURE}sparkle_{one.light_deg:g}.{part}"] = repr(value)
+    return tags | {TEXTURE + "graininess": repr(texture.graininess)}
 
 
 def tag_collection(tags: Mapping[str, str]) -> str:
@@ -225,4 +241,5 @@ FORMAT = ExportFormat(
     read=read,
     sniff=is_cxf,
     many=True,
+    texture=True,
 )

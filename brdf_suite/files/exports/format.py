@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.texture.instrument import TextureReadings
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import PathLike, UnreachableError, ValueRangeError
@@ -45,11 +46,14 @@ class ExportItem:
         can be built.
     spectra
         One per reading of ``paint``, where they are known.
+    texture
+        What the texture instrument reads of its flakes; None where it has not been read.
     """
 
     paint: Paint
     material: Material | None = None
     spectra: Spectra | None = None
+    texture: TextureReadings | None = None
 
     @property
     def name(self) -> str:
@@ -125,6 +129,8 @@ class ExportFormat:
         Whether the first bytes of a file are of this format.
     many
         Whether one file takes several paints.
+    texture
+        Whether it carries the texture instrument's readings.
     """
 
     name: str
@@ -136,6 +142,7 @@ class ExportFormat:
     read: Callable[[PathLike], ImportedPaints] | None = None
     sniff: Callable[[bytes], bool] | None = None
     many: bool = False
+    texture: bool = False
 
 
 def paint_of_report(

@@ -6,6 +6,8 @@
                      "nearest_sample_deg": angle to the nearest sample of a scattered file, else 0}, …],
        "illuminant": "D65", "observer_deg": 10,
        "gloss": {"gu_20", "gu_60"}, "flop_index": number or null, "travel": {…} or null,
+       "texture": {"scale", "sparkle": [{"light_deg", "points_per_mm2", "area", "intensity", "grade"}, …],
+                   "graininess"} or null where it was not read; on the suite's own scale,
        "computed": whether the readings are the virtual instruments',
        "original": the document of a paint that is not designed by readings, else null,
        "spectra": {"wavelengths_nm": […], "values": [[…], …]} or null}, …]}
@@ -81,6 +83,7 @@ def _item(item: ExportItem) -> dict[str, object]:
         "gloss": {"gu_20": paint.gloss.gu_20, "gu_60": paint.gloss.gu_60},
         "flop_index": compute_flop(paint),
         "travel": _travel_of(paint),
+        "texture": None if item.texture is None else item.texture.to_json(),
         "computed": item.computed,
         "original": paint_to_json(item.document) if item.computed and item.document else None,
         "spectra": None
@@ -175,4 +178,5 @@ FORMAT = ExportFormat(
     read=read,
     sniff=is_json,
     many=True,
+    texture=True,
 )

@@ -17,6 +17,7 @@ from brdf_suite.appearance.colour.spaces import SRGB_SPACE, in_display_gamut, la
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.texture.instrument import TextureReadings
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
@@ -25,7 +26,7 @@ from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.inspection.sparkle import sparkle
+from brdf_suite.inspection.texture import texture_of
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.pipeline.exposure import metered
@@ -179,6 +180,7 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
     report(progress, 0.0, "fitting")
     material = item.material or material_of(item.paint, item.paint.name)
     fit = fit_material(material)
+    item = replace(item, texture=item.texture or texture_of(material))
     lights = [m.illumination_deg for m in item.paint.measurements]
     light = max(sorted(set(lights)), key=lights.count)  # with the most readings
     batch = None
@@ -302,14 +304,14 @@ def _figures(
     if peel is not None:
         coat.append(("Orange peel", f"{peel.amplitude_um:.2g} µm, {peel.wavelength_mm:.2g} mm"))
     groups = [("Colour over the angle", tuple(shape)), ("Coat", tuple(coat))]
-    groups.append(("Flakes", _flake_figures(fit)))
+    groups.append(("Flakes", _flake_figures(fit, item.texture)))
     return tuple(groups)
 
 
-def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
+def _flake_figures(fit: LobeFit, texture: TextureReadings | None) -> tuple[tuple[str, str], ...]:
     flakes = fit.flakes
     if flakes is None:
-        return (("Flakes", "none that can be seen"),)
+        return (("Flakes", "none that can be seen"), ("Sparkle, graininess", "none"))
 
     rows = [
         ("Density", f"{flakes.density_per_mm2:.0f} /mm²"),
@@ -317,9 +319,11 @@ def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
         ("Tilt, spread of slopes", f"{flakes.roughness:.3f}"),
         ("Colour spread", f"{flakes.colour_spread:.2f}"),
     ]
-    for found in sparkle(fit.weights, flakes):
-        count = "crowded" if found.crowded else f"{found.spots_per_mm2:.1f} spots/mm²"
-        rows.append((f"Sparkle at {found.aspecular_deg:g}°, our figure", count))
+    if texture is not None:
+        for one in texture.sparkle:
+            value = f"{100.0 * one.grade:.0f} %, area {100.0 * one.area:.1f} %"
+            rows.append((f"Sparkle {one.light_deg:g}°", value))
+        rows.append(("Graininess", f"{100.0 * texture.graininess:.2f} %"))
     return tuple(rows)
 
 

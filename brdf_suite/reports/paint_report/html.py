@@ -11,6 +11,7 @@ from functools import partial
 from html import escape
 from importlib.metadata import version
 
+from brdf_suite.appearance.texture.instrument import SCALE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
@@ -103,7 +104,8 @@ def conventions(made: Report) -> str:
     return (
         f"L*a*b*: CIE 1976, D65, 10° observer; light at {made.light_deg:g}° unless said otherwise, angles counted "
         "from the mirror direction. Gloss: ASTM D523. Fit: what the lobes of the picture give. Numbers in italics are "
-        f"computed, not read. BRDF Suite {version('brdf-suite')}."
+        f"computed, not read. Sparkle and graininess: {SCALE}, computed; not a maker's index. "
+        f"BRDF Suite {version('brdf-suite')}."
     )
 
 

@@ -386,3 +386,19 @@ def test_readings_without_a_sample_near_them_are_marked(asked, shared_data: Path
     assert float(row["nearest_sample_deg_G20"]) == pytest.approx(3.74, abs=0.01)
     _status, out, _err = asked("compare", folder / "bird_example.json", "blue")
     assert sum(line.endswith("  *") for line in out.splitlines()) == 6
+
+
+def test_texture_is_printed_and_exported(asked) -> None:
+    status, out, _ = asked("measure", "blue", "solid_red")
+    assert status == 0
+    assert "sparkle 45°" in out
+    assert "graininess" in out
+    assert "texture: none, it has no flakes" in out
+    _, out, _ = asked("measure", "blue", "--json")
+    texture = json.loads(out)["texture"]
+    assert [one["light_deg"] for one in texture["sparkle"]] == [15.0, 45.0, 75.0]
+    _, out, _ = asked("measure", "blue", "solid_red", "--csv")
+    rows = list(csv.DictReader(io.StringIO(out)))
+    assert float(rows[0]["sparkle_grade_45"]) == pytest.approx(texture["sparkle"][1]["grade"], rel=1e-4)
+    assert float(rows[0]["graininess"]) == pytest.approx(texture["graininess"], rel=1e-4)
+    assert float(rows[1]["graininess"]) == 0.0

@@ -101,3 +101,33 @@ def test_a_design_keeps_the_scattering_or_takes_the_one_that_is_asked_for(asked,
     assert load_paint(single).scattering == "single"
     assert asked("design", "between", single, single, "--share", "0", "-o", again)[0] == 0
     assert load_paint(again).scattering == "single"
+
+
+def test_flakes_are_found_by_wanted_readings(asked, tmp_path: Path) -> None:
+    path = tmp_path / "mine.brdfpaint"
+    words = ("design", "flakes", "blue", "--sparkle", "45=100", "--graininess", "3.5", "-o", path, "--json")
+    status, out, _err = asked(*words)
+    answer = json.loads(out)
+    assert status == 0
+    assert answer["reached"]
+    assert answer["expected"]["sparkle grade 45°"] == pytest.approx(1.0, rel=0.05)
+    assert answer["expected"]["graininess"] == pytest.approx(0.035, rel=0.05)
+    written, blue = load_paint(path), load_shipped_paint("blue")
+    assert written.flakes != blue.flakes
+    assert written.measurements == blue.measurements
+
+
+def test_readings_that_no_flakes_have_are_said(asked) -> None:
+    status, out, _err = asked("design", "flakes", "blue", "--sparkle", "15=1", "--graininess", "20")
+    assert status == 0
+    assert "Not reachable" in out
+    status, _out, err = asked("design", "flakes", "blue")
+    assert status != 0
+    assert "--sparkle LIGHT=PERCENT" in err
+
+
+@pytest.mark.parametrize(("text", "complaint"), [("45", "as in 45=80"), ("40=80", "one of 15, 45, 75°")])
+def test_a_wanted_grade_is_checked(text: str, complaint: str, capsys) -> None:
+    with pytest.raises(SystemExit):
+        main(["design", "flakes", "blue", "--sparkle", text])
+    assert complaint in capsys.readouterr().err

@@ -1,0 +1,1 @@
+"""The virtual texture instrument: sparkle in directed light, graininess in diffuse light, and flakes from readings."""
