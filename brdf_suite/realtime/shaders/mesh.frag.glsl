@@ -1,5 +1,6 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn;
+//           SEE_THROUGH where the surface is a pane;
 //           DARK where the environment sends no light; KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
 uniform vec3 eye;
 
@@ -28,6 +29,10 @@ uniform vec3 eye;
 #ifdef SECOND_PAINT
 #include "mask.glsl"
 #endif
+#ifdef SEE_THROUGH
+#include "material.glsl"
+uniform float transmittance;     // share of what is not mirrored
+#endif
 
 out vec4 fragment;
 
@@ -40,5 +45,11 @@ void main()
 #endif
 #ifdef SECOND_PAINT
     fragment.a = mask_share(p);    // how much of the first paint this is blended over
+#endif
+#ifdef SEE_THROUGH
+    vec3 base_gain, gloss_gain;
+    fresnel_gains(max(dot(p.normal, p.view), 0.0), base_gain, gloss_gain);
+    float mirrored = min(gloss_albedo.g * gloss_gain.g, 1.0);
+    fragment.a = 1.0 - transmittance * (1.0 - mirrored);    // what it hides of all that is behind it
 #endif
 }

@@ -15,7 +15,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.bsdfs.terms import AboutMirror, Diffuse, Sampler
@@ -31,7 +31,7 @@ class LobeWeightsTerm:
     exponents, kd, kdd, kg
         (m,), (3,), (m, 3), (m, 3): as :class:`brdf_suite.realtime.values.MaterialWeights` has them.
     coat
-        ``none``, ``dielectric``, ``facets`` or ``metal``: how the gains follow the angle of the view.
+        ``none``, ``dielectric``, ``facets``, ``metal`` or ``sheet``: how the gains follow the angle of the view.
     theta_fit_rad, ior
         Incidence of the fit; index of the coat.
     raised
@@ -90,7 +90,10 @@ class LobeWeightsTerm:
             g = d.colour(np.maximum(albedo, 1e-4).tolist())
             return one, (g + dr.maximum(1.0 - g, 0.0) * rise) / g
         f = d.fresnel(cosine, self.ior)
-        at_fit = float(fresnel_dielectric(math.cos(self.theta_fit_rad), self.ior))
+        mirrored = fresnel_dielectric
+        if self.coat == "sheet":
+            f, mirrored = 2.0 * f / (1.0 + f), sheet_reflectance
+        at_fit = float(mirrored(math.cos(self.theta_fit_rad), self.ior))
         limit = max(1.0 / float(albedo.max()), 1.0) if albedo.max() > 0.0 else 1.0
         gloss = dr.minimum(f * d.number(1.0 / at_fit), d.number(limit)) if at_fit > 0.0 else one
         base = dr.square((1.0 - f) * d.number(1.0 / (1.0 - at_fit))) if self.coat == "dielectric" else one
