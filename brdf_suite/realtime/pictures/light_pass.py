@@ -76,8 +76,12 @@ class LightPass:
         region: Region | None = None,
         dtype: str = "f2",
         transparent: bool = False,
+        without_paint: bool = False,
     ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance.
+
+        ``without_paint`` leaves nothing where the paint is but what panes and gaps lay over it, with their alpha.
+        """
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         samples = min(samples, self._objects.context.max_samples)
@@ -97,7 +101,11 @@ class LightPass:
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
         cropping = crop(size, corner, tile)
-        opaque, panes = self._divided(view, self.drawn_parts(view, features), materials)
+        opaque, panes = self.divided(view, self.drawn_parts(view, features), materials)
+        if without_paint:
+            opaque = [
+                (part, name, words | {"LEFT_OUT"} if name == PAINT else words) for part, name, words in opaque
+            ]
         common = self._common(view, camera, cropping, sun)
         self._draw_parts(view, opaque, camera, common, materials, lit=bool(sun))
         self._draw_gaps(view, common, tile)
@@ -161,8 +169,8 @@ class LightPass:
             | self.relief.bind(view, self.mesh.bounds)
         )
 
-    def _divided(
-        self, view: View, drawn: Sequence[Drawn], materials: Mapping[str, str]
+    def divided(
+        self, view: View, drawn: Sequence[Drawn], materials: Mapping[str, str] = AS_THEY_ARE
     ) -> tuple[list[Drawn], list[Drawn]]:
         """Return what hides all that is behind it, and what is seen through."""
         opaque: list[Drawn] = []

@@ -1,6 +1,6 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn;
-//           SEE_THROUGH where the surface is a pane;
+//           LEFT_OUT where it hides what is behind it and is not to be seen itself; SEE_THROUGH where the surface is a pane;
 //           DARK where the environment sends no light; KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
 uniform vec3 eye;
 
@@ -38,6 +38,10 @@ out vec4 fragment;
 
 void main()
 {
+#ifdef LEFT_OUT
+    fragment = vec4(0.0);
+    return;
+#endif
     SurfacePoint p = surface_point(eye);
     fragment = vec4(exposed_light(LIT(p, ENVIRONMENT_LIGHT(p))), 1.0);
 #ifdef KEEPING

@@ -36,6 +36,9 @@ class LobeWeightsTerm:
         Incidence of the fit; index of the coat.
     raised
         Whether the gains follow the angle at all.
+    transmittance
+        Above 0 for a pane: :meth:`passing` of the paths that meet it go through it, chosen by chance before, and the
+        others carry what it mirrors for all.
     """
 
     exponents: Floats
@@ -46,6 +49,7 @@ class LobeWeightsTerm:
     theta_fit_rad: float
     ior: float
     raised: bool = True
+    transmittance: float = 0.0
     _lobes: tuple[int, ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -78,7 +82,21 @@ class LobeWeightsTerm:
         base_gain, gloss_gain = self._gains(view.z)
         return base * base_gain + gloss * (gloss_gain / light.z)
 
+    def passing(self, cosine: Real) -> Real:
+        """Return which share of the light passes a pane at this cosine of the view."""
+        return d.number(self.transmittance) * (1.0 - self._mirrored(cosine))
+
+    def _mirrored(self, cosine: Real) -> Real:
+        _, gloss = self._raised(cosine)
+        return dr.minimum(gloss.y * d.number(float((self.kg.T @ self._solid)[1])), 1.0)
+
     def _gains(self, cosine: Real) -> tuple[Real, Colour]:
+        base, gloss = self._raised(cosine)
+        if self.transmittance > 0.0:
+            gloss = gloss / dr.maximum(1.0 - self.passing(cosine), 1e-6)
+        return base, gloss
+
+    def _raised(self, cosine: Real) -> tuple[Real, Colour]:
         """Return the shader's ``fresnel_gains``; see its derivation there."""
         one = mi.Float(1.0)
         if not self.raised or self.coat == "none":
