@@ -1,4 +1,4 @@
-// Provides: from_middle and gap_width for gap.frag.glsl: a strip along a gap, wide enough on the screen to be drawn
+// Provides: from_middle, gap_width and reach for gap.frag.glsl: a strip along a gap, wide enough on the screen to be drawn
 // Needs:    a mesh in world metres with, at each point, the direction across the gap
 //
 // A gap narrower than a pixel is missed by some samples and hit by others, so that its line breaks into dots. Its strip
@@ -15,9 +15,10 @@ uniform float half_gap;          // metres
 
 noperspective out float from_middle;  // pixels
 noperspective out float gap_width;    // pixels
+noperspective out float reach;        // pixels that a pixel reaches across the line
 
-const float BEYOND = 0.75;       // pixels past the gap's edge that its coverage reaches, and a little more
-const float WIDEST = 10.0;       // times the gap: the surface bends beyond
+const float BEYOND = 1.25;       // pixels past the edge of the gap: whole pixels that it reaches into are drawn
+const float WIDEST = 16.0;       // times the gap: the surface bends beyond
 const float LIFT = 0.002;        // metres towards the eye, past the rounded edges of the panels
 
 // How a place moves on the screen, pixels a metre, when the point at `clip` moves along a direction.
@@ -36,6 +37,7 @@ void main()
     vec2 along = moved(clip, normalize(cross(normal, across.xyz)));
     // Pixels a metre across the line as it is seen.
     float scale = abs(aside.x * along.y - aside.y * along.x) / max(length(along), 1e-6);
+    reach = max(abs(along.x), abs(along.y)) / max(length(along), 1e-6);
     float drawn = min(half_gap + BEYOND / max(scale, 1e-6), WIDEST * half_gap);
     float share = place / half_gap;
     gap_width = 2.0 * half_gap * scale;

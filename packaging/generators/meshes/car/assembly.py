@@ -13,7 +13,7 @@ from meshes.car.nets import Soup, compact
 from meshes.car.outlines import BODY_PARTS, body_part
 from meshes.car.pieces import LIP_DROP, Piece, join_pieces, lowered, mirror_piece, turn_edges_in, walls
 from meshes.car.proportions import AXLES, FRONT_AXLE_Z, FRONT_FACE_X, REAR_FACE_X, WHEEL_RADIUS
-from meshes.car.shell import AREAS, PANELS, Shell, across_gaps, build_shell, take
+from meshes.car.shell import AREAS, GAP, PANELS, Shell, across_gaps, build_shell, take
 from meshes.car.wells import floor, wells
 from meshes.car.wheel import wheel
 
@@ -47,7 +47,7 @@ def body_pieces(shell: Shell) -> list[Piece]:
         soup, normals = turn_edges_in(soup, normals, np.concatenate([shared, at_arch]))
         pieces += _divided(soup, normals) if name == "paint" else [Piece(name, "paint", soup, normals)]
     soup, normals, _, _ = take(shell, shell.chosen("groove"))
-    across = 1000.0 * across_gaps(soup.points)
+    across = 1000.0 * np.clip(across_gaps(soup.points), -0.5 * GAP, 0.5 * GAP)
     down = np.full(len(normals), LIP_DROP)
     uvs = np.stack([across, np.zeros_like(across)], axis=1)
     pieces.append(Piece("shut_lines", "gap", lowered(soup, normals, down), normals, uvs))

@@ -37,11 +37,11 @@ def _mirror(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def mirror() -> list[Piece]:
     """Return housing, foot and glass of the left mirror."""
-    step = 0.021
+    step = 0.018
     grid = [np.arange(low, high, step) for low, high in ((0.76, 1.15), (0.83, 1.11), (0.34, 0.58))]
     soup = extract(_mirror, *grid)
     soup = Soup(project(_mirror, soup.points), soup.triangles)
-    soup = refine(_mirror, soup, 26.0, 0.012)
+    soup = refine(_mirror, soup, 20.0, 0.010)
     lower = at_points(lambda x, y, z: y - 0.972 - 0.10 * (x - _MIRROR[0]) + 0.0 * z)
     flat = at_points(
         lambda x, y, z: smooth_max((z - _MIRROR[2]) + 0.0285 + 0.18 * (x - _MIRROR[0]), 0.0 * y - 1.0, 0.001)

@@ -29,7 +29,7 @@ def interior() -> list[Piece]:
         ("dashboard", _dashboard, 0.065, ((0.0, 0.95), (0.60, 0.98), (0.36, 0.98))),
         ("console", _console, 0.07, ((0.0, 0.25), (0.20, 0.62), (-0.45, 0.60))),
         ("seats", _front_seat, 0.05, ((0.05, 0.70), (0.22, 1.20), (-0.80, 0.30))),
-        ("rear_seats", _rear_seat, 0.065, ((0.0, 0.62), (0.22, 1.02), (-1.35, -0.45))),
+        ("rear_seats", _rear_seat, 0.068, ((0.0, 0.62), (0.22, 1.02), (-1.35, -0.45))),
         ("parcel_shelf", _shelf, 0.08, ((0.0, 0.80), (0.70, 1.00), (-1.85, -1.05))),
     ):
         pieces.append(_solid(name, field, step, box))
@@ -164,8 +164,9 @@ def steering_wheel() -> list[Piece]:
         parts.append(loft(ends + corners[:, :1] * aside + corners[:, 1:] * np.array([0.0, 0.0, 1.0])))
     for near, far, across in ((0.022, -0.02, 0.058), (-0.02, -0.26, 0.032)):
         ring = np.stack([across * np.cos(section), across * np.sin(section), 0.0 * section], axis=1)
-        rows = [ring + [0.0, 0.0, near], ring + [0.0, 0.0, far]]
-        parts.append(loft(np.stack([0.01 * ring + [0.0, 0.0, near + 0.004], *rows])))
+        axial = np.array([0.0, 0.0, 1.0])
+        rows = [0.01 * ring + (near + 0.004) * axial, ring + near * axial, ring + far * axial]
+        parts.append(loft(np.stack(rows)))
     axis = np.array([0.0, np.sin(_TILT), -np.cos(_TILT)])
     frame = np.stack([np.array([-1.0, 0.0, 0.0]), np.cross(axis, [-1.0, 0.0, 0.0]), axis])
     pieces = []

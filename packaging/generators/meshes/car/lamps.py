@@ -84,7 +84,7 @@ def _projector(lens: Floats, q: float) -> list[Piece]:
         ("projector_cups", "chrome", cup),
         ("projector_lenses", "lens", ball),
     ):
-        soup, facing = lathe(profile, 16)
+        soup, facing = lathe(profile, 14)
         pieces.append(
             Piece(name, material, Soup(_turned(soup.points) + place, soup.triangles), _turned(facing))
         )

@@ -8,7 +8,7 @@ import numpy as np
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.surface.mesh import PartGeometry
-from meshes.car.nets import Soup
+from meshes.car.nets import Soup, compact
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
@@ -65,17 +65,27 @@ def walls(soup: Soup, normals: Floats, edge: Integers, top: Floats, depth: Float
     They go from ``top`` to ``depth`` (m, one per point) below the surface.
     """
     used, index = np.unique(edge, return_inverse=True)
-    a, b = index.reshape(-1, 2).T
+    ends = index.reshape(-1, 2)
     p, n = soup.points[used], normals[used]
+    a, b = ends.T
     across = np.cross(p[b] - p[a], -(n[a] + n[b]))
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
     facing = np.zeros_like(p)
     for end in (a, b):
         np.add.at(facing, end, across)
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-12)
-    below = len(used)
+    # Where a wall turns a corner its points are doubled.
+    sharp = np.minimum(*(np.einsum("ij,ij->i", across, facing[end]) for end in (a, b))) < 0.8
+    ends[sharp] = len(used) + np.arange(2 * int(sharp.sum())).reshape(-1, 2)
+    place = np.concatenate([used, edge[sharp].ravel()])
+    facing = np.concatenate([facing, np.repeat(across[sharp], 2, axis=0)])
+    a, b = ends.T
+    below = len(place)
     triangles = [np.stack([a, b, a + below], 1), np.stack([b, b + below, a + below], 1)]
-    points = np.concatenate([p - top[used, None] * n, p - depth[used, None] * n])
-    return Soup(points, np.concatenate(triangles)), np.concatenate([facing, facing])
+    points, outwards = soup.points[place], normals[place]
+    levels = [points - down[place, None] * outwards for down in (top, depth)]
+    walls, used = compact(np.concatenate(levels), np.concatenate(triangles))
+    return walls, np.concatenate([facing, facing])[used]
 
 
 def mirror_piece(piece: Piece) -> Piece:

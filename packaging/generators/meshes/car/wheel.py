@@ -75,8 +75,8 @@ def _blocks(profile: list[tuple[float, float]]) -> tuple[Soup, Floats]:
     facing = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
     facing /= np.linalg.norm(facing, axis=1, keepdims=True)
     first = 4 * np.arange(len(corners))[:, None]
-    triangles = np.concatenate([first + [0, 1, 2], first + [0, 2, 3]])
-    return Soup(corners.reshape(-1, 3), triangles), np.repeat(facing, 4, axis=0)
+    triangles = np.concatenate([first + np.array([0, 2, 1]), first + np.array([0, 3, 2])])
+    return Soup(corners.reshape(-1, 3), triangles), np.repeat(-facing, 4, axis=0)
 
 
 def _spoke(angle: float, lean: float) -> tuple[Soup, Floats]:
@@ -183,10 +183,10 @@ def wheel() -> list[Piece]:
     pieces = [
         ("tyres", "rubber", _tyre()),
         ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
-        ("rim_barrels", "trim", lathe(rim[5:], 36)),
+        ("rim_barrels", "trim", lathe(rim[5:], 24)),
         ("rims", "chrome", lathe(cap, 24)),
         ("rims", "chrome", _merged(spokes)),
-        ("discs", "chrome", lathe(disc, 36)),
+        ("discs", "chrome", lathe(disc, 28)),
         ("calipers", "trim", _caliper()),
     ]
     return [Piece(name, material, soup, normals) for name, material, (soup, normals) in pieces]
