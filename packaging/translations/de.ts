@@ -8510,6 +8510,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Glas</translation>
     </message>
     <message>
+        <source>Clear lens</source>
+        <translation>Klare Streuscheibe</translation>
+    </message>
+    <message>
         <source>Rubber</source>
         <translation>Gummi</translation>
     </message>
@@ -8532,6 +8536,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Dark cavity</source>
         <translation>Dunkler Hohlraum</translation>
+    </message>
+    <message>
+        <source>Gap between panels</source>
+        <translation>Fuge zwischen Blechen</translation>
     </message>
     <message>
         <source>Material</source>

@@ -204,7 +204,8 @@ def test_tyres_have_a_tread_and_walls(mesh: Mesh) -> None:
     radius = np.hypot(wheel[:, 1] - WHEEL_RADIUS, wheel[:, 2] - FRONT_AXLE_Z)
     inwards = wheel[:, 0].max() - wheel[:, 0]
     # Four grooves go round, apart from each other.
-    grooves = inwards[(radius > WHEEL_RADIUS - 0.009) & (radius < WHEEL_RADIUS - 0.0065) & (inwards > 0.052) & (inwards < 0.2)]
+    deep = (radius > WHEEL_RADIUS - 0.009) & (radius < WHEEL_RADIUS - 0.0065)
+    grooves = inwards[deep & (inwards > 0.052) & (inwards < 0.2)]
     assert len(np.unique(np.round(grooves, 3))) == 4
     # Slots between the blocks of the shoulder: half of its points lie deeper.
     shoulder = radius[(inwards > 0.032) & (inwards < 0.034)]

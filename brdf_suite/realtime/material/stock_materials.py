@@ -22,11 +22,11 @@ _BROAD = (8.0, 12.0, 30.0, 40.0, 60.0)
 def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     """Return the materials of a car: ``glass``, ``rubber``, ``chrome`` …, ``neutral`` and a stand-in ``paint``.
 
-    glass: a tinted pane, n = 1.52, seen through; lens: a clear one of plastic, n = 1.59; rubber: black, broad weak sheen; chrome: neutral metal
-    mirror; lamp: a bright reflector under clear plastic, n = 1.59; tail_lamp: the same under red plastic;
-    trim: satin black plastic; cavity: the inside of gaps and wheel wells, which most of the sky's light does
-    not reach, so that next to nothing comes back; gap: the same between panels; neutral: an 18 % grey, matt. ``paint`` is a plain grey under
-    a coat, seen until the paint has been fitted.
+    glass: a tinted pane, n = 1.52, seen through; lens: a clear one of plastic, n = 1.59; rubber: black, broad weak
+    sheen; chrome: neutral metal mirror; lamp: a bright reflector under clear plastic, n = 1.59; tail_lamp: the same
+    under red plastic; trim: satin black plastic; cavity: the inside of openings and wheel wells, which most of the
+    sky's light does not reach, so that next to nothing comes back; gap: the same between panels; neutral: an 18 %
+    grey, matt. ``paint`` is a plain grey under a coat, seen until the paint has been fitted.
 
     Their broad lobes have exponents of their own, as far as the environment's broad lobes reach.
     """

@@ -23,7 +23,7 @@ def make_bsdf(term: Any) -> Any:
 
 
 def make_pane(ior: float, transmittance: float) -> Any:
-    """Return a BSDF of a thin sheet that is seen through: it mirrors R = 2 F/(1 + F) and passes ``transmittance`` (1 - R).
+    """Return a BSDF of a thin sheet: it mirrors R = 2 F/(1 + F) and passes ``transmittance`` (1 - R).
 
     What it passes goes straight on and is not its own: a picture's coverage is what a pane mirrors or keeps.
     """
@@ -49,9 +49,7 @@ def _pane_plug_in() -> Any:
             mirrored = 2.0 * f / (1.0 + f)
             passed = self.transmittance * (1.0 - mirrored)
             through = choice < passed
-            found: Any = mi.BSDFSample3f(
-                dr.select(through, -si.wi, mi.Vector3f(-si.wi.x, -si.wi.y, si.wi.z))
-            )
+            found: Any = mi.BSDFSample3f(dr.select(through, -si.wi, mi.Vector3f(-si.wi.x, -si.wi.y, si.wi.z)))
             found.pdf = dr.select(active, dr.select(through, passed, 1.0 - passed), 0.0)
             found.eta = 1.0
             found.sampled_type = dr.select(

@@ -69,7 +69,7 @@ class SurfaceHit:
 
 
 class Surface:
-    """The Mitsuba mesh with its arrays; ``panes`` are the terms of materials that are seen through, by their numbers."""
+    """The Mitsuba mesh with its arrays; ``panes`` are the terms of materials seen through, by their numbers."""
 
     def __init__(self, arrays: SurfaceArrays, panes: Mapping[int, LobeWeightsTerm] | None = None) -> None:
         self._panes = dict(panes or {})
@@ -121,19 +121,25 @@ class Surface:
         free = mi.Bool(active)
         if self._opaque is not None:
             free &= ~self._opaque.ray_test(ray, coherent=mi.Bool(True), active=active)
-        if self._glazing is None:
+        glazing = self._glazing
+        if glazing is None:
             return dr.select(free, mi.Float(1.0), 0.0)
 
         def one_more(k: Any, going: Any, share: Real, start: Real) -> tuple[Any, ...]:
             rest = mi.Ray3f(mi.Point3f(dr.fma(start, direction, origin)), direction)
             rest.maxt = length - start
-            found = self._glazing.ray_intersect_preliminary(rest, coherent=mi.Bool(True), active=going)
+            found = glazing.ray_intersect_preliminary(rest, coherent=mi.Bool(True), active=going)
             going = going & found.is_valid()
             triangle = dr.gather(mi.UInt32, self._glazed, found.prim_index, going)
             share = share * dr.select(going, self._passing(triangle, found.prim_uv, direction, going), 1.0)
             return k + 1, going, share, start + found.t + EPSILON * (0.05 + dr.max(dr.abs(origin)))
 
-        state = (mi.UInt32(0), mi.Bool(free), dr.select(free, mi.Float(1.0), 0.0), dr.zeros(mi.Float, dr.width(free)))
+        state = (
+            mi.UInt32(0),
+            mi.Bool(free),
+            dr.select(free, mi.Float(1.0), 0.0),
+            dr.zeros(mi.Float, dr.width(free)),
+        )
         _, _, share, _ = dr.while_loop(
             state, lambda k, going, *_: going & (k < MOST_PANES), one_more, label="panes before a light"
         )

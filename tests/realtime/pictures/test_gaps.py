@@ -84,7 +84,7 @@ def car() -> list[MeshPart]:
 
 @pytest.mark.parametrize("size", [(1280, 720), (640, 360)])
 def test_the_door_is_outlined_without_a_break(renderer: Renderer, scenes, size: tuple[int, int]) -> None:
-    """Along the front edge of the door, which stands upright: the light that each row misses follows the gap's width."""
+    """Along the front edge of the door, which stands upright: what each row misses follows the gap's width."""
     parts = car()
     (gaps,) = [part for part in parts if part.material == "gap"]
     assert gaps.uvs is not None

@@ -7,7 +7,7 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from meshes.car.blends import Field, rounded_max, smooth_max, smooth_min
 from meshes.car.body import FLOOR, body
-from meshes.car.cutting import PointFunction, at_points, cut
+from meshes.car.cutting import PointFunction, at_points, cut, offset
 from meshes.car.lathe import grid_triangles, loft
 from meshes.car.nets import Soup, extract, normals, project
 from meshes.car.outlines import arch, rear_screen, side_window, windscreen
@@ -15,7 +15,7 @@ from meshes.car.pieces import Piece
 
 LINING_DEPTH = 0.030
 """How far below the skin the lining lies: as deep as the reveals of the windows."""
-_FRONT, _REAR, _LOW = 0.86, -1.75, 0.235
+_FRONT, _REAR, _LOW = 0.86, -2.0, 0.235
 _WINDOW_EDGE = 0.010
 _WHEEL = np.array([0.37, 0.835, 0.34])
 _TILT = 0.42
@@ -66,9 +66,11 @@ def _lining() -> Piece:
         lambda p: p[:, 1] - _LOW,
         lambda p: _FRONT - p[:, 2],
         lambda p: p[:, 2] - _REAR,
+        # Nothing is seen below the parcel shelf.
+        lambda p: np.maximum(p[:, 1] - 0.72, p[:, 2] + 1.30),
         lambda p: at_points(arch)(p) - 0.02,
     ]
-    keep += [lambda p, w=w: at_points(w)(p) - _WINDOW_EDGE for w in (windscreen, rear_screen, side_window)]
+    keep += [offset(at_points(window), _WINDOW_EDGE) for window in (windscreen, rear_screen, side_window)]
     for function in keep:
         soup = cut(soup, function)
         soup = soup.keep(function(soup.points[soup.triangles].mean(axis=1)) > 0.0)
@@ -85,9 +87,8 @@ def _floor() -> Piece:
         soup = cut(soup, function)
         soup = soup.keep(function(soup.points[soup.triangles].mean(axis=1)) > 0.0)
     facing = normals(lambda x, y, z: y - FLOOR(z) + 0.0 * x, soup.points)
-    turned = np.cross(
-        *(soup.points[soup.triangles[:, k]] - soup.points[soup.triangles[:, 0]] for k in (1, 2))
-    )
+    a, b, c = (soup.points[soup.triangles[:, k]] for k in range(3))
+    turned = np.cross(b - a, c - a)
     if turned[:, 1].mean() < 0.0:
         soup = Soup(soup.points, soup.triangles[:, ::-1])
     return Piece("carpet", "trim", soup, facing)

@@ -169,13 +169,23 @@ def above_sill(x: Floats, y: Floats, z: Floats) -> Floats:
     return np.where((x > 0.5) & (np.abs(z) < 1.15), y - _SILL_TOP, np.nan)
 
 
-def roof_ends(x: Floats, y: Floats, z: Floats) -> tuple[Floats, Floats]:
-    """Return where the roof begins and where it ends; not a number beside the rails and below them."""
+def _beside_roof(x: Floats, y: Floats, z: Floats, station: float) -> Floats:
     inside = (y > 1.0) & (_inside_rail(x, y, z) < 0.03)
-    station = screen_station(x, z)
-    return np.where(inside, station - _ROOF_FRONT, np.nan), np.where(inside, station - _ROOF_REAR, np.nan)
+    return np.where(inside, screen_station(x, z) - station, np.nan)
 
 
+def ahead_of_roof(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Ahead of where the roof begins; not a number beside the rails and below them."""
+    return _beside_roof(x, y, z, _ROOF_FRONT)
+
+
+def before_roof_ends(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Ahead of where the roof ends; not a number beside the rails and below them."""
+    return _beside_roof(x, y, z, _ROOF_REAR)
+
+
+JOINTS = (above_belt, above_sill, ahead_of_roof, before_roof_ends)
+"""Where parts of the painted body meet without a gap."""
 BODY_PARTS = ("roof", "a_pillar", "c_pillar", "sill_panel", "front_wing", "rear_wing")
 """Of the painted body without the panels that open; they join without a gap."""
 

@@ -186,8 +186,7 @@ def _curves() -> tuple[list[tuple[PointFunction, tuple[float, ...]]], dict[str, 
         curves.append((distances[area.name], rings))
     for name, _ in PANELS:
         curves.append((distances[name], (GAP / 2, -GAP / 2, GAP / 2 + _LIP, -GAP / 2 - _LIP)))
-    curves += [(at_points(line), (0.0,)) for line in (outlines.above_belt, outlines.above_sill)]
-    curves += [(lambda p, end=end: outlines.roof_ends(*p.T)[end], (0.0,)) for end in (0, 1)]
+    curves += [(at_points(joint), (0.0,)) for joint in outlines.JOINTS]
     return [*curves, (distances["split"], (0.006, -0.006))], distances
 
 
