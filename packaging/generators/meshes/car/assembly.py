@@ -46,11 +46,7 @@ def body_pieces(shell: Shell) -> list[Piece]:
             pieces.append(Piece("arch_flanges", "cavity", flange, facing))
         soup, normals = turn_edges_in(soup, normals, np.concatenate([shared, at_arch]))
         pieces += _divided(soup, normals) if name == "paint" else [Piece(name, "paint", soup, normals)]
-    soup, normals, _, _ = take(shell, shell.chosen("groove"))
-    across = 1000.0 * np.clip(across_gaps(soup.points), -0.5 * GAP, 0.5 * GAP)
-    down = np.full(len(normals), LIP_DROP)
-    uvs = np.stack([across, np.zeros_like(across)], axis=1)
-    pieces.append(Piece("shut_lines", "gap", lowered(soup, normals, down), normals, uvs))
+    pieces += _gaps(shell)
     pieces += lamps(shell)
     for area in AREAS:
         if area.material in ("glass", "chrome", "cavity", "trim"):
@@ -60,6 +56,21 @@ def body_pieces(shell: Shell) -> list[Piece]:
         if area.border:
             pieces += _area(shell, f"{area.name}_border", f"{area.name}_frame", area.border_material, 0.0)
     return pieces + _area(shell, "split", "side_window_split", "cavity", 0.0)
+
+
+def _gaps(shell: Shell) -> list[Piece]:
+    """Return the shut lines, those of each panel apart: where two meet, the distance from their middles leaps."""
+    soup, normals, _, _ = take(shell, shell.chosen("groove"))
+    level = lowered(soup, normals, np.full(len(normals), LIP_DROP))
+    owner = np.argmin(np.abs(across_gaps(soup.points[soup.triangles].mean(axis=1))), axis=0)
+    distances = across_gaps(soup.points)
+    pieces = []
+    for number in np.unique(owner):
+        own, used = compact(level.points, level.triangles[owner == number])
+        across = 1000.0 * np.clip(distances[number, used], -0.5 * GAP, 0.5 * GAP)
+        uvs = np.stack([across, np.zeros_like(across)], axis=1)
+        pieces.append(Piece("shut_lines", "gap", own, normals[used], uvs))
+    return pieces
 
 
 def _divided(soup: Soup, normals: Floats) -> list[Piece]:

@@ -243,11 +243,8 @@ def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Integers:
 
 
 def across_gaps(points: Floats) -> Floats:
-    """Return how far points (n, 3) of the shut lines lie from the middle of the nearest one, m, to either side."""
-    every = np.stack([surface_distance(region, body, _REACH)(points) for _, region in PANELS])
-    nearest = np.argmin(np.abs(every), axis=0)
-    result: Floats = np.take_along_axis(every, nearest[None], axis=0)[0]
-    return result
+    """Return how far points (n, 3) lie from the middle of each panel's shut line, m, to either side: (panels, n)."""
+    return np.stack([surface_distance(region, body, _REACH)(points) for _, region in PANELS])
 
 
 def take(shell: Shell, chosen: NDArray[np.bool_]) -> tuple[Soup, Floats, Integers, Integers]:
