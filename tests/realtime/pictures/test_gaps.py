@@ -112,5 +112,6 @@ def test_the_door_is_outlined_without_a_break(renderer: Renderer, scenes, size: 
     missed = np.array(found)
     smooth = np.convolve(np.pad(missed, 8, mode="edge"), np.ones(17) / 17, mode="valid")
     assert len(rows) > 0.08 * size[1]
-    assert missed.min() > 0.5 * missed.mean()
-    assert np.std(missed / smooth) < 0.15
+    assert missed.min() > 0.9 * missed.mean()
+    # Drawn as a surface it is .09 at the larger size, .19 at the smaller.
+    assert np.std(missed / smooth) < 0.02
