@@ -40,10 +40,13 @@ COMPARE_MODES: tuple[str, ...] = get_args(CompareMode)
 CompareBasis = Literal["light", "picture"]
 COMPARE_BASES: tuple[str, ...] = get_args(CompareBasis)
 Material: TypeAlias = Literal[
-    "paint", "glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"
+    "paint", "glass", "lens", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "gap", "neutral"
 ]
-"""What a part of a mesh is made of. ``trim`` is matt black plastic; ``neutral`` everything else."""
+"""What a part of a mesh is made of. ``trim`` is matt black plastic; ``gap`` a dark shut line between panels;
+``neutral`` everything else."""
 MATERIALS: tuple[str, ...] = get_args(Material)
+TRANSMITTANCE: Mapping[str, float] = {"glass": 0.6, "lens": 0.92}
+"""Of materials that are seen through: which share passes of the light that a sheet does not mirror."""
 
 MOST_LAMPS = 8
 

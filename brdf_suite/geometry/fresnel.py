@@ -43,6 +43,16 @@ def _of_number(c: float, ior: float) -> float:
     return 0.5 * (r_s * r_s + r_p * r_p)
 
 
+def sheet_reflectance(cos_theta: npt.ArrayLike, ior: float) -> Floats:
+    """Return what a clear thin sheet mirrors from both of its faces together, again and again: 2 F / (1 + F).
+
+    >>> round(float(sheet_reflectance(1.0, 1.5)), 4)
+    0.0769
+    """
+    f = fresnel_dielectric(cos_theta, ior)
+    return np.asarray(2.0 * f / (1.0 + f))
+
+
 def fresnel_at(theta_deg: float, ior: float) -> float:
     """Return F for one angle in degrees; a plain number, for solvers that need it many times."""
     c = math.cos(math.radians(theta_deg))

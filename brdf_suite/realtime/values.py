@@ -14,7 +14,7 @@ from brdf_suite.errors import ValueRangeError
 MAX_LOBES = 64
 """Of a material, and maps of an environment; how many a material may have weights on, ``material/ramp.py`` says."""
 
-Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal"]
+Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal", "sheet"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,13 +194,15 @@ class MaterialWeights:
         Index of refraction of a dielectric coat, 1 to 100; 1 is no coat.
     coat
         ``dielectric``: gloss follows F(θ)/F(θ_fit) and the base T(θ)²/T(θ_fit)²; ``facets``: gloss follows
-        F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``none``: the
-        weights hold at every angle.
+        F(θ)/F(θ_fit), the base stays; ``metal``: gloss rises from its own albedo to 1 at grazing; ``sheet``: gloss
+        follows R(θ)/R(θ_fit), R = 2 F/(1 + F), of a thin sheet; ``none``: the weights hold at every angle.
     over_angle
         Weights fitted at several incidences, which the mode ``multi_angle`` takes; None where there are none (yet).
     by_view
         Weights fitted for every angle of the view. Where there are some, they take the place of the single fit and
         of its gains, and of ``over_angle``, whenever look-ups are shifted and Fresnel is not off.
+    transmittance
+        Share, 0 to 1, that passes of the light which gloss does not send back; above 0 for what is seen through.
     """
 
     exponents: tuple[float, ...]
@@ -212,6 +214,7 @@ class MaterialWeights:
     coat: Coat = "dielectric"
     over_angle: WeightsOverAngle | None = None
     by_view: WeightsOverAngle | None = None
+    transmittance: float = 0.0
 
     def __post_init__(self) -> None:
         exponents = check_exponents(self.exponents)
@@ -226,7 +229,9 @@ class MaterialWeights:
         if not 1 <= self.ior <= 100:
             raise ValueRangeError("ior", f"expected 1 to 100, not {self.ior!r}")
         if self.coat not in get_args(Coat):
-            raise ValueRangeError("coat", f"expected none, dielectric, facets or metal, not {self.coat!r}")
+            raise ValueRangeError("coat", f"expected one of {', '.join(get_args(Coat))}, not {self.coat!r}")
+        if not 0 <= self.transmittance <= 1:
+            raise ValueRangeError("transmittance", f"expected 0 to 1, not {self.transmittance!r}")
 
 
 def check_exponents(exponents: ArrayLike) -> tuple[float, ...]:

@@ -72,7 +72,7 @@ def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Tran
 
 def lobe_term(weights: MaterialWeights, view: View) -> LobeWeightsTerm:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior")
+    names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior", "transmittance")
     same = {name: getattr(weights, name) for name in names}
     return LobeWeightsTerm(np.asarray(weights.exponents, float), **same, raised=view.fresnel != "off")
 

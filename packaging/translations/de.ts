@@ -8586,6 +8586,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Glas</translation>
     </message>
     <message>
+        <source>Clear lens</source>
+        <translation>Klare Streuscheibe</translation>
+    </message>
+    <message>
         <source>Rubber</source>
         <translation>Gummi</translation>
     </message>
@@ -8608,6 +8612,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Dark cavity</source>
         <translation>Dunkler Hohlraum</translation>
+    </message>
+    <message>
+        <source>Gap between panels</source>
+        <translation>Fuge zwischen Blechen</translation>
     </message>
     <message>
         <source>Material</source>

@@ -27,12 +27,14 @@ from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note
 MATERIAL_TITLES = {
     "paint": mark("Paint"),
     "glass": mark("Glass"),
+    "lens": mark("Clear lens"),
     "rubber": mark("Rubber"),
     "chrome": mark("Chrome"),
     "lamp": mark("Lamp"),
     "tail_lamp": mark("Tail lamp"),
     "trim": mark("Trim, matt black"),
     "cavity": mark("Dark cavity"),
+    "gap": mark("Gap between panels"),
     "neutral": mark("Neutral grey"),
 }
 _OWN = ""

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.view_settings import TRANSMITTANCE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
@@ -35,13 +36,15 @@ _LOOKS = {
     word: {"baseColorFactor": list(colour), "metallicFactor": metallic, "roughnessFactor": roughness}
     for word, colour, metallic, roughness in (
         ("paint", (0.20, 0.03, 0.03, 1.0), 0.0, 0.15),
-        ("glass", (0.02, 0.025, 0.03, 1.0), 0.0, 0.02),
+        ("glass", (0.02, 0.025, 0.03, 0.4), 0.0, 0.02),
+        ("lens", (0.9, 0.9, 0.9, 0.08), 0.0, 0.02),
         ("rubber", (0.02, 0.02, 0.02, 1.0), 0.0, 0.75),
         ("chrome", (0.75, 0.75, 0.76, 1.0), 1.0, 0.08),
         ("lamp", (0.85, 0.85, 0.85, 1.0), 0.0, 0.05),
         ("tail_lamp", (0.45, 0.02, 0.015, 1.0), 0.0, 0.05),
         ("trim", (0.03, 0.03, 0.03, 1.0), 0.0, 0.55),
         ("cavity", (0.004, 0.004, 0.004, 1.0), 0.0, 1.0),
+        ("gap", (0.004, 0.004, 0.004, 1.0), 0.0, 1.0),
         ("neutral", (0.35, 0.35, 0.35, 1.0), 0.0, 0.6),
     )
 }
@@ -102,12 +105,18 @@ def _document(mesh: Mesh) -> tuple[dict[str, Any], bytes]:
         "scenes": [{"name": mesh.name, "nodes": list(range(len(meshes)))}],
         "nodes": [{"name": part.name, "mesh": index} for index, part in enumerate(mesh.parts)],
         "meshes": meshes,
-        "materials": [{"name": word, "pbrMetallicRoughness": _LOOKS[word]} for word in materials],
+        "materials": [_look(word) for word in materials],
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": len(binary)}],
     }
     return document, bytes(binary)
+
+
+def _look(word: str) -> dict[str, Any]:
+    look = _LOOKS[word]
+    see_through = {"alphaMode": "BLEND", "doubleSided": True} if word in TRANSMITTANCE else {}
+    return {"name": word, "pbrMetallicRoughness": look} | see_through
 
 
 def split_glb(path: PathLike, data: bytes) -> tuple[dict[str, Any], memoryview]:

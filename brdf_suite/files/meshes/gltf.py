@@ -27,6 +27,7 @@ from brdf_suite.surface.repair import RawPart
 _ROWS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("paint", ("paint", "carpaint", "lacquer", "body", "bodywork", "coachwork")),
     ("trim", ("trim", "plastic", "bumper", "grille", "grill")),
+    ("lens", ("lens",)),
     ("glass", ("glass", "window", "windscreen", "windshield")),
     ("rubber", ("rubber", "tire", "tyre", "wheel")),
     ("tail_lamp", ("taillight", "taillamp", "brakelight")),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -15,13 +16,15 @@ from brdf_suite.realtime.values import MeshPart
 
 _ATTRIBUTES = (("position", 3, "f", 4), ("normal", 3, "f", 4), ("uv", 2, "f", 4))
 _LIGHT_ATTRIBUTES = (("light_alone", 4, "f2", 2), ("light_grounded", 4, "f2", 2))
+_GAP_ATTRIBUTES = (("across", 4, "f", 4),)
 _Attributes = tuple[tuple[str, int, str, int], ...]
 
 
 class MeshBuffers:
     """Positions, normals and texture coordinates interleaved, 32-bit indices; a vertex array per part and program.
 
-    Where the light that arrives is known, it stands in a buffer of its own, in half floats.
+    Where the light that arrives is known, it stands in a buffer of its own, in half floats. ``middles`` (n, 3) are
+    the middles of the parts' boxes, metres; ``gaps`` has half the width, metres, of the parts that are gaps.
     """
 
     def __init__(self, objects: GpuObjects) -> None:
@@ -30,6 +33,10 @@ class MeshBuffers:
         self._arrays: dict[moderngl.Program, list[moderngl.VertexArray]] = {}
         self.names: tuple[str, ...] = ()
         self.materials: tuple[str, ...] = ()
+        self.middles: NDArray[np.float64] = np.zeros((0, 3))
+        self.gaps: dict[int, float] = {}
+        self._across: dict[int, moderngl.Buffer] = {}
+        self._lines: dict[int, moderngl.VertexArray] = {}
         self.has_uv: tuple[bool, ...] = ()
         self.closed: tuple[bool, ...] = ()
         self.bounds = Bounds.of([])
@@ -48,6 +55,12 @@ class MeshBuffers:
             light = self._objects.buffer(_light(part).tobytes()) if self.knows_light else None
             buffer = self._objects.buffer
             self._buffers.append((buffer(vertices.tobytes()), buffer(part.triangles.tobytes()), light))
+            if part.material == "gap" and part.uvs is not None:
+                across = across_gap(part.positions, part.triangles, part.uvs[:, 0])
+                self._across[len(self._buffers) - 1] = buffer(across.tobytes())
+                self.gaps[len(self._buffers) - 1] = 1e-3 * float(np.abs(part.uvs[:, 0]).max())
+        boxes = [0.5 * (p.positions.min(axis=0) + p.positions.max(axis=0)) for p in parts]
+        self.middles = np.array(boxes, np.float64)
         self.names = tuple(part.name for part in parts)
         self.materials = tuple(part.material for part in parts)
         self.has_uv = tuple(part.uvs is not None for part in parts)
@@ -66,6 +79,17 @@ class MeshBuffers:
                 self._arrays[program].append(self._objects.vertex_array(program, content, indices))
         return self._arrays[program]
 
+    def line(self, program: moderngl.Program, part: int) -> moderngl.VertexArray:
+        """Return the vertex array by which ``program``, one and always the same, draws a gap as a line."""
+        if part not in self._lines:
+            vertices, indices, _ = self._buffers[part]
+            content = [
+                _described(program, vertices, _ATTRIBUTES),
+                _described(program, self._across[part], _GAP_ATTRIBUTES),
+            ]
+            self._lines[part] = self._objects.vertex_array(program, content, indices)
+        return self._lines[part]
+
     def forget(self, program: moderngl.Program) -> None:
         """Give back the vertex arrays of a program that goes."""
         for array in self._arrays.pop(program, []):
@@ -73,10 +97,12 @@ class MeshBuffers:
 
     def release(self) -> None:
         """Give buffers and vertex arrays back."""
-        for kept in (*self._arrays.values(), *self._buffers):
+        lines, across = list(self._lines.values()), list(self._across.values())
+        for kept in (*self._arrays.values(), lines, *self._buffers, across):
             for made in kept:
                 self._objects.release(made)
         self._arrays, self._buffers = {}, []
+        self._across, self._lines, self.gaps = {}, {}, {}
         self.names = self.materials = ()
         self.has_uv = self.closed = ()
 
@@ -90,6 +116,26 @@ def _described(
         f"{count}{kind}" if name in program else f"{size * count}x" for name, count, kind, size in attributes
     )
     return (buffer, layout, *(name for name, *_ in attributes if name in program))
+
+
+def across_gap(
+    positions: NDArray[Any], triangles: NDArray[Any], across_mm: NDArray[Any]
+) -> NDArray[np.float32]:
+    """Return (n, 4): at each point of a gap the unit direction across it, and how far across the point lies, mm.
+
+    ``across_mm`` (n,) is the signed distance from the gap's middle; it grows along the direction.
+    """
+    p, u = positions.astype(np.float64)[triangles], across_mm.astype(np.float64)[triangles]
+    normal = np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
+    # Twice the area times the gradient of u in the triangle's plane.
+    opposite = np.roll(p, 1, axis=1) - np.roll(p, -1, axis=1)
+    grown = (np.cross(normal[:, None], opposite) * u[..., None]).sum(axis=1)
+    total = np.zeros((len(positions), 3))
+    for corner in range(3):
+        np.add.at(total, triangles[:, corner], grown)
+    total /= np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-30)
+    return np.concatenate([total, across_mm[:, None]], axis=1).astype(np.float32)
 
 
 def _light(part: MeshPart) -> NDArray[np.float16]:

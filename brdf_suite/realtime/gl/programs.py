@@ -172,6 +172,14 @@ class Programs:
             self._surfaces[key] = self._objects.program(vertex, fragment)
         return self._surfaces[key]
 
+    def gap_line(self) -> moderngl.Program:
+        """Return the program that draws the gaps of a mesh as lines."""
+        key = (LookUps(0, 0), frozenset({"GAP_LINE"}))
+        if key not in self._surfaces:
+            vertex, fragment = compose("gap.vert.glsl"), compose("gap.frag.glsl")
+            self._surfaces[key] = self._objects.program(vertex, fragment)
+        return self._surfaces[key]
+
     def without_mesh(self, look_ups: LookUps, features: Features) -> ScreenProgram:
         """Return the program that shades a list of places or a ball: its features hold ``CAPTURED`` or ``BALL``."""
         key = (look_ups, features)

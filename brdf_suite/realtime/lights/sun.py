@@ -16,6 +16,7 @@ from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import TRANSMITTANCE
 from brdf_suite.geometry.directions import about_y
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
@@ -122,5 +123,6 @@ class SunShadow:
         self._objects.bind(framebuffer, (MAP_SIZE, MAP_SIZE), depth=True)
         framebuffer.clear(depth=1.0)
         assign(program, values)
-        for array in self._mesh.arrays(program):
-            array.render(moderngl.TRIANGLES)
+        for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
+            if material not in TRANSMITTANCE:
+                array.render(moderngl.TRIANGLES)

@@ -9,7 +9,7 @@ import numpy as np
 
 from brdf_suite.documents.view import FresnelMode, LookUp
 from brdf_suite.errors import GraphicsError
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
 from brdf_suite.realtime.gl.context import graphics_errors
@@ -19,7 +19,7 @@ from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, Ramp, make_ra
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
 
-_KINDS = {"none": 0, "dielectric": 1, "metal": 2, "facets": 3}
+_KINDS = {"none": 0, "dielectric": 1, "metal": 2, "facets": 3, "sheet": 4}
 
 
 BLOCK_SIZE = (3 + MAX_BROAD) * 16
@@ -38,7 +38,7 @@ class Modes:
 class MaterialOnGpu:
     """A material on the GPU; ``sharp`` are the exponents that need a map of their own, in binding order.
 
-    ``numbers`` is the ramp that was written.
+    ``numbers`` is the ramp that was written, ``transmittance`` what a material that is seen through lets pass.
     """
 
     buffer: moderngl.Buffer
@@ -46,6 +46,7 @@ class MaterialOnGpu:
     sharp: tuple[float, ...] = ()
     look_ups: LookUps = field(default=LookUps(0, 1))
     numbers: Ramp | None = None
+    transmittance: float = 0.0
     made_for: tuple[MaterialWeights, WeightsOverAngle | None, Modes, Ladder] | None = None
 
 
@@ -114,6 +115,7 @@ class MaterialSet:
             written.buffer.write(pack(weights, ramp))
             written.ramp.write(ramp.rows, viewport=(0, 0, RAMP_NODES, len(ramp.rows)))
         written.numbers = ramp
+        written.transmittance = weights.transmittance
         written.sharp = ramp.sharp
         written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
         written.made_for = (weights, over_angle, modes, ladder)
@@ -140,9 +142,10 @@ def pack(weights: MaterialWeights, ramp: Ramp) -> bytes:
     block = np.zeros((3 + MAX_BROAD, 4), np.float32)
     counts = (ramp.base, ramp.base + ramp.coat, len(ramp.sharp), 0)
     block[0] = np.array(counts, np.int32).view(np.float32)
-    reflected = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
+    mirrored = sheet_reflectance if weights.coat == "sheet" else fresnel_dielectric
+    reflected = float(mirrored(np.cos(weights.theta_fit_rad), weights.ior))
     kind = _KINDS[weights.coat]
-    if weights.coat in ("dielectric", "facets") and reflected < 1e-6:
+    if weights.coat in ("dielectric", "facets", "sheet") and reflected < 1e-6:
         kind = _KINDS["none"]  # no interface: its ratios would be 0/0
     block[1] = (kind, weights.ior, 1.0 / max(reflected, 1e-6), 1.0 / (1.0 - reflected) ** 2)
     solid_angle = 2.0 * np.pi / (np.asarray(weights.exponents) + 1.0)

@@ -21,7 +21,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import FresnelMode
 from brdf_suite.documents.view import LookUp as LookUpMode
 from brdf_suite.errors import GraphicsError, ValueRangeError
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
 from brdf_suite.realtime.environment.look_up_table import (
     RAMP_COSINES,
@@ -203,10 +203,11 @@ def _gains(weights: MaterialWeights, crossing_in_table: bool) -> tuple[Floats, F
         g = np.maximum(albedo, 1e-4)
         gloss = (g + np.maximum(1.0 - g, 0.0) * ((1.0 - RAMP_COSINES) ** 5)[:, None]) / g
         return base, gloss
-    at_fit = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
+    mirrored = sheet_reflectance if weights.coat == "sheet" else fresnel_dielectric
+    at_fit = float(mirrored(np.cos(weights.theta_fit_rad), weights.ior))
     if weights.coat == "none" or at_fit < 1e-6:  # no interface: its ratios would be 0/0
         return base, gloss
-    reflected = fresnel_dielectric(RAMP_COSINES, weights.ior)
+    reflected = mirrored(RAMP_COSINES, weights.ior)
     if weights.coat == "dielectric":
         passed = (1.0 - reflected) / (1.0 - at_fit)
         base = (passed if crossing_in_table else passed**2)[:, None]

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.documents.view_settings import TRANSMITTANCE
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.values import MaterialWeights, check_exponents
 
@@ -19,13 +20,13 @@ _BROAD = (8.0, 12.0, 30.0, 40.0, 60.0)
 
 
 def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
-    """Return ``glass``, ``rubber``, ``chrome``, ``lamp``, ``trim``, ``neutral`` and a stand-in ``paint``.
+    """Return the materials of a car: ``glass``, ``rubber``, ``chrome`` …, ``neutral`` and a stand-in ``paint``.
 
-    glass: dark glazing seen from outside, n = 1.52; rubber: black, broad weak sheen; chrome: neutral metal
-    mirror; lamp: a bright reflector under clear plastic, n = 1.59; tail_lamp: the same under red plastic;
-    trim: satin black plastic; cavity: the inside of gaps and wheel wells, which most of the sky's light does
-    not reach, so that next to nothing comes back; neutral: an 18 % grey, matt. ``paint`` is a plain grey under
-    a coat, seen until the paint has been fitted.
+    glass: a tinted pane, n = 1.52, seen through; lens: a clear one of plastic, n = 1.59; rubber: black, broad weak
+    sheen; chrome: neutral metal mirror; lamp: a bright reflector under clear plastic, n = 1.59; tail_lamp: the same
+    under red plastic; trim: satin black plastic; cavity: the inside of openings and wheel wells, which most of the
+    sky's light does not reach, so that next to nothing comes back; gap: the same between panels; neutral: an 18 %
+    grey, matt. ``paint`` is a plain grey under a coat, seen until the paint has been fitted.
 
     Their broad lobes have exponents of their own, as far as the environment's broad lobes reach.
     """
@@ -33,7 +34,8 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     reach = max((e for e in given if e <= BROADEST_SHARP), default=0.0)
     e = tuple(sorted({*given, *(own for own in _BROAD if own <= reach)}))
     return {
-        "glass": _coated(e, base=0.012, ior=1.52, coat_exponent=np.inf),
+        "glass": _pane(e, ior=1.52, transmittance=TRANSMITTANCE["glass"]),
+        "lens": _pane(e, ior=1.59, transmittance=TRANSMITTANCE["lens"]),
         "rubber": _coated(e, base=0.03, ior=1.5, coat_exponent=12.0, coat_share=0.35),
         "chrome": _metal(e, reflectance=(0.56, 0.57, 0.58)),
         "lamp": _coated(e, base=0.16, ior=1.59, coat_exponent=np.inf, metallic=0.42, metallic_exponent=60.0),
@@ -47,6 +49,7 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
         ),
         "trim": _coated(e, base=0.035, ior=1.49, coat_exponent=40.0, coat_share=0.8),
         "cavity": _matt(e, albedo=0.004),
+        "gap": _matt(e, albedo=0.004),
         "neutral": _coated(e, base=0.18, ior=1.5, coat_exponent=8.0, coat_share=0.25),
         "paint": _coated(e, base=0.25, ior=1.5, coat_exponent=np.inf),
     }
@@ -89,6 +92,20 @@ def _coated(
         theta_fit_rad=_THETA_FIT,
         ior=ior,
         coat="dielectric",
+    )
+
+
+def _pane(exponents: tuple[float, ...], *, ior: float, transmittance: float) -> MaterialWeights:
+    nothing = np.zeros((len(exponents), 3))
+    return MaterialWeights(
+        exponents=exponents,
+        kd=np.zeros(3),
+        kdd=nothing,
+        kg=lobe_mix(exponents, np.inf, float(sheet_reflectance(np.cos(_THETA_FIT), ior))),
+        theta_fit_rad=_THETA_FIT,
+        ior=ior,
+        coat="sheet",
+        transmittance=transmittance,
     )
 
 

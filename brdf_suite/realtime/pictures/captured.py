@@ -5,7 +5,8 @@ is shaded. For one view and size they are the same for every paint. So they are 
 place, normal, arriving light and the derivatives of each fragment of the paint are kept as a list, those that several
 samples of a pixel share once. A paint then shades the list, a plain rectangle without a triangle more
 (``mesh.frag.glsl`` with CAPTURED: the same look-ups, gains and flakes), and the finishing pass gathers each pixel's
-samples from it. What is not the paint's (other parts, ground, background) is kept as it was drawn. Many paints go into
+samples from it. What is not the paint's (other parts, ground, background, panes and gaps before the paint) is kept as
+it was drawn. Many paints go into
 one image and are read back at once. A picture is the one that
 :meth:`~brdf_suite.realtime.pictures.renderer.Renderer.render_image` gives, code for code, but for what a
 driver computes otherwise in
@@ -250,7 +251,7 @@ def capture(
     parts: Sequence[tuple[int, bool]],
     other: moderngl.Texture,
 ) -> CapturedForm:
-    """Draw the places of ``parts``, each with whether it is the paint's; ``other`` is the picture without them."""
+    """Draw the places of ``parts``, each with whether it is the paint's; ``other`` is the picture without it."""
     width, height = size
     objects = drawing.objects
     samples = max(1, other.samples)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
-from typing import Any
+from typing import Any, TypeAlias
 
 import moderngl
 import numpy as np
@@ -40,6 +40,8 @@ PAINT, SECOND_PAINT = "paint", "paint_two"
 """The material that relief and masks belong to, and the one that is blended over it."""
 Corner = tuple[int, int]
 Region = tuple[int, int, int, int]
+Drawn: TypeAlias = tuple[int, str, Features]
+"""A part's number, its material, and the features of the program that draws it."""
 AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
 """No part is drawn with another material."""
 
@@ -74,8 +76,12 @@ class LightPass:
         region: Region | None = None,
         dtype: str = "f2",
         transparent: bool = False,
+        without_paint: bool = False,
     ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance.
+
+        ``without_paint`` leaves nothing where the paint is but what panes and gaps lay over it, with their alpha.
+        """
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         samples = min(samples, self._objects.context.max_samples)
@@ -94,10 +100,19 @@ class LightPass:
         self._environment.bind()
         self._warm_up(samples, features)
         framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials, sun)
+        cropping = crop(size, corner, tile)
+        opaque, panes = self.divided(view, self.drawn_parts(view, features), materials)
+        if without_paint:
+            opaque = [
+                (part, name, words | {"LEFT_OUT"} if name == PAINT else words) for part, name, words in opaque
+            ]
+        common = self._common(view, camera, cropping, sun)
+        self._draw_parts(view, opaque, camera, common, materials, lit=bool(sun))
+        self._draw_gaps(view, common, tile)
         if not transparent:
             self._draw_background(view, camera, size, corner)
-            self._draw_ground(view, camera, crop(size, corner, tile), sun)
+            self._draw_ground(view, camera, cropping, sun)
+        self._draw_panes(view, panes, camera, common, materials, lit=bool(sun), framebuffer=framebuffer)
         return light
 
     def draw_backdrop(
@@ -134,16 +149,15 @@ class LightPass:
         dark = self._environment.is_dark or view.light_colour.brightness == 0.0
         return frozenset({"DARK"}) if dark else frozenset()
 
-    def _draw_mesh(
+    def _common(
         self,
         view: View,
-        features: Features,
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
-        materials: Mapping[str, str],
         sun: Mapping[str, object],
-    ) -> None:
-        common = (
+    ) -> Mapping[str, object]:
+        """Return what all programs that draw the mesh are given."""
+        return (
             self._environment.uniforms()
             | view_uniforms(view)
             | {
@@ -152,15 +166,84 @@ class LightPass:
                 "grounded": view.surface_look.ground,
             }
             | dict(sun)
+            | self.relief.bind(view, self.mesh.bounds)
         )
+
+    def divided(
+        self, view: View, drawn: Sequence[Drawn], materials: Mapping[str, str] = AS_THEY_ARE
+    ) -> tuple[list[Drawn], list[Drawn]]:
+        """Return what hides all that is behind it, and what is seen through."""
+        opaque: list[Drawn] = []
+        panes: list[Drawn] = []
+        modes = Modes(view.fresnel, view.look_up)
+        for part, name, words in drawn:
+            found = self._materials.find(materials.get(name, name), modes, self._environment.ladder)
+            if found.transmittance > 0.0:
+                panes.append((part, name, words | {"SEE_THROUGH"}))
+            else:
+                opaque.append((part, name, words))
+        return opaque, panes
+
+    def _draw_panes(
+        self,
+        view: View,
+        panes: Sequence[Drawn],
+        camera: CameraMatrices,
+        common: Mapping[str, object],
+        materials: Mapping[str, str],
+        *,
+        lit: bool,
+        framebuffer: moderngl.Framebuffer,
+    ) -> None:
+        """Draw panes over what is behind them, which they leave in the depth buffer, from far to near.
+
+        First the sheets that are seen from their backs: of a body with windows all round those are the far ones.
+        """
+        if not panes:
+            return
+        far = np.linalg.norm(self.mesh.middles - camera.eye, axis=1)
+        ordered = sorted(panes, key=lambda drawn: -far[drawn[0]])
+        framebuffer.depth_mask = False
+        for hidden in ("front", "back"):
+            self._draw_parts(view, ordered, camera, common, materials, lit=lit, hidden=hidden)
+        framebuffer.depth_mask = True
+        self._objects.context.cull_face = "back"
+
+    def _draw_gaps(self, view: View, common: Mapping[str, object], tile: Size) -> None:
+        """Draw the gaps between panels as lines that cover of each pixel what the gap does."""
+        context = self._objects.context
+        chosen = {item.part for item in view.surface_look.materials}
+        gaps = [part for part in self.mesh.gaps if self.mesh.names[part] not in chosen]
+        if not gaps:
+            return
+        program = self._programs.gap_line()
+        context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
+        context.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        for part in gaps:
+            own = {"half_size": (0.5 * tile[0], 0.5 * tile[1]), "half_gap": self.mesh.gaps[part]}
+            assign(program, {**common, **own})
+            self.mesh.line(program, part).render(moderngl.TRIANGLES)
+        context.enable_only(moderngl.DEPTH_TEST)
+
+    def _draw_parts(
+        self,
+        view: View,
+        drawn: Sequence[Drawn],
+        camera: CameraMatrices,
+        common: Mapping[str, object],
+        materials: Mapping[str, str],
+        *,
+        lit: bool,
+        hidden: str | None = None,
+    ) -> None:
+        """Draw parts; ``hidden`` is the side of panes that is left out."""
         ready: set[tuple[LookUps, Features]] = set()
-        lit = bool(sun) or bool(self._single_lights.features(view))
+        lit = lit or bool(self._single_lights.features(view))
         if lit:
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
-        drawn = self.drawn_parts(view, features)
-        self._objects.context.front_face, self._objects.context.cull_face = "ccw", "back"
-        common |= self.relief.bind(view, self.mesh.bounds)
+        context = self._objects.context
+        context.front_face, context.cull_face = "ccw", hidden or "back"
         for part, name, words in drawn:
             name = materials.get(name, name)
             if view.lamps:
@@ -178,26 +261,27 @@ class LightPass:
             assign(program, self.balls.uniforms(name, words, camera))
             if lit:
                 assign(program, self._single_lights.uniforms(name, view, has_uv=self.mesh.has_uv[part]))
+            assign(program, {"transmittance": material.transmittance})
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
-            solid = camera.outside and self.mesh.closed[part]
-            self._objects.context.enable_only(
-                moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
-            )
-            _blend_over(self._objects.context, "SECOND_PAINT" in words)
+            one_sided = hidden is not None or (camera.outside and self.mesh.closed[part])
+            context.enable_only(moderngl.DEPTH_TEST | (moderngl.CULL_FACE if one_sided else moderngl.NOTHING))
+            _blend_over(context, words)
             self.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
-        self._objects.context.enable_only(moderngl.DEPTH_TEST)
-        _blend_over(self._objects.context, False)
+        context.enable_only(moderngl.DEPTH_TEST)
 
-    def drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
+    def drawn_parts(self, view: View, features: Features) -> list[Drawn]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
 
-        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
+        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place. What is drawn
+        as a line over it, a gap, is painted through.
         """
         chosen = {item.part: item.material for item in view.surface_look.materials}
-        owned = zip(self.mesh.names, self.mesh.materials, strict=True)
-        names = [chosen.get(part, own) for part, own in owned]
+        owned = enumerate(zip(self.mesh.names, self.mesh.materials, strict=True))
+        names = [
+            chosen.get(part, PAINT if number in self.mesh.gaps else own) for number, (part, own) in owned
+        ]
         painted = features | self.relief.features(view)
         drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
         if self.relief.has_second_paint(view):
@@ -249,12 +333,16 @@ class LightPass:
         screen.render(moderngl.TRIANGLES, vertices=3)
 
 
-def _blend_over(context: moderngl.Context, on: bool) -> None:
-    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
-    if not on:
+def _blend_over(context: moderngl.Context, words: Features) -> None:
+    """Blend panes over what they hide a share of, a second paint by its alpha; the rest not at all."""
+    if not words & {"SECOND_PAINT", "SEE_THROUGH"}:
         context.disable(moderngl.BLEND)
         return
     context.enable(moderngl.BLEND)
+    if "SEE_THROUGH" in words:
+        context.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+        return
+    # The object's coverage stays.
     # moderngl's types know two factors; four set those of alpha apart.
     factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
     context.blend_func = factors

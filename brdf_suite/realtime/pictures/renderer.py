@@ -278,11 +278,11 @@ class Renderer:
         if view.glare != "off":
             raise ValueRangeError("view", "glare is not captured; it depends on the whole picture")
         with graphics_errors(self.context, "capturing a form"):
-            light = self._first_pass.draw(view, self._tile, size, min(samples, 4), size)
+            light = self._first_pass.draw(view, self._tile, size, min(samples, 4), size, without_paint=True)
             features = surface_features(
                 view, knows_light=self._drawing.mesh.knows_light, smooth=light.samples > 1
             )
-            drawn = self._first_pass.drawn_parts(view, features)
+            drawn, _ = self._first_pass.divided(view, self._first_pass.drawn_parts(view, features))
             parts = [(part, name == PAINT) for part, name, _ in drawn]
             return capture(self._drawing, view, size, features, parts, light)
 

@@ -1,4 +1,4 @@
-// Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL, COAT_FACETS,
+// Provides: uniform block Material (one buffer per material), COAT_NONE, COAT_DIELECTRIC, COAT_METAL, COAT_FACETS, COAT_SHEET,
 //           void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
 // Needs:    MAX_BROAD (written by shader_source.py); FRESNEL_RAISED where the gains follow the angle
 #include "fresnel.glsl"
@@ -7,6 +7,7 @@ const int COAT_NONE = 0;
 const int COAT_DIELECTRIC = 1;
 const int COAT_METAL = 2;
 const int COAT_FACETS = 3;
+const int COAT_SHEET = 4;
 
 // Written whole by material/material_set.py (std140). The weights are in the ramp, see lobes.glsl; a fit leaves most at zero,
 // and only lobes with a weight are looked up.
@@ -32,6 +33,8 @@ layout(std140) uniform Material
 //
 // Light that comes from the base crossed the coat twice, hence T(theta)^2 / T(theta_fit)^2, T = 1 - F.
 //
+// A thin sheet mirrors at both faces, again and again: R = 2 F / (1 + F) stands in the place of F; it has no base.
+//
 // Facet lobes of a sum (Cook-Torrance) gain by F too, but take nothing from the base: it stays.
 //
 // A metal has no base to lower, and its reflectance rises from G to 1, not by a ratio:
@@ -42,9 +45,11 @@ void fresnel_gains(float cos_theta, out vec3 base_gain, out vec3 gloss_gain)
     gloss_gain = vec3(1.0);
 #ifdef FRESNEL_RAISED
     int kind = int(coat.x);
-    if (kind == COAT_DIELECTRIC || kind == COAT_FACETS)
+    if (kind == COAT_DIELECTRIC || kind == COAT_FACETS || kind == COAT_SHEET)
     {
         float f = fresnel_dielectric(cos_theta, coat.y);
+        if (kind == COAT_SHEET)
+            f = 2.0 * f / (1.0 + f);
         float t = 1.0 - f;
         if (kind == COAT_DIELECTRIC)
             base_gain = vec3(t * t * coat.w);

@@ -1,5 +1,6 @@
 // Provides: the exposed light of a surface with lobe weights, in the light of the prefiltered maps
 // Needs:    what mesh.vert.glsl hands on; what lobes.glsl needs; LAMPS, SPARKLE_* and SECOND_PAINT where they are drawn;
+//           LEFT_OUT where it hides what is behind it and is not to be seen itself; SEE_THROUGH where the surface is a pane;
 //           DARK where the environment sends no light; KEPT_LIGHT where the look-ups have been made already, KEEPING where they are made to be kept
 uniform vec3 eye;
 
@@ -28,11 +29,19 @@ uniform vec3 eye;
 #ifdef SECOND_PAINT
 #include "mask.glsl"
 #endif
+#ifdef SEE_THROUGH
+#include "material.glsl"
+uniform float transmittance;     // share of what is not mirrored
+#endif
 
 out vec4 fragment;
 
 void main()
 {
+#ifdef LEFT_OUT
+    fragment = vec4(0.0);
+    return;
+#endif
     SurfacePoint p = surface_point(eye);
     fragment = vec4(exposed_light(LIT(p, ENVIRONMENT_LIGHT(p))), 1.0);
 #ifdef KEEPING
@@ -40,5 +49,11 @@ void main()
 #endif
 #ifdef SECOND_PAINT
     fragment.a = mask_share(p);    // how much of the first paint this is blended over
+#endif
+#ifdef SEE_THROUGH
+    vec3 base_gain, gloss_gain;
+    fresnel_gains(max(dot(p.normal, p.view), 0.0), base_gain, gloss_gain);
+    float mirrored = min(gloss_albedo.g * gloss_gain.g, 1.0);
+    fragment.a = 1.0 - transmittance * (1.0 - mirrored);    // what it hides of all that is behind it
 #endif
 }

@@ -15,7 +15,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.bsdfs.terms import AboutMirror, Diffuse, Sampler
@@ -31,11 +31,14 @@ class LobeWeightsTerm:
     exponents, kd, kdd, kg
         (m,), (3,), (m, 3), (m, 3): as :class:`brdf_suite.realtime.values.MaterialWeights` has them.
     coat
-        ``none``, ``dielectric``, ``facets`` or ``metal``: how the gains follow the angle of the view.
+        ``none``, ``dielectric``, ``facets``, ``metal`` or ``sheet``: how the gains follow the angle of the view.
     theta_fit_rad, ior
         Incidence of the fit; index of the coat.
     raised
         Whether the gains follow the angle at all.
+    transmittance
+        Above 0 for a pane: :meth:`passing` of the paths that meet it go through it, chosen by chance before, and the
+        others carry what it mirrors for all.
     """
 
     exponents: Floats
@@ -46,6 +49,7 @@ class LobeWeightsTerm:
     theta_fit_rad: float
     ior: float
     raised: bool = True
+    transmittance: float = 0.0
     _lobes: tuple[int, ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -78,7 +82,21 @@ class LobeWeightsTerm:
         base_gain, gloss_gain = self._gains(view.z)
         return base * base_gain + gloss * (gloss_gain / light.z)
 
+    def passing(self, cosine: Real) -> Real:
+        """Return which share of the light passes a pane at this cosine of the view."""
+        return d.number(self.transmittance) * (1.0 - self._mirrored(cosine))
+
+    def _mirrored(self, cosine: Real) -> Real:
+        _, gloss = self._raised(cosine)
+        return dr.minimum(gloss.y * d.number(float((self.kg.T @ self._solid)[1])), 1.0)
+
     def _gains(self, cosine: Real) -> tuple[Real, Colour]:
+        base, gloss = self._raised(cosine)
+        if self.transmittance > 0.0:
+            gloss = gloss / dr.maximum(1.0 - self.passing(cosine), 1e-6)
+        return base, gloss
+
+    def _raised(self, cosine: Real) -> tuple[Real, Colour]:
         """Return the shader's ``fresnel_gains``; see its derivation there."""
         one = mi.Float(1.0)
         if not self.raised or self.coat == "none":
@@ -90,7 +108,10 @@ class LobeWeightsTerm:
             g = d.colour(np.maximum(albedo, 1e-4).tolist())
             return one, (g + dr.maximum(1.0 - g, 0.0) * rise) / g
         f = d.fresnel(cosine, self.ior)
-        at_fit = float(fresnel_dielectric(math.cos(self.theta_fit_rad), self.ior))
+        mirrored = fresnel_dielectric
+        if self.coat == "sheet":
+            f, mirrored = 2.0 * f / (1.0 + f), sheet_reflectance
+        at_fit = float(mirrored(math.cos(self.theta_fit_rad), self.ior))
         limit = max(1.0 / float(albedo.max()), 1.0) if albedo.max() > 0.0 else 1.0
         gloss = dr.minimum(f * d.number(1.0 / at_fit), d.number(limit)) if at_fit > 0.0 else one
         base = dr.square((1.0 - f) * d.number(1.0 / (1.0 - at_fit))) if self.coat == "dielectric" else one

@@ -1,4 +1,4 @@
-"""Mitsuba BSDF plug-in that wraps a term, two-sided.
+"""Mitsuba BSDF plug-ins: one that wraps a term, two-sided, and a tinted pane.
 
 Mitsuba's class differs from variant to variant, so ours is made when it is first wanted.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from brdf_suite.reference.bsdfs import terms
+from brdf_suite.reference.bsdfs import directions, terms
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, LocalBsdf, TwoToneBsdf
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.camera import Pinhole
@@ -20,6 +20,58 @@ def make_bsdf(term: Any) -> Any:
     made = _plug_in()(mi.Properties())
     made.term = term
     return made
+
+
+def make_pane(ior: float, transmittance: float) -> Any:
+    """Return a BSDF of a thin sheet: it mirrors R = 2 F/(1 + F) and passes ``transmittance`` (1 - R).
+
+    What it passes goes straight on and is not its own: a picture's coverage is what a pane mirrors or keeps.
+    """
+    made = _pane_plug_in()(mi.Properties())
+    made.ior, made.transmittance = ior, transmittance
+    return made
+
+
+@cache
+def _pane_plug_in() -> Any:
+    class PaneBsdf(mi.BSDF):
+        """Mirrors, or lets pass, by chance: as often as it lets pass, so that what passes keeps its weight."""
+
+        def __init__(self, properties: Any) -> None:
+            super().__init__(properties)
+            both = mi.BSDFFlags.FrontSide | mi.BSDFFlags.BackSide
+            self.m_components = [mi.BSDFFlags.DeltaReflection | both, mi.BSDFFlags.Null | both]
+            self.m_flags = mi.BSDFFlags.DeltaReflection | mi.BSDFFlags.Null | both
+            self.ior, self.transmittance = 1.5, 1.0
+
+        def sample(self, _context: Any, si: Any, choice: Any, _u: Any, active: Any = True) -> tuple[Any, Any]:
+            f = directions.fresnel(dr.abs(si.wi.z), self.ior)
+            mirrored = 2.0 * f / (1.0 + f)
+            passed = self.transmittance * (1.0 - mirrored)
+            through = choice < passed
+            found: Any = mi.BSDFSample3f(dr.select(through, -si.wi, mi.Vector3f(-si.wi.x, -si.wi.y, si.wi.z)))
+            found.pdf = dr.select(active, dr.select(through, passed, 1.0 - passed), 0.0)
+            found.eta = 1.0
+            found.sampled_type = dr.select(
+                through, mi.UInt32(+mi.BSDFFlags.Null), mi.UInt32(+mi.BSDFFlags.DeltaReflection)
+            )
+            found.sampled_component = dr.select(through, mi.UInt32(1), mi.UInt32(0))
+            weight = dr.select(through, 1.0, mirrored / dr.maximum(1.0 - passed, 1e-6))
+            return found, mi.Color3f(dr.select(active, weight, 0.0))
+
+        def eval(self, _context: Any, _si: Any, _wo: Any, _active: Any = True) -> Any:
+            return mi.Color3f(0.0)
+
+        def pdf(self, _context: Any, _si: Any, _wo: Any, _active: Any = True) -> Any:
+            return mi.Float(0.0)
+
+        def eval_pdf(self, _context: Any, _si: Any, _wo: Any, _active: Any = True) -> tuple[Any, Any]:
+            return mi.Color3f(0.0), mi.Float(0.0)
+
+        def to_string(self) -> str:
+            return f"PaneBsdf[{self.ior:g}, {self.transmittance:g}]"
+
+    return PaneBsdf
 
 
 @cache

@@ -164,7 +164,7 @@ class PartOfWeights(LobeWeightsTerm):
         return cls(**{**known, "kd": kd, "kdd": whole.kdd * kept, "kg": whole.kg * kept}, whole=whole)
 
     def _gains(self, cosine: Real) -> tuple[Real, Colour]:
-        return LobeWeightsTerm._gains(self.whole or self, cosine)
+        return super()._gains(cosine) if self.whole is None else self.whole._gains(cosine)
 
 
 def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split:

@@ -6,7 +6,7 @@ materials are distinguished.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,12 +14,16 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.reference.bsdfs.directions import Real, Vector
+from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.raytraced.numbers import in_cube
 from brdf_suite.reference.scene.place import aligned
 
 EPSILON = 1.5e-4
 """Of a place's distance from the origin, and of its ray's length: how far off the surface rays begin."""
 _LEAST_FACING = 1e-3
+MOST_PANES = 8
+"""One behind the other; what lies behind more is not seen."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,17 +69,17 @@ class SurfaceHit:
 
 
 class Surface:
-    """The Mitsuba mesh with its arrays."""
+    """The Mitsuba mesh with its arrays; ``panes`` are the terms of materials seen through, by their numbers."""
 
-    def __init__(self, arrays: SurfaceArrays) -> None:
-        mesh = mi.Mesh("surface", len(arrays.positions), len(arrays.triangles))
-        values = mi.traverse(mesh)
-        values["vertex_positions"] = aligned(arrays.positions).ravel()
-        values["faces"] = aligned(arrays.triangles, np.uint32).ravel()
-        values.update()
-        # Without it some rays slip through between two triangles, and a black dot is left of them.
-        watertight = {"embree_use_robust_intersections": True}
-        self._scene = mi.load_dict({"type": "scene", "surface": mesh, **watertight})
+    def __init__(self, arrays: SurfaceArrays, panes: Mapping[int, LobeWeightsTerm] | None = None) -> None:
+        self._panes = dict(panes or {})
+        self._scene = _scene(arrays.positions, arrays.triangles)
+        self._opaque, self._glazing = self._scene, None
+        if self._panes:
+            is_pane = np.isin(arrays.materials, list(self._panes))
+            self._opaque = None if is_pane.all() else _scene(arrays.positions, arrays.triangles[~is_pane])
+            self._glazing = _scene(arrays.positions, arrays.triangles[is_pane])
+            self._glazed = mi.UInt32(np.flatnonzero(is_pane).astype(np.uint32))
         self._positions, self._normals, self._uvs = (
             mi.Float(aligned(a).ravel()) for a in (arrays.positions, arrays.normals, arrays.uvs)
         )
@@ -110,11 +114,74 @@ class Surface:
         far = dr.select(met, found.t, dr.inf)
         return far, SurfaceHit(place, normal, view, dr.fma(reach, flat, place), triangle, u, v)
 
-    def hides(self, origin: Vector, direction: Vector, length: Real, active: Any) -> Any:
-        """Return whether anything is in the way of a ray of ``length``."""
+    def arriving(self, origin: Vector, direction: Vector, length: Real, active: Any) -> Real:
+        """Return which share of the light comes along a ray of ``length``: 0 where something hides it."""
         ray = mi.Ray3f(mi.Point3f(origin), direction)
         ray.maxt = length
-        return self._scene.ray_test(ray, coherent=mi.Bool(True), active=active)
+        free = mi.Bool(active)
+        if self._opaque is not None:
+            free &= ~self._opaque.ray_test(ray, coherent=mi.Bool(True), active=active)
+        glazing = self._glazing
+        if glazing is None:
+            return dr.select(free, mi.Float(1.0), 0.0)
+
+        def one_more(k: Any, going: Any, share: Real, start: Real) -> tuple[Any, ...]:
+            rest = mi.Ray3f(mi.Point3f(dr.fma(start, direction, origin)), direction)
+            rest.maxt = length - start
+            found = glazing.ray_intersect_preliminary(rest, coherent=mi.Bool(True), active=going)
+            going = going & found.is_valid()
+            triangle = dr.gather(mi.UInt32, self._glazed, found.prim_index, going)
+            share = share * dr.select(going, self._passing(triangle, found.prim_uv, direction, going), 1.0)
+            return k + 1, going, share, start + found.t + EPSILON * (0.05 + dr.max(dr.abs(origin)))
+
+        state = (
+            mi.UInt32(0),
+            mi.Bool(free),
+            dr.select(free, mi.Float(1.0), 0.0),
+            dr.zeros(mi.Float, dr.width(free)),
+        )
+        _, _, share, _ = dr.while_loop(
+            state, lambda k, going, *_: going & (k < MOST_PANES), one_more, label="panes before a light"
+        )
+        return share
+
+    def beyond_panes(self, origin: Vector, direction: Vector, number: Any, turn: Any, active: Any) -> Vector:
+        """Return where rays begin anew behind the panes that they pass, each by the chance of its share.
+
+        ``number`` and ``turn`` are those of :func:`.numbers.in_cube`.
+        """
+        if not self._panes:
+            return origin
+
+        def one_more(k: Any, going: Any, start: Vector) -> tuple[Any, ...]:
+            ray = mi.Ray3f(mi.Point3f(start), direction)
+            found = self._scene.ray_intersect_preliminary(ray, coherent=mi.Bool(False), active=going)
+            going = going & found.is_valid()
+            share = self._passing(found.prim_index, found.prim_uv, direction, going)
+            # Three panes take the three numbers of a sample, which are even together; the next three others.
+            a, pair = in_cube(number, turn + (k // 3 + 1) * mi.UInt32(0x632BE59B))
+            choice = dr.select(k % 3 == 0, a, dr.select(k % 3 == 1, pair.x, pair.y))
+            going &= choice < share
+            past = found.t + EPSILON * (0.05 + dr.max(dr.abs(start)))
+            return k + 1, going, dr.select(going, dr.fma(past, direction, start), start)
+
+        state = (mi.UInt32(0), mi.Bool(active), mi.Vector3f(origin))
+        found: Vector = dr.while_loop(
+            state, lambda k, going, _: going & (k < MOST_PANES), one_more, label="panes before a surface"
+        )[2]
+        return found
+
+    def _passing(self, triangle: Any, uv: Any, direction: Vector, active: Any) -> Real:
+        """Return the share of light along a ray that passes a triangle, 0 where it is no pane's."""
+        material = dr.gather(mi.UInt32, self._materials, triangle, active)
+        corners = self._corners(triangle, active)
+        a, b, c = (dr.gather(mi.Vector3f, self._normals, k, active) for k in corners)
+        normal = dr.normalize(dr.fma(uv.x, b - a, dr.fma(uv.y, c - a, a)))
+        cosine = dr.abs(dr.dot(normal, direction))
+        share = mi.Float(0.0)
+        for number, term in self._panes.items():
+            share = dr.select(material == number, term.passing(cosine), share)
+        return share
 
     def material(self, hit: SurfaceHit, active: Any) -> Any:
         """Return the number of the hit's material."""
@@ -144,3 +211,13 @@ class Surface:
 
     def _corners(self, triangle: Any, active: Any) -> list[Any]:
         return [dr.gather(mi.UInt32, self._triangles, 3 * triangle + k, active) for k in range(3)]
+
+
+def _scene(positions: npt.NDArray[np.float32], triangles: npt.NDArray[np.uint32]) -> Any:
+    mesh = mi.Mesh("surface", len(positions), len(triangles))
+    values = mi.traverse(mesh)
+    values["vertex_positions"] = aligned(positions).ravel()
+    values["faces"] = aligned(triangles, np.uint32).ravel()
+    values.update()
+    # Without it some rays slip through between two triangles, and a black dot is left of them.
+    return mi.load_dict({"type": "scene", "surface": mesh, "embree_use_robust_intersections": True})

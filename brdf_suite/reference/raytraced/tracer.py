@@ -132,6 +132,7 @@ def trace(
 
     def one_more(k: Any, radiance: Colour, coverage: Real, darkness: Colour) -> tuple[Any, ...]:
         origin, direction = camera.ray(column, row, in_pixel(k))
+        origin = stage.surface.beyond_panes(origin, direction, k, turn, mi.Bool(True))
         met, on_ground, hit = _meeting(stage, origin, direction, mi.Bool(True), coherent=True)
         seen = _flakes(stage, camera, direction, hit, met)
         hand = k % deal.hands
@@ -241,7 +242,8 @@ def _lit(
             for_ground = on_ground & (kind <= SUN)
         cosine = dr.dot(hit.normal, towards)
         lit = (met | for_ground) & (cosine > 0.0) & (dr.max(strength) > 0.0)
-        lit &= ~stage.surface.hides(hit.off, towards, length, lit)
+        share = share * stage.surface.arriving(hit.off, towards, length, lit)
+        lit &= share > 0.0
         local = frame.to_local(towards)
         arriving = strength * (cosine * share * factor)
         spread = dr.gather(mi.Float, lights.spreads, index)
@@ -322,7 +324,8 @@ def _reflected(
             weight = weight * factor
             direction = frame.to_world(local)
             going &= dr.max(weight) > 0.0
-            met, on_ground, hit = _meeting(stage, off, direction, going, coherent=False)
+            start = stage.surface.beyond_panes(off, direction, number, turn + bounce + 1, going)
+            met, on_ground, hit = _meeting(stage, start, direction, going, coherent=False)
             word = number * mi.UInt32(_GOLDEN) + scramble(turn + bounce)
             pick = _drawn_lights(stage.lights, deal, word)
             arriving, shade = _lit(stage, hit, met, on_ground, pick, deal.lights_a_ray)

@@ -62,7 +62,8 @@ class TracedScene:
 
     def set_term(self, material: str, term: Any) -> None:
         """Set the term of a material from the next pass on."""
-        self.bsdfs[material].term = term
+        if not isinstance(term, mi.BSDF):  # a pane stays what it is
+            self.bsdfs[material].term = term
         self.terms = {**self.terms, material: term}
 
     def look_from(self, eye: PinholeCamera, size: tuple[int, int]) -> None:

@@ -1,6 +1,6 @@
 """Baking of a mesh's occlusion: rays from places on its triangles, fitted by values at its vertices.
 
-1. The triangles, made ready for rays by Embree (:mod:`.rays`).
+1. The triangles, made ready for rays by Embree (:mod:`.rays`); panes let their share of the light pass.
 2. The floor under the mesh (:mod:`.floor`).
 3. Places spread over the triangles (:mod:`.places`), 32 rays each. A ray that leaves counts as light; with the
    floor, one that meets it counts by the light that the floor sees there.
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Integers, Singles
+from brdf_suite.documents.view_settings import TRANSMITTANCE
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
@@ -27,7 +28,7 @@ from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, RayScene
 
 Look: TypeAlias = Callable[[Places, Progress | None], Singles]
 
-ALGORITHM_VERSION = 2
+ALGORITHM_VERSION = 3
 """Part of the key of what is kept: to be raised with every change of what baking gives."""
 
 RAYS = 32
@@ -70,7 +71,8 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     surface = _joined(mesh)
     report(progress, 0.0, "occlusion: sorting the triangles")
     try:
-        scene = RayScene(surface.positions[surface.triangles])
+        passing = np.array([TRANSMITTANCE.get(part.material, 0.0) for part in mesh.parts])
+        scene = RayScene(surface.positions[surface.triangles], passing[surface.part])
     except ImportError as error:
         raise SuiteError(
             f"Occlusion cannot be baked: the ray tracer Embree is not there for this machine ({error})."

@@ -34,6 +34,8 @@ class RayScene:
     ----------
     triangles
         Corners (k, 3, 3), metres, k ≥ 1.
+    passing
+        (k,): which share of the light each triangle lets pass; 0 for all but panes. Left out, 0.
 
     Raises
     ------
@@ -41,20 +43,37 @@ class RayScene:
         There is no Embree for this machine.
     """
 
-    def __init__(self, triangles: NDArray[Any]) -> None:
+    def __init__(self, triangles: NDArray[Any], passing: NDArray[Any] | None = None) -> None:
         # Embree's library takes 40 ms to load, and only baking needs it.
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene
 
-        # Robust: a ray through the edge between two triangles hits one of them.
-        self._scene = EmbreeScene(robust=True)
-        self._mesh = TriangleMesh(self._scene, np.ascontiguousarray(triangles, np.float32))
+        passing = np.zeros(len(triangles)) if passing is None else passing
+        panes = passing > 0.0
+        self._passing = np.append(passing[panes], 1.0).astype(np.float32)
+        self._scenes = []
+        for kept in (~panes, panes):
+            # Robust: a ray through the edge between two triangles hits one of them.
+            scene = EmbreeScene(robust=True) if kept.any() else None
+            mesh = None
+            if scene is not None:
+                mesh = TriangleMesh(scene, np.ascontiguousarray(triangles[kept], np.float32))
+            self._scenes.append((scene, mesh))
         # The first rays sort the triangles, which threads must not do at once.
         self.free(np.zeros((1, 3), np.float32), np.array([[0.0, 1.0, 0.0]], np.float32))
 
-    def free(self, origins: Singles, directions: Singles) -> NDArray[np.bool_]:
-        """Return (n,): whether each ray (n, 3), (n, 3) hits nothing in front of its origin."""
-        return np.asarray(self._scene.run(origins, directions, query="OCCLUDED") < 0)
+    def free(self, origins: Singles, directions: Singles) -> Singles:
+        """Return (n,): which share of the light comes along each ray (n, 3), (n, 3) to its origin.
+
+        0 where it hits what is no pane, else what the first pane lets pass, or 1.
+        """
+        (opaque, _), (panes, _) = self._scenes
+        share = np.ones(len(origins), np.float32)
+        if panes is not None:
+            share = self._passing[panes.run(origins, directions, query="INTERSECT")]
+        if opaque is not None:
+            share = np.where(opaque.run(origins, directions, query="OCCLUDED") < 0, share, np.float32(0.0))
+        return share
 
     def gather(
         self,
@@ -77,7 +96,7 @@ class RayScene:
 
         Returns
         -------
-        (n, 9): share of directions that leave and the sum of those, over the number cast, alone (4) and with the
+        (n, 9): share of light that leaves and the sum of those, over the number cast, alone (4) and with the
         ground (4); last the share of directions above the plane, 0 where the place is no use.
 
         Raises
@@ -94,18 +113,17 @@ class RayScene:
             cosines = np.einsum("nkd,nd->nk", directions, planes[part])
             counted = cosines >= _BELOW
             origins = np.repeat(points[part], rays, axis=0)
-            free = self.free(origins, directions.reshape(-1, 3)).reshape(counted.shape) & counted
-            share = free.astype(np.float32)
+            share = self.free(origins, directions.reshape(-1, 3)).reshape(counted.shape) * counted
             over = 1.0 / np.maximum(counted.sum(axis=1), 1)
             result[part, :4] = _sums(share, directions) * over[:, None]
             if ground is not None:
                 drop = points[part, 1] - np.float32(ground.height)
-                met = free & (directions[..., 1] < 0.0) & (drop > 0.0)[:, None]
+                met = (share > 0.0) & (directions[..., 1] < 0.0) & (drop > 0.0)[:, None]
                 place, ray = np.nonzero(met)
                 towards = directions[place, ray]
                 distance = drop[place] / -towards[:, 1]
                 at = points[part][place] + distance[:, None] * towards
-                share[place, ray] = ground.share_at(at[:, 0], at[:, 2])
+                share[place, ray] *= ground.share_at(at[:, 0], at[:, 2])
             result[part, 4:8] = _sums(share, directions) * over[:, None]
             result[part, 8] = counted.mean(axis=1)
             return part.stop - part.start
@@ -121,7 +139,7 @@ class RayScene:
         progress: Progress | None = None,
         what: str = "occlusion",
     ) -> NDArray[np.uint8]:
-        """Return (n, m): 1 where the ray from a point along a direction, turned for that point, hits nothing.
+        """Return (n, m): 1 where a ray from a point along a direction, turned for that point, hits panes at most.
 
         ``points`` (n, 3); ``directions`` (m, 3), turned about y by ``turns`` (n,), radians.
         """
@@ -135,7 +153,7 @@ class RayScene:
             turned[..., 0], turned[..., 1] = cosine * x + sine * z, y
             turned[..., 2] = cosine * z - sine * x
             origins = np.repeat(points[part], len(directions), axis=0)
-            result[part] = self.free(origins, turned.reshape(-1, 3)).reshape(result[part].shape)
+            result[part] = self.free(origins, turned.reshape(-1, 3)).reshape(result[part].shape) > 0.0
             return part.stop - first
 
         _in_threads(step, len(points), progress, what)

@@ -270,7 +270,7 @@ class RaytracedSession:
         splits, _ = self._parts.splits(inputs, mesh)
         sky, _ = self._parts.light(inputs)
         return TracerScene(
-            self._parts.surface(mesh),
+            self._parts.surface(mesh, inputs.view),
             splits,
             sky,
             self._parts.lights(inputs, turn),

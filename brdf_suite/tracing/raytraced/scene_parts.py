@@ -64,10 +64,20 @@ class Parts(Kept):
 
         return self.keep("mesh", (Same(inputs.mesh), inputs.view.surface_look.materials), make)
 
-    def surface(self, mesh: Mesh) -> Any:
+    def surface(self, mesh: Mesh, view: View) -> Any:
         """Return the mesh in the ray tracer."""
         numbers = {name: index for index, name in enumerate(materials_of(mesh))}
-        return self.keep("surface", Same(mesh), lambda: Surface(SurfaceArrays.of(mesh.parts, numbers)))
+
+        def make() -> Surface:
+            stock = stock_materials(default_basis().exponents)
+            panes = {
+                number: lobe_term(stock[name], view)
+                for name, number in numbers.items()
+                if name != PAINT and name in stock and stock[name].transmittance > 0.0
+            }
+            return Surface(SurfaceArrays.of(mesh.parts, numbers), panes)
+
+        return self.keep("surface", (Same(mesh), view.fresnel), make)
 
     def splits(self, inputs: PictureInputs, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
         """Return each material cut in two, by its number, and sentences about the paint."""

@@ -31,6 +31,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.reference.bsdfs.plugin import make_pane
 from brdf_suite.reference.passes import Estimate
 from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
 from brdf_suite.reference.scene.camera import PinholeCamera
@@ -221,7 +222,12 @@ def build_reference(
     used = {p.material for p in mesh.parts}
     make = scalar_lobes if variant.is_scalar else lobe_term
     stock = stock_materials(default_basis().exponents).items()
-    terms = {**{name: make(weights, view) for name, weights in stock if name in used}, PAINT: optics.term}
+    others = {
+        name: make_pane(weights.ior, weights.transmittance) if weights.transmittance else make(weights, view)
+        for name, weights in stock
+        if name in used
+    }
+    terms = {**others, PAINT: optics.term}
     tint = environment_matrix(view.light_colour)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     ground = None

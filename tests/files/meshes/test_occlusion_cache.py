@@ -131,11 +131,13 @@ def test_entries_of_all_kinds_share_one_limit(
     assert len(kept(folder)) == 1
 
 
-def test_the_key_is_of_the_shape_alone(facet: Mesh) -> None:
+def test_the_key_is_of_the_shape_and_of_what_is_seen_through(facet: Mesh) -> None:
     (part,) = facet.parts
-    renamed = Mesh("other", (replace(part, name="g", material="glass"),))
+    renamed = Mesh("other", (replace(part, name="g", material="rubber"),))
+    pane = Mesh("facet", (replace(part, material="glass"),))
     moved = Mesh("facet", (replace(part, positions=part.positions + 1.0),))
-    assert occlusion_key(facet) == occlusion_key(renamed) != occlusion_key(moved)
+    assert occlusion_key(facet) == occlusion_key(renamed)
+    assert len({occlusion_key(mesh) for mesh in (facet, moved, pane)}) == 3
 
 
 def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path, coarse: None) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import GraphicsError
-from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.gl.programs import LookUps
 from brdf_suite.realtime.material.material_set import BLOCK_SIZE, pack
@@ -103,12 +103,25 @@ def test_edits_make_nothing(renderer, scenes, context, monkeypatch):
 )
 def test_stock_materials(exponents):
     stock = stock_materials(exponents)
-    assert set(stock) >= {"glass", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "neutral"}
+    assert set(stock) >= {
+        "glass",
+        "lens",
+        "gap",
+        "rubber",
+        "chrome",
+        "lamp",
+        "tail_lamp",
+        "trim",
+        "cavity",
+        "neutral",
+    }
     for name, weights in stock.items():
         gloss, base = reflected(weights)
         assert (gloss + base < 1).all(), name
     gloss, base = reflected(stock["glass"])
-    assert gloss == pytest.approx(np.full(3, float(fresnel_dielectric(np.cos(np.pi / 4), 1.52))))
+    assert gloss == pytest.approx(np.full(3, float(sheet_reflectance(np.cos(np.pi / 4), 1.52))))
+    assert base == pytest.approx(np.zeros(3))
+    assert 0.3 < stock["glass"].transmittance < stock["lens"].transmittance < 1.0
     assert max(sum(reflected(stock["cavity"]))) < 0.005
     gloss, base = reflected(stock["tail_lamp"])
     assert base[0] > 10 * base[2]

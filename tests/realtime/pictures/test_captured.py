@@ -60,6 +60,23 @@ def test_pictures_are_those_that_the_renderer_draws_one_by_one(scene: Renderer, 
     form.release()
 
 
+def test_paint_behind_a_pane_and_beside_a_gap_is_what_the_renderer_draws(renderer: Renderer, scenes) -> None:
+    gap = replace(
+        scenes.sheet("gap", 0.05, (0.0, 0.03, 0.13)), uvs=np.array([[-50, 0], [50, 0], [50, 9], [-50, 9]])
+    )
+    paint = replace(scenes.sheet("paint", 0.09, (0.02, 0.0, 0.12)), uvs=np.zeros((4, 2)))
+    pane = scenes.sheet("glass", 0.05, (0.03, 0.0, 0.16))
+    renderer.set_mesh([scenes.sphere(rings=32), paint, gap, pane])
+    renderer.set_environment(scenes.constant())
+    form = renderer.capture(VIEW, SIZE, 4)
+    for weights in (scenes.weights(kd=0.7), scenes.weights(kd=0.1, gloss=0.05)):
+        (picture,) = form.draw([CapturedPaint(weights)])
+        renderer.set_material("paint", weights)
+        alone = renderer.render_image(VIEW, SIZE, 4)
+        assert np.abs(picture.astype(int) - alone).max() <= 1
+    form.release()
+
+
 def test_a_batch_of_any_number_is_drawn(scene: Renderer, scenes) -> None:
     form = scene.capture(VIEW, (8, 8))
     kds = np.linspace(0.05, 0.9, form.most + 3)

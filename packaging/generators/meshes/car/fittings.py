@@ -10,6 +10,7 @@ from meshes.car.body import body
 from meshes.car.cutting import at_points, cut
 from meshes.car.lathe import lathe, loft
 from meshes.car.nets import Soup, extract, normals, project, refine
+from meshes.car.outlines import round_nose
 from meshes.car.pieces import Piece
 
 _MIRROR = (0.944, 0.996, 0.43)
@@ -36,7 +37,7 @@ def _mirror(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def mirror() -> list[Piece]:
     """Return housing, foot and glass of the left mirror."""
-    step = 0.017
+    step = 0.018
     grid = [np.arange(low, high, step) for low, high in ((0.76, 1.15), (0.83, 1.11), (0.34, 0.58))]
     soup = extract(_mirror, *grid)
     soup = Soup(project(_mirror, soup.points), soup.triangles)
@@ -54,7 +55,7 @@ def mirror() -> list[Piece]:
     for name, material, chosen in (
         ("mirror_housings", "paint", ~glass & ~black),
         ("mirror_feet", "trim", black),
-        ("mirror_glasses", "glass", glass),
+        ("mirror_glasses", "chrome", glass),
     ):
         piece = soup.keep(chosen)
         pieces.append(Piece(name, material, piece, normals(_mirror, piece.points)))
@@ -70,17 +71,57 @@ def _on_nose(x: Floats, y: Floats) -> Floats:
     return z
 
 
+def _bar(lines: list[Floats], name: str, material: str) -> list[Piece]:
+    """Return the sides of a bar between neighbouring ``lines`` (n, 3) along it, the last one before the first."""
+    pieces = []
+    for one, two in zip(lines, lines[1:] + lines[:1], strict=True):
+        soup, facing = loft(np.stack([two, one], axis=1), closed=False)
+        pieces.append(Piece(name, material, soup, facing))
+    return pieces
+
+
 def grille_bars() -> list[Piece]:
     """Return horizontal bars that follow the nose, set back in the main intake."""
     pieces = []
-    x = np.linspace(0.0, 0.53, 18)
+    x = np.linspace(0.0, 0.53, 13)
     section = [(0.0, 0.0), (0.0045, -0.006), (0.003, -0.020), (-0.003, -0.020), (-0.0045, -0.006)]
     for y in np.arange(0.268, 0.47, 0.034):
         z = _on_nose(x, np.full_like(x, y)) - 0.018
         lines = [np.stack([x, np.full_like(x, y + up), z + forward], axis=1) for up, forward in section]
-        for one, two in zip(lines, lines[1:] + lines[:1], strict=True):
-            soup, facing = loft(np.stack([two, one], axis=1), closed=False)
-            pieces.append(Piece("grille_bars", "chrome", soup, facing))
+        pieces += _bar(lines, "grille_bars", "chrome")
+    return pieces
+
+
+def grille_slats() -> list[Piece]:
+    """Return the mesh behind the bars of the main intake: upright slats and a row of level ones between the bars."""
+    pieces = []
+    y = np.linspace(0.24, 0.47, 4)
+    for x in np.arange(0.0125, 0.51, 0.025):
+        z = _on_nose(np.full_like(y, x), y) - 0.046
+        section = [(-0.0014, 0.0), (-0.0014, -0.022), (0.0014, -0.022), (0.0014, 0.0)]
+        lines = [np.stack([np.full_like(y, x + aside), y, z + forward], axis=1) for aside, forward in section]
+        pieces.append(Piece("grille_mesh", "trim", *loft(np.stack(lines[::-1], axis=1))))
+    x = np.linspace(0.0, 0.53, 7)
+    for level in np.arange(0.251, 0.47, 0.017):
+        z = _on_nose(x, np.full_like(x, level)) - 0.046
+        section = [(0.0014, 0.0), (0.0014, -0.022), (-0.0014, -0.022), (-0.0014, 0.0)]
+        lines = [np.stack([x, np.full_like(x, level + up), z + forward], axis=1) for up, forward in section]
+        pieces.append(Piece("grille_mesh", "trim", *loft(np.stack(lines[::-1], axis=1))))
+    return pieces
+
+
+def intake_fins() -> list[Piece]:
+    """Return the level fins of the outer intake, set back in it."""
+    pieces = []
+    for y in (0.282, 0.320, 0.358, 0.396):
+        x = np.linspace(0.40, 0.90, 200)
+        q = round_nose(x, _on_nose(x, np.full_like(x, y)))
+        low, high = (float(np.interp(at, q, x)) for at in (0.73 + 0.35 * (y - 0.3), 1.01 + 0.2 * (y - 0.3)))
+        x = np.linspace(low, high, 8)
+        z = _on_nose(x, np.full_like(x, y)) - 0.012
+        section = [(0.0015, 0.0), (0.004, -0.034), (-0.004, -0.034), (-0.0015, 0.0)]
+        lines = [np.stack([x, np.full_like(x, y + up), z + forward], axis=1) for up, forward in section]
+        pieces += _bar(lines, "intake_fins", "trim")
     return pieces
 
 

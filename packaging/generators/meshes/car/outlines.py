@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Integers
 from meshes.car.blends import SoftPolyline, rounded_max, smooth_min
 from meshes.car.body import FLOOR, cabin_side, lower_body, roof_surface, screen_station
 from meshes.car.proportions import ARCH_DEPTH_X, ARCH_RADIUS, AXLES, WHEEL_RADIUS
@@ -26,7 +26,7 @@ FLOOR_EDGE = 0.012
 """How far above the floor's surface the skin of the body ends, m."""
 
 
-def _round_nose(x: Floats, z: Floats) -> Floats:
+def round_nose(x: Floats, z: Floats) -> Floats:
     """Return a coordinate that grows from the middle of the nose round the corner to the side."""
     return x + 0.9 * (2.2 - z)
 
@@ -88,13 +88,18 @@ def rear_screen(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def headlamp(x: Floats, y: Floats, z: Floats) -> Floats:
     """The lamp's outer lens, from the nose round the corner."""
-    q = _round_nose(x, z)
+    q = round_nose(x, z)
     return rounded_max(0.012, 0.565 - q, (q - 1.22) * 0.7, _LAMP_LOW(q) - y, y - _LAMP_HIGH(q), 1.2 - z)
+
+
+def headlamp_middle(q: Floats) -> Floats:
+    """Return the height of the middle of the lens above the daytime running light, at a place round the nose."""
+    return 0.5 * (_LAMP_LOW(q) + 0.024 + _LAMP_HIGH(q))
 
 
 def daylight(x: Floats, y: Floats, z: Floats) -> Floats:
     """The daytime running light: a band along the lens's lower edge."""
-    q = _round_nose(x, z)
+    q = round_nose(x, z)
     return rounded_max(0.005, 0.60 - q, (q - 1.14) * 0.7, np.abs(y - _LAMP_LOW(q) - 0.017) - 0.0065, 1.2 - z)
 
 
@@ -117,7 +122,7 @@ def grille(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def intake(x: Floats, y: Floats, z: Floats) -> Floats:
     """The outer intake below the headlamp."""
-    q = _round_nose(x, z)
+    q = round_nose(x, z)
     return rounded_max(
         0.025, 0.72 - q + 0.35 * (y - 0.3), q - 1.02 - 0.2 * (y - 0.3), 0.245 - y, y - 0.43, 1.5 - z
     )
@@ -148,9 +153,59 @@ def plate_recess(x: Floats, y: Floats, z: Floats) -> Floats:
     return rounded_max(0.02, x - 0.275 - 0.15 * (y - 0.55), y - 0.605, 0.465 - y, z + 1.6)
 
 
+_SILL_TOP = 0.272
+_ROOF_FRONT, _ROOF_REAR = 0.215, -0.860
+"""Stations where the roof ends at the pillars."""
+
+
+def above_belt(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Below the line where pillars stand on wings; not a number where there are none."""
+    inside = (x > 0.4) & (z > -2.0) & (z < 1.0)
+    return np.where(inside, _BELT(z) - 0.008 - y, np.nan)
+
+
+def above_sill(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Below the line where wings stand on the painted sill; not a number ahead of the wheels and behind."""
+    return np.where((x > 0.5) & (np.abs(z) < 1.15), y - _SILL_TOP, np.nan)
+
+
+def _beside_roof(x: Floats, y: Floats, z: Floats, station: float) -> Floats:
+    inside = (y > 1.0) & (_inside_rail(x, y, z) < 0.03)
+    return np.where(inside, screen_station(x, z) - station, np.nan)
+
+
+def ahead_of_roof(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Ahead of where the roof begins; not a number beside the rails and below them."""
+    return _beside_roof(x, y, z, _ROOF_FRONT)
+
+
+def before_roof_ends(x: Floats, y: Floats, z: Floats) -> Floats:
+    """Ahead of where the roof ends; not a number beside the rails and below them."""
+    return _beside_roof(x, y, z, _ROOF_REAR)
+
+
+JOINTS = (above_belt, above_sill, ahead_of_roof, before_roof_ends)
+"""Where parts of the painted body meet without a gap."""
+BODY_PARTS = ("roof", "a_pillar", "c_pillar", "sill_panel", "front_wing", "rear_wing")
+"""Of the painted body without the panels that open; they join without a gap."""
+
+
+def body_part(x: Floats, y: Floats, z: Floats) -> Integers:
+    """Return for each place (n,) of the painted body which of :data:`BODY_PARTS` it belongs to."""
+    station = screen_station(x, z)
+    high = y > np.where(z < 1.0, _BELT(z) - 0.008, np.inf)
+    roof = high & (station < _ROOF_FRONT) & (station > _ROOF_REAR)
+    pillar = high & (x > 0.4)
+    sill_panel = (y < _SILL_TOP) & (np.abs(z) < 1.15)
+    names = [roof, pillar & (z > 0.0), pillar, sill_panel, z > 0.0]
+    return np.asarray(np.select(names, list(range(len(names))), len(names)), np.int64)
+
+
 def door(x: Floats, y: Floats, z: Floats) -> Floats:
     """The door below the belt."""
-    return rounded_max(0.045, z - _DOOR_FRONT(y), _DOOR_REAR(y) - z, 0.272 - y, y - _BELT(z) + 0.008, 0.4 - x)
+    return rounded_max(
+        0.045, z - _DOOR_FRONT(y), _DOOR_REAR(y) - z, _SILL_TOP - y, y - _BELT(z) + 0.008, 0.4 - x
+    )
 
 
 def window_split(x: Floats, y: Floats, z: Floats) -> Floats:
@@ -166,13 +221,13 @@ def handle(x: Floats, y: Floats, z: Floats) -> Floats:
 
 def front_bumper(x: Floats, y: Floats, z: Floats) -> Floats:
     """Below bonnet and lamps, ahead of the wheel opening."""
-    return np.maximum(y - _BUMPER(_round_nose(x, z)), 1.35 - z)
+    return np.maximum(y - _BUMPER(round_nose(x, z)), 1.35 - z)
 
 
 def bonnet(x: Floats, y: Floats, z: Floats) -> Floats:
     """The bonnet, down to the bumper."""
     station = screen_station(x, z)
-    above = _BUMPER(_round_nose(x, z)) - y
+    above = _BUMPER(round_nose(x, z)) - y
     return rounded_max(0.03, x - _BONNET_EDGE(z), 0.945 - station, above)
 
 

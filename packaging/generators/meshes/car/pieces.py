@@ -8,7 +8,7 @@ import numpy as np
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.surface.mesh import PartGeometry
-from meshes.car.nets import Soup
+from meshes.car.nets import Soup, compact
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
@@ -18,12 +18,21 @@ _ATLAS_MM = 20000.0
 
 @dataclass(frozen=True)
 class Piece:
-    """A soup with unit normals (n, 3) that belongs to a part of that name and material."""
+    """A soup with unit normals (n, 3) that belongs to a part of that name and material.
+
+    ``uvs`` (n, 2), mm, are its texture coordinates; left out, they are made when pieces are joined.
+    """
 
     name: str
     material: str
     soup: Soup
     normals: Floats
+    uvs: Floats | None = None
+
+
+def lowered(soup: Soup, normals: Floats, down: Floats) -> Soup:
+    """Return the soup with each point moved against its normal by ``down`` (n,), m."""
+    return Soup(soup.points - down[:, None] * normals, soup.triangles)
 
 
 def turn_edges_in(soup: Soup, normals: Floats, edge: Integers) -> tuple[Soup, Floats]:
@@ -55,22 +64,35 @@ def walls(soup: Soup, normals: Floats, edge: Integers, top: Floats, depth: Float
 
     They go from ``top`` to ``depth`` (m, one per point) below the surface.
     """
-    a, b = edge.T
-    p, q, m, n = soup.points[a], soup.points[b], normals[a], normals[b]
-    corners = [p - top[a, None] * m, q - top[b, None] * n, q - depth[b, None] * n, p - depth[a, None] * m]
-    facing = np.cross(q - p, -(m + n))
+    used, index = np.unique(edge, return_inverse=True)
+    ends = index.reshape(-1, 2)
+    p, n = soup.points[used], normals[used]
+    a, b = ends.T
+    across = np.cross(p[b] - p[a], -(n[a] + n[b]))
+    across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    facing = np.zeros_like(p)
+    for end in (a, b):
+        np.add.at(facing, end, across)
     facing /= np.maximum(np.linalg.norm(facing, axis=1, keepdims=True), 1e-12)
-    first = 4 * np.arange(len(edge))
-    triangles = [np.stack([first, first + 1, first + 3], 1), np.stack([first + 1, first + 2, first + 3], 1)]
-    points = np.stack(corners, axis=1).reshape(-1, 3)
-    return Soup(points, np.concatenate(triangles)), np.repeat(facing, 4, axis=0)
+    # Where a wall turns a corner its points are doubled.
+    sharp = np.minimum(*(np.einsum("ij,ij->i", across, facing[end]) for end in (a, b))) < 0.8
+    ends[sharp] = len(used) + np.arange(2 * int(sharp.sum())).reshape(-1, 2)
+    place = np.concatenate([used, edge[sharp].ravel()])
+    facing = np.concatenate([facing, np.repeat(across[sharp], 2, axis=0)])
+    a, b = ends.T
+    below = len(place)
+    triangles = [np.stack([a, b, a + below], 1), np.stack([b, b + below, a + below], 1)]
+    points, outwards = soup.points[place], normals[place]
+    levels = [points - down[place, None] * outwards for down in (top, depth)]
+    walls, used = compact(np.concatenate(levels), np.concatenate(triangles))
+    return walls, np.concatenate([facing, facing])[used]
 
 
 def mirror_piece(piece: Piece) -> Piece:
     """Return the piece on the other side of the middle plane."""
     flip = np.array([-1.0, 1.0, 1.0])
     soup = Soup(piece.soup.points * flip, piece.soup.triangles[:, ::-1])
-    return Piece(piece.name, piece.material, soup, piece.normals * flip)
+    return Piece(piece.name, piece.material, soup, piece.normals * flip, piece.uvs)
 
 
 def join_pieces(name: str, pieces: list[Piece]) -> PartGeometry:
@@ -80,7 +102,10 @@ def join_pieces(name: str, pieces: list[Piece]) -> PartGeometry:
     normals = np.concatenate([piece.normals for piece in pieces])
     triangles = np.concatenate([piece.soup.triangles + o for piece, o in zip(pieces, offset, strict=False)])
     triangles = without_slivers(points, triangles)
-    if pieces[0].material == "paint":
+    given = [piece.uvs for piece in pieces if piece.uvs is not None]
+    if given:
+        uvs = np.concatenate(given)
+    elif pieces[0].material == "paint":
         points, normals, uvs, triangles = project_box(points, normals, triangles)
     else:
         uvs = planar(points, normals)

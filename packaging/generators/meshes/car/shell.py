@@ -34,7 +34,7 @@ GAP = 0.0055
 """Width of a shut line, m."""
 _LIP = 0.0018
 _REACH = 0.045
-MERGE = 0.026
+MERGE = 0.032
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,13 @@ class TrimArea:
 # Earlier entries win where areas overlap.
 AREAS: tuple[TrimArea, ...] = (
     TrimArea("daylight", outlines.daylight, "lamp"),
-    TrimArea("headlamp", outlines.headlamp, "glass", 0.004),
+    TrimArea("headlamp", outlines.headlamp, "lens", 0.004),
     TrimArea("badge", outlines.badge, "chrome"),
     TrimArea("grille", outlines.grille, "cavity", 0.010, "chrome", depth=0.09),
     TrimArea("intake", outlines.intake, "cavity", depth=0.06),
     TrimArea("splitter", outlines.splitter, "trim"),
     TrimArea("tail_band", outlines.tail_band, "tail_lamp"),
-    TrimArea("tail_panel", outlines.tail_panel, "glass", 0.004),
+    TrimArea("tail_panel", outlines.tail_panel, "lens", 0.004),
     TrimArea("plate_recess", outlines.plate_recess, "trim", depth=0.018),
     TrimArea("diffuser", outlines.diffuser, "trim"),
     TrimArea("sill", outlines.sill, "trim"),
@@ -125,7 +125,7 @@ def creases() -> list[tuple[PointFunction, float]]:
     line = _within(lambda p: p[..., 1] - LINE(p[..., 2]), 0.5, -2.15, 1.9)
     lines = [offset(line, at) for at in (0.0, 0.005, -0.005, 0.016, -0.016)]
     rocker = _within(lambda p: p[..., 1] - ROCKER(p[..., 2]), 0.2, -1.2, 1.1)
-    lines += [offset(rocker, at) for at in (0.0, 0.005, -0.005, 0.02, 0.045, 0.07, 0.10, 0.14, 0.19)]
+    lines += [offset(rocker, at) for at in (0.0, 0.005, -0.005, 0.02, 0.05, 0.10, 0.19)]
     lines += [offset(at_points(outlines.arch), at) for at in ARCH_LIP]
     across = [offset(at_points(field), at) for field in fillets() for at in (0.25, -0.25, 0.75, -0.75)]
     return [(function, 3e-4) for function in lines] + [(function, 0.012) for function in across]
@@ -186,18 +186,19 @@ def _curves() -> tuple[list[tuple[PointFunction, tuple[float, ...]]], dict[str, 
         curves.append((distances[area.name], rings))
     for name, _ in PANELS:
         curves.append((distances[name], (GAP / 2, -GAP / 2, GAP / 2 + _LIP, -GAP / 2 - _LIP)))
+    curves += [(at_points(joint), (0.0,)) for joint in outlines.JOINTS]
     return [*curves, (distances["split"], (0.006, -0.006))], distances
 
 
 def _fine() -> list[tuple[Field, float, float]]:
     """Return near which borders (within how many metres) edges must be how short for the cuts to be exact."""
     narrow: list[tuple[Field, float, float]] = [
-        (outlines.daylight, 0.009, 0.014),
-        (outlines.tail_band, 0.013, 0.022),
+        (outlines.daylight, 0.009, 0.018),
+        (outlines.tail_band, 0.013, 0.030),
         (outlines.handle, 0.015, 0.012),
         (outlines.badge, 0.015, 0.012),
     ]
-    return narrow + [(region, 0.008, 0.040) for region in REGIONS.values()]
+    return narrow + [(region, 0.008, 0.060) for region in REGIONS.values()]
 
 
 def build_shell() -> Shell:
@@ -206,7 +207,7 @@ def build_shell() -> Shell:
     for field, reach, longest in _fine():
         soup = refine_near(body, soup, at_points(field), reach, longest)
     for region in (*(area.region for area in AREAS), *(region for _, region in PANELS)):
-        soup = refine_bends(body, soup, region, 0.010, 0.007)
+        soup = refine_bends(body, soup, region, 0.010, 0.009)
     soup = Soup(_on_centre(soup.points), soup.triangles)
     fixed: list[tuple[PointFunction, float]] = [(lambda p: p[:, 0], 1e-6)]
     fixed += creases()
@@ -217,7 +218,7 @@ def build_shell() -> Shell:
     normal = normals(body, soup.points)
     # Separated before merging: afterwards a triangle in a narrow bend may have its middle on the other side.
     piece = _pieces(soup, distances)
-    triangles, kept = merge_points(soup.points, normal, soup.triangles, marks, MERGE, 6.0)
+    triangles, kept = merge_points(soup.points, normal, soup.triangles, marks, MERGE, 7.5)
     return Shell(Soup(soup.points, triangles), normal, piece[kept], NAMES)
 
 
@@ -241,12 +242,9 @@ def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Integers:
     return piece
 
 
-def groove_depth(points: Floats, depth: float) -> Floats:
-    """Return how deep points (n, 3) of the shut lines lie, m: ``depth`` in the middle, 0 at both edges."""
-    nearest = np.full(len(points), GAP / 2)
-    for _, region in PANELS:
-        nearest = np.minimum(nearest, np.abs(surface_distance(region, body, _REACH)(points)))
-    return depth * (1.0 - nearest / (GAP / 2))
+def across_gaps(points: Floats) -> Floats:
+    """Return how far points (n, 3) lie from the middle of each panel's shut line, m, to either side: (panels, n)."""
+    return np.stack([surface_distance(region, body, _REACH)(points) for _, region in PANELS])
 
 
 def take(shell: Shell, chosen: NDArray[np.bool_]) -> tuple[Soup, Floats, Integers, Integers]:

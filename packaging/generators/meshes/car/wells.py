@@ -13,7 +13,7 @@ from meshes.car.outlines import FLOOR_EDGE, arch
 from meshes.car.pieces import Piece
 from meshes.car.proportions import ARCH_DEPTH_X, ARCH_RADIUS, AXLES, WHEEL_RADIUS
 
-_SEGMENTS = 72
+_SEGMENTS = 52
 
 
 def wells() -> list[Piece]:
@@ -56,7 +56,7 @@ def floor() -> list[Piece]:
 
     It has two sides, since its upper one shows through the wheel openings.
     """
-    x, z = np.meshgrid(np.linspace(0.0, 1.0, 11), np.arange(-2.5, 2.5, 0.09), indexing="ij")
+    x, z = np.meshgrid(np.linspace(0.0, 1.0, 8), np.arange(-2.5, 2.5, 0.15), indexing="ij")
     points = np.stack([x, FLOOR(z) + FLOOR_EDGE, z], axis=2).reshape(-1, 3)
     soup = Soup(points, grid_triangles(x.shape[0], x.shape[1], False)[:, ::-1])
     soup = cut(cut(soup, lambda p: at_points(body)(p) + 0.007), at_points(arch))

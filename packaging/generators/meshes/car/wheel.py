@@ -10,35 +10,78 @@ from meshes.car.nets import Soup
 from meshes.car.pieces import Piece
 from meshes.car.proportions import TYRE_WIDTH, WHEEL_RADIUS
 
-_SEGMENTS = 64
+_SEGMENTS = 44
 _SPOKES = 5
 _RIM = 0.260
 
 
-def _tyre() -> list[tuple[float, float]]:
-    """Return the tyre's profile from the outer bead over the tread to the inner bead."""
+_BLOCKS, _BLOCK_SHARE, _SLOT = 24, 0.80, 0.0055
+"""Blocks of the outer shoulder of the tread, their share of the way round, and how deep the slots between are, m."""
+
+
+def _tyre() -> tuple[Soup, Floats]:
+    """Return the tyre: walls with a rim guard and rings, a shoulder of blocks, and ribs between round grooves."""
     r, w = WHEEL_RADIUS, TYRE_WIDTH
-    half = [
+    wall = [
         (-0.014, _RIM - 0.010),
         (-0.006, _RIM + 0.004),
-        (-0.001, _RIM + 0.022),
-        (0.0, _RIM + 0.038),
-        (-0.002, _RIM + 0.053),
+        (0.0, _RIM + 0.012),
+        (0.0, _RIM + 0.018),
+        (-0.0035, _RIM + 0.021),
+        (-0.0020, _RIM + 0.034),
+        (-0.0040, _RIM + 0.0345),
+        (-0.0040, _RIM + 0.0365),
+        (-0.0022, _RIM + 0.0370),
+        (-0.0045, _RIM + 0.056),
         (-0.0095, r - 0.019),
-        (-0.019, r - 0.0085),
-        (-0.033, r - 0.0025),
-        (-0.055, r - 0.0005),
     ]
-    tread = []
-    for centre in (0.35, 0.65):
-        x = -w * centre
-        tread += [(x + 0.006, r), (x, r - 0.007), (x - 0.006, r)]
-    return half + tread + [(-w - x, y) for x, y in reversed(half[::2])]
+    shoulder = [wall[-1], (-0.019, r - 0.0085), (-0.033, r - 0.0025), (-0.050, r - 0.0005)]
+    tread = [shoulder[-1]]
+    for start in (-0.050, -0.086, -0.1225, -0.159):
+        tread += [(start, r), (start - 0.005, r - 0.0075), (start - 0.010, r)]
+    tread.append((_across(-0.055, w), r - 0.0005))
+    inner = [
+        (_across(x, w), y) for x, y in ((-0.055, r - 0.0005), *shoulder[2::-1], wall[5], wall[1], wall[0])
+    ]
+    return _merged(
+        [
+            lathe(wall[::-1], _SEGMENTS),
+            _blocks(shoulder),
+            lathe(tread[::-1], _SEGMENTS),
+            lathe(inner[::-1], _SEGMENTS // 2),
+        ]
+    )
+
+
+def _across(x: float, width: float) -> float:
+    """Return the place across a tyre of ``width`` on the other side of its middle, m."""
+    return -width - x
+
+
+def _blocks(profile: list[tuple[float, float]]) -> tuple[Soup, Floats]:
+    """Return a shoulder of the tread: its profile turned about the axle, with slots across; flat faces."""
+    x, high = np.asarray(profile).T
+    low = high - _SLOT * np.array([0.3, *np.ones(len(profile) - 1)])
+    step = 2.0 * np.pi / _BLOCKS
+    rows = []
+    for number in range(_BLOCKS):
+        for share, radius in ((0.0, high), (_BLOCK_SHARE, high), (_BLOCK_SHARE + 0.02, low), (0.98, low)):
+            # The slots lean, as those of a tyre do that throws water out.
+            angle = -0.5 * np.pi + step * (number + share - 0.5 * _BLOCK_SHARE) + 4.0 * (x - x[0])
+            rows.append(np.stack([x, radius * np.sin(angle), radius * np.cos(angle)], axis=1))
+    grid = np.stack(rows)
+    after = np.roll(grid, -1, axis=0)
+    corners = np.stack([grid[:, :-1], grid[:, 1:], after[:, 1:], after[:, :-1]], axis=2).reshape(-1, 4, 3)
+    facing = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    facing /= np.linalg.norm(facing, axis=1, keepdims=True)
+    first = 4 * np.arange(len(corners))[:, None]
+    triangles = np.concatenate([first + np.array([0, 2, 1]), first + np.array([0, 3, 2])])
+    return Soup(corners.reshape(-1, 3), triangles), np.repeat(-facing, 4, axis=0)
 
 
 def _spoke(angle: float, lean: float) -> tuple[Soup, Floats]:
     """Return one spoke, from the hub to the rim at ``angle`` (rad), its outer end ``lean`` further."""
-    t = np.linspace(0.0, 1.0, 6)
+    t = np.linspace(0.0, 1.0, 5)
     radius = 0.045 + (_RIM - 0.008 - 0.045) * t
     turn = angle + lean * (0.35 + 0.65 * t)
     half = 0.0195 - 0.0050 * t + 0.006 * (1.0 - t) ** 2 + 0.006 * np.clip(t - 0.8, 0, None) / 0.2
@@ -138,12 +181,12 @@ def wheel() -> list[Piece]:
         middle = np.pi / 2 + 2.0 * np.pi * k / _SPOKES
         spokes += [_spoke(middle + s * 0.10, s * 0.13) for s in (1.0, -1.0)]
     pieces = [
-        ("tyres", "rubber", lathe(_tyre()[::-1], _SEGMENTS)),
+        ("tyres", "rubber", _tyre()),
         ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
-        ("rim_barrels", "cavity", lathe(rim[5:], 48)),
-        ("rims", "chrome", lathe(cap, 32)),
+        ("rim_barrels", "trim", lathe(rim[5:], 24)),
+        ("rims", "chrome", lathe(cap, 24)),
         ("rims", "chrome", _merged(spokes)),
-        ("discs", "trim", lathe(disc, 48)),
+        ("discs", "chrome", lathe(disc, 28)),
         ("calipers", "trim", _caliper()),
     ]
     return [Piece(name, material, soup, normals) for name, material, (soup, normals) in pieces]
