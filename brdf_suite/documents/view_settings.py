@@ -63,6 +63,17 @@ PARAMETERS: Mapping[str, Parameter] = {
     "lamp.temperature_k": Parameter(
         "Colour temperature", "K", 1000.0, 25000.0, 6500.0, "Of the lamp's light, on the locus of daylight"
     ),
+    "lamp.diameter": Parameter(
+        "Diameter", "m", 0.0, 100.0, 0.0, "Of a point lamp, a ball; 0: a point, whose shadows are sharp"
+    ),
+    "lamp.angle_deg": Parameter(
+        "Angle",
+        "°",
+        0.0,
+        60.0,
+        0.0,
+        "Across the disc of a directional lamp, the sun's is 0.53; 0: sharp shadows",
+    ),
     "light_colour.brightness": Parameter(
         "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
     ),
@@ -111,7 +122,11 @@ class LightColour:
 
 @dataclass(frozen=True)
 class Lamp:
-    """A point or directional light beside the environment: ``point`` at ``position`` (metres), or ``directional``."""
+    """A point or directional light beside the environment: ``point`` at ``position`` (metres), or ``directional``.
+
+    A point lamp is a ball of a ``diameter``, a directional one a disc of an angle in the sky: both are even, and send
+    as much light as without extent.
+    """
 
     kind: LampKind = "point"
     position: tuple[float, float, float] = (1.0, 2.0, 1.0)
@@ -119,14 +134,15 @@ class Lamp:
     elevation_deg: float = PARAMETERS["lamp.elevation_deg"].default
     strength: float = PARAMETERS["lamp.strength"].default
     temperature_k: float = PARAMETERS["lamp.temperature_k"].default
+    diameter: float = PARAMETERS["lamp.diameter"].default
+    angle_deg: float = PARAMETERS["lamp.angle_deg"].default
 
     def __post_init__(self) -> None:
         check_choice(self.kind, "kind", LAMP_KINDS)
         position = check_numbers(self.position, "position", PARAMETERS["lamp.position"], 3)
         object.__setattr__(self, "position", position)
-        set_numbers(
-            self, PARAMETERS, "azimuth_deg", "elevation_deg", "strength", "temperature_k", group="lamp."
-        )
+        numbers = ("azimuth_deg", "elevation_deg", "strength", "temperature_k", "diameter", "angle_deg")
+        set_numbers(self, PARAMETERS, *numbers, group="lamp.")
 
 
 @dataclass(frozen=True)

@@ -163,6 +163,8 @@ views = st.builds(
             elevation_deg=numbers(S["lamp.elevation_deg"]),
             strength=numbers(S["lamp.strength"]),
             temperature_k=numbers(S["lamp.temperature_k"]),
+            diameter=numbers(S["lamp.diameter"]),
+            angle_deg=numbers(S["lamp.angle_deg"]),
         ),
         max_size=2,
     ).map(tuple),

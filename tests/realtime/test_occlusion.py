@@ -164,7 +164,7 @@ def test_the_ground_in_light_from_one_side(scenes: Any) -> None:
     field = ground_field()
     for side, wanted in ((1.0, 0.1), (-1.0, 0.9)):
         faces = scenes.cube(np.repeat(1.0 * (scenes.directions(32)[..., :1] * side > 0), 3, axis=-1))
-        ratio, _ = ground_ratio(field.transfer, environment_harmonics(faces, 6))
+        ratio, _, _ = ground_ratio(field.transfer, environment_harmonics(faces, 6))
         assert ratio[0, 0] == pytest.approx(1.0)
         assert ratio[8, 12] == pytest.approx(wanted, abs=0.12)
     dark = CubeFaces(np.zeros((6, 8, 8, 3), np.float16))

@@ -56,9 +56,9 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         "--point-light",
         type=_point_light,
         action="append",
-        metavar="X,Y,Z,STRENGTH[,KELVIN]",
-        help="a small lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi; up to eight, in "
-        "place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
+        metavar="X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]",
+        help="a lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi, and a diameter in metres; "
+        "up to eight, in place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
     )
     add_arguments(
         command,
@@ -88,15 +88,16 @@ def _point_light(text: str) -> Lamp:
     try:
         numbers = [float(word) for word in text.split(",")]
     except ValueError as error:
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN]") from error
-    if len(numbers) not in (4, 5):
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]") from error
+    if len(numbers) not in (4, 5, 6):
         raise argparse.ArgumentTypeError(
-            f"{text!r} has {len(numbers)} numbers; expected X,Y,Z,STRENGTH[,KELVIN]"
+            f"{text!r} has {len(numbers)} numbers; expected X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]"
         )
+    defaults = Lamp()
     x, y, z, strength = numbers[:4]
+    kelvin, diameter = (*numbers[4:], *(defaults.temperature_k, defaults.diameter)[len(numbers) - 4 :])
     try:
-        lamp = Lamp("point", (x, y, z), strength=strength)
-        return replace(lamp, temperature_k=numbers[4]) if len(numbers) == 5 else lamp
+        return Lamp("point", (x, y, z), strength=strength, temperature_k=kelvin, diameter=diameter)
     except ValueRangeError as error:
         raise argparse.ArgumentTypeError(f"{text!r}: {error}") from error
 

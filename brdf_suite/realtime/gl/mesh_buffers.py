@@ -21,7 +21,8 @@ _Attributes = tuple[tuple[str, int, str, int], ...]
 class MeshBuffers:
     """Positions, normals and texture coordinates interleaved, 32-bit indices; a vertex array per part and program.
 
-    Where the light that arrives is known, it stands in a buffer of its own, in half floats.
+    Where the light that arrives is known, it stands in a buffer of its own, in half floats; ``hides_nothing`` says that
+    none of it is hidden by the mesh itself, as on a ball.
     """
 
     def __init__(self, objects: GpuObjects) -> None:
@@ -36,12 +37,14 @@ class MeshBuffers:
         self.triangle_count = 0
         self.generation = 0
         self.knows_light = False
+        self.hides_nothing = False
 
     def load(self, parts: Sequence[MeshPart]) -> None:
         """Replace the mesh; an empty sequence draws the background only."""
         self.release()
         self.generation += 1
         self.knows_light = any(part.light is not None for part in parts)
+        self.hides_nothing = bool(parts) and all(_sees_all(part) for part in parts)
         for part in parts:
             uvs = np.zeros((len(part.positions), 2), np.float32) if part.uvs is None else part.uvs
             vertices = np.concatenate([part.positions, part.normals, uvs], axis=1)
@@ -90,6 +93,15 @@ def _described(
         f"{count}{kind}" if name in program else f"{size * count}x" for name, count, kind, size in attributes
     )
     return (buffer, layout, *(name for name, *_ in attributes if name in program))
+
+
+_ALL = 0.98
+"""Of the light: less, and something is in the way of some of it; baking is right to a hundredth."""
+
+
+def _sees_all(part: MeshPart) -> bool:
+    """Whether nothing of the mesh is in the way of any light that arrives at a part, as far as is known."""
+    return part.light is not None and bool((part.light[:, 3] > _ALL).all())
 
 
 def _light(part: MeshPart) -> NDArray[np.float16]:

@@ -45,8 +45,8 @@ from brdf_suite.realtime.gl.programs import (
     columns,
     view_uniforms,
 )
+from brdf_suite.realtime.lights.shadows import Shadows
 from brdf_suite.realtime.lights.single_lights import SingleLights
-from brdf_suite.realtime.lights.sun import SunShadow
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.display import SRGB, Display
 from brdf_suite.realtime.pictures.finish import FinishPass
@@ -81,7 +81,7 @@ class DrawContext:
     mesh: MeshBuffers
     materials: MaterialSet
     single_lights: SingleLights
-    sun: SunShadow
+    shadows: Shadows
     finish: FinishPass
 
 
@@ -216,8 +216,8 @@ class CapturedForm:
         words = self._features
         if swatch.flakes is not None:
             words |= drawing.single_lights.features(view)
-        words |= drawing.sun.features(words)
-        sun = drawing.sun.uniforms(view, words)
+        words |= drawing.shadows.features(view, words)
+        cast = drawing.shadows.uniforms(view, words)
         lit = words != self._features
         kept = None
         if self._kept is not None and material.numbers is not None:
@@ -235,7 +235,7 @@ class CapturedForm:
         assign(program, drawing.environment.use_sharp(material.sharp) if kept is None else kept)
         if lit:
             drawing.single_lights.bind(view)
-            assign(program, drawing.single_lights.uniforms(name, view, has_uv=True) | sun)
+            assign(program, drawing.single_lights.uniforms(name, view, has_uv=True) | cast)
         program["first_row"] = number * self._rows
         material.ramp.use(RAMP_UNIT)
         material.buffer.bind_to_uniform_block(MATERIAL_BINDING)

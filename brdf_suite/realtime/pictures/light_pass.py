@@ -54,7 +54,7 @@ class LightPass:
             drawing.environment,
         )
         self.mesh, self._materials = drawing.mesh, drawing.materials
-        self._single_lights, self._sun = drawing.single_lights, drawing.sun
+        self._single_lights, self._shadows = drawing.single_lights, drawing.shadows
         self.ground = GroundShadow(drawing.objects)
         self.relief = ReliefTextures(drawing.objects, make_peel)
         self.factors = FactorTextures(drawing.objects)
@@ -86,18 +86,19 @@ class LightPass:
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
         features |= self._dark(view)
-        features |= self._sun.features(features)
-        sun = self._sun.uniforms(view, features)
+        features |= self._shadows.features(view, features)
+        cast = self._shadows.uniforms(view, features)
         self._single_lights.prepare(view)
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
         self._environment.bind()
-        self._warm_up(samples, features)
+        on_mesh = self._shadows.on_mesh(features)
+        self._warm_up(samples, on_mesh)
         framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials, sun)
+        self._draw_mesh(view, on_mesh, camera, crop(size, corner, tile), materials, cast)
         if not transparent:
             self._draw_background(view, camera, size, corner)
-            self._draw_ground(view, camera, crop(size, corner, tile), sun)
+            self._draw_ground(view, camera, crop(size, corner, tile), features, cast)
         return light
 
     def draw_backdrop(
@@ -118,15 +119,15 @@ class LightPass:
         camera = matrices(view.camera, self.mesh.bounds, size)
         features = self._dark(view) | surface_features(view, knows_light=self.mesh.knows_light)
         if grounded and view.surface_look.ground:
-            features |= self._sun.features(features)
-        sun = self._sun.uniforms(view, features)
+            features |= self._shadows.features(view, features)
+        cast = self._shadows.uniforms(view, features)
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()
         framebuffer.clear(depth=1.0)
         self._draw_background(view, camera, size, (0, 0))
         if grounded:
-            self._draw_ground(view, camera, crop(size, (0, 0), size), sun)
+            self._draw_ground(view, camera, crop(size, (0, 0), size), features, cast)
         return light
 
     def _dark(self, view: View) -> Features:
@@ -141,7 +142,7 @@ class LightPass:
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
         materials: Mapping[str, str],
-        sun: Mapping[str, object],
+        cast: Mapping[str, object],
     ) -> None:
         common = (
             self._environment.uniforms()
@@ -151,10 +152,10 @@ class LightPass:
                 "eye": tuple(camera.eye),
                 "grounded": view.surface_look.ground,
             }
-            | dict(sun)
+            | dict(cast)
         )
         ready: set[tuple[LookUps, Features]] = set()
-        lit = bool(sun) or bool(self._single_lights.features(view))
+        lit = bool(cast) or bool(self._single_lights.features(view))
         if lit:
             self._single_lights.bind(view)
         modes = Modes(view.fresnel, view.look_up)
@@ -210,17 +211,22 @@ class LightPass:
         view: View,
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
-        sun: Mapping[str, object],
+        features: Features,
+        cast: Mapping[str, object],
     ) -> None:
         """Darken the background by the shadow on the ground, which is visible from above only."""
         height = self.ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
+            if cast and view.lamps:
+                self._single_lights.bind(view)
             self.ground.draw(
                 columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),
                 environment_matrix(view.light_colour),
-                self._sun.sun if sun else None,
-                sun,
+                self._shadows.sun if "SUN" in features else None,
+                "LAMP_SHADOWS" in features,
+                cast,
+                self._shadows.reach_on(height),
             )
 
     def _warm_up(self, samples: int, features: Features) -> None:

@@ -34,8 +34,8 @@ from brdf_suite.realtime.gl.programs import (
     Programs,
     surface_features,
 )
+from brdf_suite.realtime.lights.shadows import Shadows
 from brdf_suite.realtime.lights.single_lights import FindLights, SingleLights, no_lights
-from brdf_suite.realtime.lights.sun import SunShadow
 from brdf_suite.realtime.material.material_set import MaterialSet
 from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
@@ -91,7 +91,7 @@ class Renderer:
             self.mesh,
             self._materials,
             self._single_lights,
-            SunShadow(objects, programs, self.mesh),
+            Shadows(objects, programs, self.mesh),
             self._finish,
         )
         self._first_pass = LightPass(self._drawing, make_peel)
@@ -140,7 +140,7 @@ class Renderer:
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
         self._single_lights.set_environment(find_lights, maps, self._environment.ladder)
-        self._drawing.sun.set_environment(find_lights, self._environment.mean_radiance)
+        self._drawing.shadows.set_environment(find_lights, self._environment.mean_radiance)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights; from the second time on this writes one small buffer and no more."""
