@@ -15,6 +15,7 @@ from brdf_suite.realtime.values import MeshPart
 
 _ATTRIBUTES = (("position", 3, "f", 4), ("normal", 3, "f", 4), ("uv", 2, "f", 4))
 _LIGHT_ATTRIBUTES = (("light_alone", 4, "f2", 2), ("light_grounded", 4, "f2", 2))
+_BACK_ATTRIBUTES = (("back_alone", 4, "f2", 2), ("back_grounded", 4, "f2", 2))
 _Attributes = tuple[tuple[str, int, str, int], ...]
 
 
@@ -33,6 +34,7 @@ class MeshBuffers:
         self.materials: tuple[str, ...] = ()
         self.has_uv: tuple[bool, ...] = ()
         self.closed: tuple[bool, ...] = ()
+        self.two_sided: tuple[bool, ...] = ()
         self.bounds = Bounds.of([])
         self.triangle_count = 0
         self.generation = 0
@@ -55,6 +57,7 @@ class MeshBuffers:
         self.materials = tuple(part.material for part in parts)
         self.has_uv = tuple(part.uvs is not None for part in parts)
         self.closed = tuple(is_closed_outward(part.positions, part.triangles) for part in parts)
+        self.two_sided = tuple(part.light is not None and part.light.shape[1] == 16 for part in parts)
         self.bounds = Bounds.of(part.positions for part in parts)
         self.triangle_count = sum(len(part.triangles) for part in parts)
 
@@ -62,12 +65,17 @@ class MeshBuffers:
         """Return one vertex array per part for ``program``; made at the first call, kept until the next mesh."""
         if program not in self._arrays:
             self._arrays[program] = []
-            for vertices, indices, light in self._buffers:
+            for (vertices, indices, light), two_sided in zip(self._buffers, self.two_sided, strict=True):
                 content = [_described(program, vertices, _ATTRIBUTES)]
-                if light is not None and any(name in program for name, *_ in _LIGHT_ATTRIBUTES):
-                    content.append(_described(program, light, _LIGHT_ATTRIBUTES))
+                lit = _LIGHT_ATTRIBUTES + _BACK_ATTRIBUTES if two_sided else _LIGHT_ATTRIBUTES
+                if light is not None and any(name in program for name, *_ in lit):
+                    content.append(_described(program, light, lit))
                 self._arrays[program].append(self._objects.vertex_array(program, content, indices))
         return self._arrays[program]
+
+    def side_words(self, part: int) -> frozenset[str]:
+        """Return the word of programs for a part whose back is lit by itself."""
+        return frozenset({"TWO_SIDED"}) if self.two_sided[part] else frozenset()
 
     def forget(self, program: moderngl.Program) -> None:
         """Give back the vertex arrays of a program that goes."""
@@ -81,7 +89,7 @@ class MeshBuffers:
                 self._objects.release(made)
         self._arrays, self._buffers = {}, []
         self.names = self.materials = ()
-        self.has_uv = self.closed = ()
+        self.has_uv = self.closed = self.two_sided = ()
 
 
 def _described(
@@ -105,7 +113,7 @@ def _sees_all(part: MeshPart) -> bool:
 
 
 def _light(part: MeshPart) -> NDArray[np.float16]:
-    """Return the light that arrives, (n, 8); that of an open place where it is not known."""
+    """Return the light that arrives, (n, 8) or (n, 16); that of an open place where it is not known."""
     if part.light is not None:
         return part.light
     # Seen through the cosine, the mean direction of uniform light is two thirds as long as the normal.

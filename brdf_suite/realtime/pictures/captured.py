@@ -272,9 +272,10 @@ def capture(
         framebuffer = objects.framebuffer(*colours, depth=depth)
         objects.bind(framebuffer, size, depth=True)
         framebuffer.clear(depth=1.0)
-        program = drawing.programs.capture(features)
-        assign(program, common)
         for part, painted in parts:
+            sides = drawing.mesh.side_words(part) if "OCCLUSION" in features else frozenset()
+            program = drawing.programs.capture(features | sides)
+            assign(program, common)
             assign(program, {"kept": 1.0 if painted else 2.0, "has_uv": drawing.mesh.has_uv[part]})
             drawing.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         places = np.empty((_PLACE_TARGETS, height, width, samples, 4), np.float32)

@@ -204,7 +204,9 @@ class LightPass:
         if self.relief.has_second_paint(view):
             over = painted | {"SECOND_PAINT"}
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
-        return drawn
+        if "OCCLUSION" not in features:
+            return drawn
+        return [(part, name, words | self.mesh.side_words(part)) for part, name, words in drawn]
 
     def _draw_ground(
         self,
