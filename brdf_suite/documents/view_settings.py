@@ -74,6 +74,15 @@ PARAMETERS: Mapping[str, Parameter] = {
         0.0,
         "Across the disc of a directional lamp, the sun's is 0.53; 0: sharp shadows",
     ),
+    "lens.f_number": Parameter(
+        "Aperture", "f/", 0.0, 128.0, 0.0, "Focal length over diameter of the lens's opening; 0: all is sharp"
+    ),
+    "lens.focus_distance": Parameter(
+        "Focus", "m", 1e-3, 1e6, 1.0, "From the camera to the plane that is sharp"
+    ),
+    "lens.turn_deg": Parameter(
+        "Turn", "°", -360.0, 360.0, 0.0, "By which the object turns while the shutter is open"
+    ),
     "light_colour.brightness": Parameter(
         "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
     ),
@@ -143,6 +152,30 @@ class Lamp:
         object.__setattr__(self, "position", position)
         numbers = ("azimuth_deg", "elevation_deg", "strength", "temperature_k", "diameter", "angle_deg")
         set_numbers(self, PARAMETERS, *numbers, group="lamp.")
+
+
+@dataclass(frozen=True)
+class Lens:
+    """What makes a picture in a file blurred: the opening of the lens, and the object's turn during the exposure.
+
+    ``f_number`` is the focal length over the diameter of the opening, 0 a pinhole. ``focus_distance`` is from the
+    camera to the sharp plane, along the axis, metres; None: to the object's nearest point in the middle of the picture.
+    ``turn_deg`` is counter-clockwise seen from above, the middle of the exposure being the view itself.
+    """
+
+    f_number: float = 0.0
+    focus_distance: float | None = None
+    turn_deg: float = 0.0
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS, "f_number", "turn_deg", group="lens.")
+        if self.focus_distance is not None:
+            set_numbers(self, PARAMETERS, "focus_distance", group="lens.")
+
+    @property
+    def blurs(self) -> bool:
+        """Whether a picture is other than a sharp one."""
+        return self.f_number > 0.0 or self.turn_deg != 0.0
 
 
 @dataclass(frozen=True)

@@ -63,6 +63,7 @@ from brdf_suite.documents.view_settings import (
     SPARKLE_MODES,
     Compare,
     Lamp,
+    Lens,
     LightColour,
     PartMaterial,
     Relief,
@@ -168,6 +169,12 @@ views = st.builds(
         ),
         max_size=2,
     ).map(tuple),
+    lens=st.builds(
+        Lens,
+        f_number=numbers(S["lens.f_number"]),
+        focus_distance=st.none() | numbers(S["lens.focus_distance"]),
+        turn_deg=numbers(S["lens.turn_deg"]),
+    ),
     sparkle=st.builds(
         Sparkle,
         mode=st.sampled_from(SPARKLE_MODES),

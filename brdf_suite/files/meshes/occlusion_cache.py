@@ -5,8 +5,8 @@ baking. That of the surface which a new user sees first is packaged, so that the
 (``packaging/generators/resources.py occlusion`` writes it).
 
 In the file (:mod:`brdf_suite.files.array_file`) the header holds ``"ground": [height, x0, z0, x1, z1]``. The arrays are
-``ground``, and of each part only what is not in the mesh itself: ``0.light``, of both sides where it is no solid, and ``0.triangles`` and the vertices on
-its edges where it was cut.
+``ground``, and of each part only what is not in the mesh itself: ``0.light``, of both sides where it is no solid, and
+``0.triangles`` and the vertices on its edges where it was cut.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
-from brdf_suite.realtime.camera import CameraMatrices, crop, matrices
+from brdf_suite.realtime.camera import MIDDLE, CameraMatrices, LensPoint, crop, matrices
 from brdf_suite.realtime.environment.backdrop import backdrop
 from brdf_suite.realtime.environment.ground import GroundShadow
 from brdf_suite.realtime.environment.textures import RAMP_UNIT
@@ -74,14 +74,15 @@ class LightPass:
         region: Region | None = None,
         dtype: str = "f2",
         transparent: bool = False,
+        lens: LensPoint = MIDDLE,
     ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance, seen from ``lens``."""
         if not self._environment.exponents:
             raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
         samples = min(samples, self._objects.context.max_samples)
         # Graphics cards have powers of two of them.
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
-        camera = matrices(view.camera, self.mesh.bounds, size)
+        camera = matrices(view.camera, self.mesh.bounds, size, lens)
         self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
@@ -250,6 +251,7 @@ class LightPass:
         own = {
             "view_to_world": columns(camera.view_to_world),
             "half_tangents": camera.half_tangents,
+            "lens_shift": camera.shift,
             "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
             **backdrop(view, self._environment.ladder),
         }

@@ -64,10 +64,12 @@ class TracedScene:
         self.terms = {**self.terms, material: term}
 
     def look_from(self, eye: PinholeCamera, size: tuple[int, int]) -> None:
-        """Move the camera, and change the size of the picture."""
+        """Move the camera, and change the size of the picture; a lens stays one, and a pinhole one."""
         values = mi.traverse(self.scene)
         values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
         values["sensor.x_fov"] = math.degrees(2.0 * math.atan(eye.half_width_tangent))
+        if eye.aperture > 0.0:
+            values["sensor.aperture_radius"], values["sensor.focus_distance"] = eye.aperture, eye.focus
         for name in ("size", "crop_size"):
             values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
         values.update()
@@ -166,7 +168,7 @@ def _to_world(eye: PinholeCamera) -> Any:
 
 def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
     return {
-        "type": "perspective",
+        **_lens(eye),
         "fov_axis": "x",
         "fov": math.degrees(2.0 * math.atan(eye.half_width_tangent)),
         "near_clip": 1e-4,
@@ -182,6 +184,12 @@ def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
             "rfilter": {"type": "box"},
         },
     }
+
+
+def _lens(eye: PinholeCamera) -> dict[str, Any]:
+    if eye.aperture <= 0.0:
+        return {"type": "perspective"}
+    return {"type": "thinlens", "aperture_radius": eye.aperture, "focus_distance": eye.focus}
 
 
 def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:

@@ -75,8 +75,8 @@ def spread(positions: Singles, normals: Singles, triangles: Integers, count: int
     size = np.linalg.norm(smooth, axis=1, keepdims=True)
     smooth = np.where(size > 1e-6, smooth / np.maximum(size, 1e-6), planes)
     lift = _OFFSET * float(np.ptp(positions, axis=0).max())
-    vectors = (np.ascontiguousarray(v, np.float32) for v in (points + lift * planes, smooth, planes))
-    return Places(triangle, weights, area, *vectors, np.full((len(points), 1), lift, np.float32))
+    above, smooth, planes = (v.astype(np.float32) for v in (points + lift * planes, smooth, planes))
+    return Places(triangle, weights, area, above, smooth, planes, np.full((len(points), 1), lift, np.float32))
 
 
 def _inside(triangle: Integers, rank: Integers) -> Floats:
