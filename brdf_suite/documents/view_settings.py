@@ -75,7 +75,7 @@ PARAMETERS: Mapping[str, Parameter] = {
         "Across the disc of a directional lamp, the sun's is 0.53; 0: sharp shadows",
     ),
     "lens.f_number": Parameter(
-        "Aperture", "f/", 0.0, 128.0, 0.0, "Focal length over diameter of the lens's opening; 0: all is sharp"
+        "Aperture", "", 0.0, 128.0, 0.0, "Focal length over diameter of the lens's opening; 0: all is sharp"
     ),
     "lens.focus_distance": Parameter(
         "Focus", "m", 1e-3, 1e6, 1.0, "From the camera to the plane that is sharp"

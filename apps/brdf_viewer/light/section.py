@@ -158,9 +158,9 @@ class LampFields(QWidget):
         self.diameter.edited.connect(lambda value: self._change(diameter=value))
         self.angle = NumberField(tr("Extent"), *reach_of(PARAMETERS["lamp.angle_deg"], 0.5, 2))
         self.angle.edited.connect(lambda value: self._change(angle_deg=value))
-        self._sizes = tuple(
-            self._fields.add_row(field.accessibleName(), field, tr(PARAMETERS[name].meaning))
-            for name, field in (("lamp.diameter", self.diameter), ("lamp.angle_deg", self.angle))
+        self._sizes = (
+            self._fields.add_row(tr("Diameter"), self.diameter, tr(PARAMETERS["lamp.diameter"].meaning)),
+            self._fields.add_row(tr("Extent"), self.angle, tr(PARAMETERS["lamp.angle_deg"].meaning)),
         )
         self._fields.add_row("", self.moving)
         self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))

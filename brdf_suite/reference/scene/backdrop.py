@@ -29,9 +29,9 @@ _GOLDEN = 0.6180339887498949
 
 
 def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[tuple[Floats, Floats]]:
-    """Yield places (3,), and from there directions (h, w, 3) in the world, of any length, through even places of pixels.
+    """Yield places (3,) and directions (h, w, 3) from there, of any length, through even places of each pixel.
 
-    Of a lens the places are spread evenly over its opening.
+    Both are in the world. Of a lens the places are spread evenly over its opening.
     """
     width, height = size
     rounds = LENS_ROUNDS if eye.aperture > 0.0 else 1

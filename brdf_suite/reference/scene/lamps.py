@@ -116,8 +116,8 @@ def _plug_in() -> Any:
             ds.p = it.p + towards * distance
             ds.n = mi.Normal3f(-towards)
             ds.d, ds.dist, ds.time = towards, distance, it.time
-            ds.pdf = dr.ones(mi.Float, dr.width(it.p))
-            ds.delta = dr.full(mi.Bool, True, dr.width(it.p))
+            ds.pdf = mi.Float(dr.ones(mi.Float, dr.width(it.p)))
+            ds.delta = mi.Bool(dr.full(mi.Bool, True, dr.width(it.p)))
             ds.emitter = mi.EmitterPtr(self)
             light = mi.Color3f(self.power) * nearness
             return ds, dr.select(active, light, mi.Color3f(0.0))
