@@ -112,8 +112,13 @@ class ExportJob:
         s = self.settings
         words = {
             "picture": ["render", self._paint],
-            "turntable": ["turntable", self._paint, f"--frames={s.frames}", f"--fps={s.frames_per_second:g}"]
-            + [f"--shutter-angle={s.shutter_deg:g}"],
+            "turntable": [
+                "turntable",
+                self._paint,
+                f"--frames={s.frames}",
+                f"--fps={s.frames_per_second:g}",
+                f"--shutter-angle={s.shutter_deg:g}",
+            ],
             "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
         }[s.kind]
         words += ["-o", str(self.path), "--view", str(self._view), *self._fit_words]
