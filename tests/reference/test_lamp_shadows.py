@@ -187,10 +187,7 @@ def test_a_lamp_with_an_extent_has_a_larger_highlight(sphere, dark) -> None:
             np.prod(scene.renderer.linear_image(v, size)[..., [1, 3]], axis=-1) for v in (view, one)
         )
     path = build_reference(coat, view, size, dark.environment, sphere)
-    traced = trace(path.traced, samples=64, samples_per_pass=32).radiance[..., 1]
-    matt = np.median(traced[traced > 1e-4])
-    bright = traced > 5.0 * matt
+    traced = trace(path.traced, samples=256, samples_per_pass=64).radiance[..., 1]
     assert drawn.max() < 0.7 * sharp.max()
-    assert drawn[bright].mean() == pytest.approx(traced[bright].mean(), rel=0.08)
-    assert np.quantile(drawn, 0.999) == pytest.approx(np.quantile(traced, 0.999), rel=0.15)
-    assert (drawn > 5.0 * matt).sum() == pytest.approx(bright.sum(), rel=0.15)
+    assert drawn.max() == pytest.approx(traced.max(), rel=0.1)
+    assert drawn.sum() == pytest.approx(traced.sum(), rel=0.05)

@@ -117,7 +117,9 @@ class GroundGrid:
         free = ~scene.ray_test(mi.Ray3f(at.p, ds.d), ds.d.y > 0.0)
 
         def sees(towards: Any, distance: Any, asked: Any) -> Any:
-            return ~scene.ray_test(mi.Ray3f(mi.Ray3f(at.p, towards), mi.Float(distance)), asked)
+            ray: Any = mi.Ray3f(at.p, towards)
+            ray.maxt = mi.Float(distance)
+            return ~scene.ray_test(ray, asked)
 
         arrived, sent = lamp_light(self.lamps, at.p, sampler.next_2d, sees)
         found = np.array(dr.select(free, light, mi.Color3f(0.0)) + arrived, np.float64).T

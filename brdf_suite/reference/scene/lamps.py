@@ -112,12 +112,12 @@ def _plug_in() -> Any:
 
         def sample_direction(self, it: Any, sample: Any, active: Any = True) -> tuple[Any, Any]:
             towards, distance, nearness = self.aim.draw(it.p, sample)
-            ds = dr.zeros(mi.DirectionSample3f, dr.width(it.p))
+            ds: Any = dr.zeros(mi.DirectionSample3f, dr.width(it.p))
             ds.p = it.p + towards * distance
             ds.n = mi.Normal3f(-towards)
             ds.d, ds.dist, ds.time = towards, distance, it.time
-            ds.pdf = mi.Float(dr.ones(mi.Float, dr.width(it.p)))
-            ds.delta = mi.Bool(dr.full(mi.Bool, True, dr.width(it.p)))
+            ds.pdf = dr.ones(mi.Float, dr.width(it.p))
+            ds.delta = dr.full(mi.Bool, True, dr.width(it.p))
             ds.emitter = mi.EmitterPtr(self)
             light = mi.Color3f(self.power) * nearness
             return ds, dr.select(active, light, mi.Color3f(0.0))
