@@ -22,6 +22,7 @@ from brdf_suite.documents.view_settings import (
     MOST_LAMPS,
     Compare,
     Lamp,
+    Lens,
     LightColour,
     Relief,
     Sparkle,
@@ -118,6 +119,7 @@ class View:
     or too colourful, by ``zebra`` stripes or each in a ``colour``. ``lamp_shading``: lamps on factored paints one by
     one at each place, or all at once by a picture of a ball in their light. ``glare``: light above white is spread as
     an ``eye`` scatters it (:mod:`brdf_suite.appearance.glare`), or not; readings, linear files and marks are without.
+    ``lens``: blur of pictures in files; a window shows all sharp.
     """
 
     camera: Camera = field(default_factory=Camera)
@@ -145,6 +147,7 @@ class View:
     turntable_deg_s: float = 24.0
     lamp_shading: LampShading = "each"
     glare: GlareMode = "off"
+    lens: Lens = field(default_factory=Lens)
 
     def __post_init__(self) -> None:
         for name, kind in PARTS.items():
@@ -187,5 +190,6 @@ PARTS: Mapping[str, type] = {
     "relief": Relief,
     "two_tone": TwoTone,
     "compare": Compare,
+    "lens": Lens,
 }
 """The fields of a view that are values with fields of their own."""

@@ -66,6 +66,26 @@ PARAMETERS: Mapping[str, Parameter] = {
     "lamp.temperature_k": Parameter(
         "Colour temperature", "K", 1000.0, 25000.0, 6500.0, "Of the lamp's light, on the locus of daylight"
     ),
+    "lamp.diameter": Parameter(
+        "Diameter", "m", 0.0, 100.0, 0.0, "Of a point lamp, a ball; 0: a point, whose shadows are sharp"
+    ),
+    "lamp.angle_deg": Parameter(
+        "Angle",
+        "°",
+        0.0,
+        60.0,
+        0.0,
+        "Across the disc of a directional lamp, the sun's is 0.53; 0: sharp shadows",
+    ),
+    "lens.f_number": Parameter(
+        "Aperture", "", 0.0, 128.0, 0.0, "Focal length over diameter of the lens's opening; 0: all is sharp"
+    ),
+    "lens.focus_distance": Parameter(
+        "Focus", "m", 1e-3, 1e6, 1.0, "From the camera to the plane that is sharp"
+    ),
+    "lens.turn_deg": Parameter(
+        "Turn", "°", -360.0, 360.0, 0.0, "By which the object turns while the shutter is open"
+    ),
     "light_colour.brightness": Parameter(
         "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
     ),
@@ -114,7 +134,11 @@ class LightColour:
 
 @dataclass(frozen=True)
 class Lamp:
-    """A point or directional light beside the environment: ``point`` at ``position`` (metres), or ``directional``."""
+    """A point or directional light beside the environment: ``point`` at ``position`` (metres), or ``directional``.
+
+    A point lamp is a ball of a ``diameter``, a directional one a disc of an angle in the sky: both are even, and send
+    as much light as without extent.
+    """
 
     kind: LampKind = "point"
     position: tuple[float, float, float] = (1.0, 2.0, 1.0)
@@ -122,14 +146,39 @@ class Lamp:
     elevation_deg: float = PARAMETERS["lamp.elevation_deg"].default
     strength: float = PARAMETERS["lamp.strength"].default
     temperature_k: float = PARAMETERS["lamp.temperature_k"].default
+    diameter: float = PARAMETERS["lamp.diameter"].default
+    angle_deg: float = PARAMETERS["lamp.angle_deg"].default
 
     def __post_init__(self) -> None:
         check_choice(self.kind, "kind", LAMP_KINDS)
         position = check_numbers(self.position, "position", PARAMETERS["lamp.position"], 3)
         object.__setattr__(self, "position", position)
-        set_numbers(
-            self, PARAMETERS, "azimuth_deg", "elevation_deg", "strength", "temperature_k", group="lamp."
-        )
+        numbers = ("azimuth_deg", "elevation_deg", "strength", "temperature_k", "diameter", "angle_deg")
+        set_numbers(self, PARAMETERS, *numbers, group="lamp.")
+
+
+@dataclass(frozen=True)
+class Lens:
+    """What makes a picture in a file blurred: the opening of the lens, and the object's turn during the exposure.
+
+    ``f_number`` is the focal length over the diameter of the opening, 0 a pinhole. ``focus_distance`` is from the
+    camera to the sharp plane, along the axis, metres; None: to the object's nearest point in the middle of the picture.
+    ``turn_deg`` is counter-clockwise seen from above, the middle of the exposure being the view itself.
+    """
+
+    f_number: float = 0.0
+    focus_distance: float | None = None
+    turn_deg: float = 0.0
+
+    def __post_init__(self) -> None:
+        set_numbers(self, PARAMETERS, "f_number", "turn_deg", group="lens.")
+        if self.focus_distance is not None:
+            set_numbers(self, PARAMETERS, "focus_distance", group="lens.")
+
+    @property
+    def blurs(self) -> bool:
+        """Whether a picture is other than a sharp one."""
+        return self.f_number > 0.0 or self.turn_deg != 0.0
 
 
 @dataclass(frozen=True)

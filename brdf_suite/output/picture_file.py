@@ -16,6 +16,7 @@ from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.images.environments import write_exr_strips, write_png_strips
+from brdf_suite.output.exposures import DEFAULT_EXPOSURES, MOST_EXPOSURES, exposures_of
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress, report
@@ -47,17 +48,24 @@ class PictureSettings:
         Per pixel, as many as the GPU offers at most.
     transparent
         The object alone, before nothing.
+    exposures
+        Pictures that are averaged where the view's lens blurs.
     """
 
     bits: int | None = None
     colour_space: str | None = None
     samples: int = DEFAULT_SAMPLES
     transparent: bool = False
+    exposures: int = DEFAULT_EXPOSURES
 
     def __post_init__(self) -> None:
         if not 1 <= self.samples <= _MOST_SAMPLES:
             raise ValueRangeError(
                 "samples", f"1 to {_MOST_SAMPLES} samples a pixel are taken, not {self.samples}"
+            )
+        if not 1 <= self.exposures <= MOST_EXPOSURES:
+            raise ValueRangeError(
+                "exposures", f"1 to {MOST_EXPOSURES:,} exposures are averaged, not {self.exposures}"
             )
         if self.colour_space is not None and self.colour_space not in COLOUR_SPACES:
             raise ValueRangeError(
@@ -118,7 +126,14 @@ def write_picture(
     linear = path.suffix.lower() == ".exr"
     display = LINEAR if linear else Display(space, dithered=bits == 8)
     view = replace(metered(renderer, view, size), clipping_marks=False, gamut_marks=False)
-    strips = renderer.strips(view, size, settings.samples, display=display, transparent=settings.transparent)
+    strips = renderer.strips(
+        view,
+        size,
+        settings.samples,
+        display=display,
+        transparent=settings.transparent,
+        exposures=exposures_of(view, renderer.bounds, size, settings.exposures),
+    )
     drawn = _report_strips(strips, size, progress)
     if not linear:
         write_png_strips(path, size, drawn, metadata, space)

@@ -16,6 +16,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.output.exposures import focused
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import fit_material
@@ -190,6 +191,7 @@ def render_to_file(
         start = perf_counter()
         # The metadata give the exposure that was measured, where it is automatic.
         shown = metered(loaded.scene.renderer, loaded.composed(view, size), size)
+        shown = focused(shown, loaded.mesh, size)
         write_picture(
             loaded.scene.renderer,
             shown,

@@ -15,6 +15,7 @@ import numpy as np
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.output.exposures import exposures_of, focused
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.output.still import LoadedScene, loaded_scene
 from brdf_suite.output.turning import turned
@@ -32,11 +33,15 @@ _FRAMING_STEPS = 24
 
 @dataclass(frozen=True)
 class Turn:
-    """One turn: how many frames, how many a second in a video, and whether clockwise seen from above."""
+    """One turn: how many frames, how many a second in a video, and whether clockwise seen from above.
+
+    ``shutter_deg`` is the share of a frame's time, 360° for all of it, in which the shutter is open.
+    """
 
     frames: int = 120
     frames_per_second: float = 30.0
     clockwise: bool = False
+    shutter_deg: float = 0.0
 
     def __post_init__(self) -> None:
         if not 2 <= self.frames <= MOST_FRAMES:
@@ -45,6 +50,13 @@ class Turn:
             raise ValueRangeError(
                 "frames_per_second", f"1 to 240 are played a second, not {self.frames_per_second:g}"
             )
+        if not 0.0 <= self.shutter_deg <= 360.0:
+            raise ValueRangeError("shutter_deg", f"a shutter is open for 0 to 360°, not {self.shutter_deg:g}")
+
+    @property
+    def blur_deg(self) -> float:
+        """By how much the object turns while the shutter is open, counter-clockwise seen from above."""
+        return (-1.0 if self.clockwise else 1.0) * self.shutter_deg / self.frames
 
 
 @dataclass(frozen=True)
@@ -102,7 +114,7 @@ def write_turntable(
     video = path.suffix.lower() in VIDEO_ENDINGS
     check_target(path)
     if video:
-        if settings != replace(PictureSettings(), samples=settings.samples):
+        if settings != replace(PictureSettings(), samples=settings.samples, exposures=settings.exposures):
             raise FileError(path, "a video has 8 bits in sRGB and no transparency; a folder of PNG has them")
         check_video(size)
         ffmpeg()
@@ -114,12 +126,16 @@ def write_turntable(
         loaded.scene.set_material(fit)
         shown = framed_all_round(view, loaded.scene.renderer.bounds, size)
         shown = replace(metered(loaded.scene.renderer, shown, size), clipping_marks=False, gamut_marks=False)
+        shown = replace(shown, lens=replace(shown.lens, turn_deg=turn.blur_deg))
+        shown = focused(shown, loaded.mesh, size)
         metadata = picture_metadata(fit, shown)
         drawing = subrange(progress, 0.2, 1.0)
         if video:
             with writing_video(path, size, turn.frames_per_second, metadata) as feed:
                 for frame in _frames(loaded, shown, turn, drawing):
-                    feed(np.concatenate(list(loaded.scene.renderer.strips(frame, size, settings.samples))))
+                    blurred = exposures_of(frame, loaded.scene.renderer.bounds, size, settings.exposures)
+                    strips = loaded.scene.renderer.strips(frame, size, settings.samples, exposures=blurred)
+                    feed(np.concatenate(list(strips)))
         else:
             with _new_folder(path) as folder:
                 for number, frame in enumerate(_frames(loaded, shown, turn, drawing), 1):

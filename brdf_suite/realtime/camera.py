@@ -80,7 +80,8 @@ class CameraMatrices:
 
     ``view_to_world`` (3, 3) has the camera's right, up and backward axes as columns; ``half_tangents`` are
     those of half the horizontal and vertical field of view; ``near`` and ``far`` (m) enclose the bounds, but for
-    what of them is not ``outside``: behind the eye, or too close to it to be drawn.
+    what of them is not ``outside``: behind the eye, or too close to it to be drawn. ``shift`` is the tangent, to the
+    right and up, by which the picture's middle lies aside of the axis, that of an eye beside the middle of a lens.
     """
 
     eye: Floats
@@ -91,6 +92,7 @@ class CameraMatrices:
     near: float
     far: float
     outside: bool
+    shift: tuple[float, float] = (0.0, 0.0)
 
     @property
     def world_to_clip(self) -> Floats:
@@ -154,13 +156,32 @@ def _fitting_distance(local: Floats, tangents: tuple[float, float], radius: floa
     return max(float(needed.max()), float(local[:, 2].max()) + 0.02 * radius, 2e-4)
 
 
-def matrices(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> CameraMatrices:
-    """Return the matrices of ``camera`` for ``size`` (width, height) pixels around ``bounds``."""
+@dataclass(frozen=True)
+class LensPoint:
+    """A place of a lens's opening, metres to the right and up of its middle, and the distance of the sharp plane, m."""
+
+    right: float
+    up: float
+    focus: float
+
+
+MIDDLE = LensPoint(0.0, 0.0, 1.0)
+"""All of a pinhole."""
+
+
+def matrices(
+    camera: Camera, bounds: Bounds, size: tuple[int, int], lens: LensPoint = MIDDLE
+) -> CameraMatrices:
+    """Return the matrices of ``camera`` for ``size`` (width, height) pixels around ``bounds``.
+
+    They are those of an eye at a place of the ``lens``, for which the sharp plane stands still.
+    """
     camera = resolve(camera, bounds, size)
     if camera.distance is None or camera.target is None:
         raise AssertionError("resolve() fills distance and target")
     basis = axes(camera)
-    eye = np.asarray(camera.target) + basis[:, 2] * camera.distance
+    eye = np.asarray(camera.target) + basis @ [lens.right, lens.up, camera.distance]
+    shift = (-lens.right / lens.focus, -lens.up / lens.focus)
     world_to_view = np.eye(4)
     world_to_view[:3, :3] = basis.T
     world_to_view[:3, 3] = -basis.T @ eye
@@ -174,8 +195,9 @@ def matrices(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> CameraMat
     clip[0, 0], clip[1, 1] = 1 / tangents[0], 1 / tangents[1]
     clip[2, 2], clip[2, 3] = -(far + near) / (far - near), -2 * far * near / (far - near)
     clip[3, 2] = -1
+    clip[0, 2], clip[1, 2] = shift[0] / tangents[0], shift[1] / tangents[1]
     outside = near <= float(depth.min())
-    return CameraMatrices(eye, basis, world_to_view, clip, tangents, near, far, outside)
+    return CameraMatrices(eye, basis, world_to_view, clip, tangents, near, far, outside, shift)
 
 
 def crop(size: tuple[int, int], corner: tuple[int, int], tile: tuple[int, int]) -> Floats:

@@ -37,7 +37,8 @@ class MeshPart:
         (n, 2) float32, lengths on the surface in millimetres; None where the mesh has none.
     light
         (n, 8): mean direction x, y, z of the light that arrives and the share, 0 to 1, of a uniform light's
-        irradiance that does, without and with a floor under the mesh; None where that is not known.
+        irradiance that does, without and with a floor under the mesh; (n, 16): the same for the back too, which
+        otherwise sees as much; None where that is not known.
     """
 
     name: str
@@ -65,7 +66,8 @@ class MeshPart:
             uvs = _finite(self.uvs, np.float32, (len(positions), 2), f"part {self.name!r}: uvs")
             object.__setattr__(self, "uvs", uvs)
         if self.light is not None:
-            light = _finite(self.light, np.float16, (len(positions), 8), f"part {self.name!r}: light")
+            sides = 2 if np.shape(self.light)[1:] == (16,) else 1
+            light = _finite(self.light, np.float16, (len(positions), 8 * sides), f"part {self.name!r}: light")
             object.__setattr__(self, "light", light)
 
 

@@ -7198,6 +7198,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Stil der Marken ändern</translation>
     </message>
     <message>
+        <source>Change Lens</source>
+        <translation>Objektiv ändern</translation>
+    </message>
+    <message>
         <source>Change Relief</source>
         <translation>Relief ändern</translation>
     </message>
@@ -7270,6 +7274,30 @@ Ungespeicherte Änderungen.</translation>
         <translation>Durchsichtiger Hintergrund</translation>
     </message>
     <message>
+        <source>Aperture</source>
+        <translation>Blende</translation>
+    </message>
+    <message>
+        <source>All sharp</source>
+        <translation>Alles scharf</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Middle of the picture</source>
+        <translation>Bildmitte</translation>
+    </message>
+    <message>
+        <source>Motion blur</source>
+        <translation>Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>Verschluss</translation>
+    </message>
+    <message>
         <source>A palette, or a folder of paints</source>
         <translation>Eine Palette oder ein Ordner mit Lacken</translation>
     </message>
@@ -7300,6 +7328,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Frames per second of a video</source>
         <translation>Bilder je Sekunde eines Videos</translation>
+    </message>
+    <message>
+        <source>Motion blur: how long the shutter is open, 360° for the whole time of a frame</source>
+        <translation>Bewegungsunschärfe: wie lange der Verschluss offen ist, 360° für die ganze Zeit eines Bildes</translation>
     </message>
     <message>
         <source>Columns</source>
@@ -7412,6 +7444,26 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Illuminance over π, in the units of the environment: a white surface that faces the lamp, at 1 m from a point lamp, gets this radiance</source>
         <translation>Beleuchtungsstärke durch π, in den Einheiten der Umgebung: Eine weiße Fläche, die zur Lampe zeigt, bei einer Punktlampe in 1 m Abstand, erhält diese Strahldichte</translation>
+    </message>
+    <message>
+        <source>Across the disc of a directional lamp, the sun&apos;s is 0.53; 0: sharp shadows</source>
+        <translation>Durchmesser der Scheibe einer gerichteten Lampe, die Sonne hat 0,53; 0: scharfe Schatten</translation>
+    </message>
+    <message>
+        <source>By which the object turns while the shutter is open</source>
+        <translation>Um den sich das Objekt dreht, während der Verschluss offen ist</translation>
+    </message>
+    <message>
+        <source>Focal length over diameter of the lens&apos;s opening; 0: all is sharp</source>
+        <translation>Brennweite durch Durchmesser der Öffnung des Objektivs; 0: alles ist scharf</translation>
+    </message>
+    <message>
+        <source>From the camera to the plane that is sharp</source>
+        <translation>Von der Kamera zur scharfen Ebene</translation>
+    </message>
+    <message>
+        <source>Of a point lamp, a ball; 0: a point, whose shadows are sharp</source>
+        <translation>Einer Punktlampe, einer Kugel; 0: ein Punkt mit scharfen Schatten</translation>
     </message>
     <message>
         <source>Of the lamp&apos;s light, on the locus of daylight</source>
@@ -7784,6 +7836,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Three movable lamps, no environment – best for factored paints</source>
         <translation>Drei bewegliche Lampen, keine Umgebung – am besten für faktorisierte Lacke</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
     </message>
     <message>
         <source>From environment</source>

@@ -119,6 +119,21 @@ def test_the_back_of_a_sheet_sees_as_much(renderer: Renderer, scenes: Any) -> No
     assert renderer.linear_image(behind, SIZE)[32, 48, 0] == pytest.approx(0.5 * 3.0, rel=0.02)
 
 
+def test_each_side_of_a_sheet_has_its_own_light(renderer: Renderer, scenes: Any) -> None:
+    renderer.set_environment(scenes.constant(1.0))
+    renderer.set_material("paint", scenes.weights(kd=1.0))
+    front, back = (with_light(scenes.sheet(), share, share) for share in (0.8, 0.3))
+    assert front.light is not None
+    assert back.light is not None
+    turned = back.light * np.array([-1, -1, -1, 1, -1, -1, -1, 1], np.float16)
+    renderer.set_mesh([replace(front, light=np.concatenate([front.light, turned], axis=1))])
+    for azimuth, share in ((0.0, 0.8), (180.0, 0.3)):
+        seen = replace(view(LIT), camera=Camera(azimuth_deg=azimuth, elevation_deg=0.0))
+        assert renderer.linear_image(seen, SIZE)[32, 48, 0] == pytest.approx(share, rel=0.01)
+        with_places = renderer.capture(replace(seen, tone_curve="linear"), SIZE, 1)
+        with_places.release()
+
+
 def test_light_of_the_wrong_shape_is_refused(scenes: Any) -> None:
     with pytest.raises(ValueRangeError, match="light"):
         replace(scenes.sheet(), light=np.zeros((4, 7)))
@@ -164,7 +179,7 @@ def test_the_ground_in_light_from_one_side(scenes: Any) -> None:
     field = ground_field()
     for side, wanted in ((1.0, 0.1), (-1.0, 0.9)):
         faces = scenes.cube(np.repeat(1.0 * (scenes.directions(32)[..., :1] * side > 0), 3, axis=-1))
-        ratio, _ = ground_ratio(field.transfer, environment_harmonics(faces, 6))
+        ratio, _, _ = ground_ratio(field.transfer, environment_harmonics(faces, 6))
         assert ratio[0, 0] == pytest.approx(1.0)
         assert ratio[8, 12] == pytest.approx(wanted, abs=0.12)
     dark = CubeFaces(np.zeros((6, 8, 8, 3), np.float16))

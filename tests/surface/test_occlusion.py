@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from meshes.forms.sphere import sphere
@@ -33,13 +35,13 @@ def level(name: str, height: float, half: float) -> PartGeometry:
 
 
 def at(part: BakedPart, points: AnyArray) -> AnyArray:
-    """The interpolated light (m, 8) at points that lie on the part."""
+    """The interpolated light (m, 8 or 16) at points that lie on the part."""
     corners = part.positions[part.triangles].astype(float)
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     u, v = b - a, c - a
     uu, uv, vv = (u * u).sum(1), (u * v).sum(1), (v * v).sum(1)
     determinant = uu * vv - uv * uv
-    result = np.empty((len(points), 8))
+    result = np.empty((len(points), part.light.shape[1]))
     for row, point in enumerate(points):
         w = point - a
         wu, wv = (w * u).sum(1), (w * v).sum(1)
@@ -90,6 +92,26 @@ def test_a_sheet_under_a_ball(ball_on_a_sheet: BakedMesh) -> None:
         )
         wanted = 1.0 - (1.0 + away**2) ** -1.5
         assert share(sheet, points).mean() == pytest.approx(wanted, abs=0.06), away
+
+
+def test_both_sides_of_a_sheet_see_what_is_before_them(coarse_floor: None) -> None:
+    """A sheet that looks down, with a ball on its back; and a ball, a solid, which has no back."""
+    ball = sphere()
+    low, high = ball.bounds()
+    radius = float(high[1] - low[1]) / 2
+    sheet = level("sheet", float(low[1]) - 1e-4 * radius, 20.0 * radius)
+    down = replace(sheet, normals=-sheet.normals, triangles=sheet.triangles[:, ::-1])
+    solid, both = bake(Mesh("ball", (*ball.parts, down))).parts
+    assert solid.light.shape[1] == 8
+    assert both.light.shape[1] == 16
+    for away in (1.0, 2.0):
+        points = np.array(
+            [[away * radius, sheet.positions[0, 1], 0.0], [0.0, sheet.positions[0, 1], away * radius]]
+        )
+        front, back = at(both, points)[:, 3], at(both, points)[:, 11]
+        assert front.mean() == pytest.approx(1.0, abs=0.03)
+        assert back.mean() == pytest.approx(1.0 - (1.0 + away**2) ** -1.5, abs=0.06)
+        assert (at(both, points)[:, [1, 9]] * [-1.0, 1.0] > 0.3).all()
 
 
 def test_a_ball_over_a_sheet_and_its_bent_normal(ball_on_a_sheet: BakedMesh) -> None:
@@ -254,7 +276,8 @@ def test_one_triangle() -> None:
         "facet", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
     )
     light = bake(Mesh("facet", (part,))).parts[0].light
-    assert light[:, 3] == pytest.approx(1.0, abs=1e-3)
+    # It is cut for the sake of its back, which sees the floor.
+    assert light[:, 3] == pytest.approx(1.0, abs=3e-3)
 
 
 @pytest.mark.usefixtures("coarse_floor")

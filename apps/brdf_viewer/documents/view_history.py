@@ -40,6 +40,7 @@ STEPS = (
     mark("Change Light Colour"),
     mark("Change Look Up"),
     mark("Change Mark Style"),
+    mark("Change Lens"),
     mark("Change Relief"),
     mark("Change Sparkle"),
     mark("Change Surface"),

@@ -41,12 +41,16 @@ class ExportControl(ViewerFeature):
         self._given_up = False
         self.dialog = ExportDialog(lambda: window.picture.device_size, ask_source, window)
         self.dialog.export_requested.connect(self.export)
-        window.commands.export_requested.connect(self.dialog.open_for)
+        window.commands.export_requested.connect(self._open)
         window.busy_cancelled.connect(self._cancelled_by_user)
 
     @property
     def running(self) -> bool:
         return self.process is not None
+
+    def _open(self, kind: str) -> None:
+        self.dialog.set_lens(self._state.view.lens)
+        self.dialog.open_for(kind)
 
     def export(self, wanted: ExportSettings) -> None:
         """Ask for the file and begin; errors are reported in the window."""
@@ -62,6 +66,8 @@ class ExportControl(ViewerFeature):
             what = tr("The light has unsaved changes, which an export would not include.")
             self._refuse(KIND, what, todo)
             return
+        if wanted.kind != "sheet" and wanted.lens != self._state.view.lens:
+            self._state.change_part("lens", **dataclasses.asdict(wanted.lens))
         # As it is when the user asks: the paint may change while the dialog is open.
         view, paint, key = self._view(wanted), self._state.paint, self._state.paint_key
         stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name

@@ -6,11 +6,13 @@ from collections.abc import Callable
 
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
+from brdf_suite.documents.view_settings import PARAMETERS, Lens
 from brdf_suite.output.picture_file import COLOUR_SPACES
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
 from brdf_viewer.inspector.fields import note, set_note
@@ -61,6 +63,13 @@ class ExportDialog(QDialog):
         self.transparent = QCheckBox(tr("Transparent background"))
         self.frames = _number(2, 7200, 120, "")
         self.rate = _number(1, 240, 30, " /s")
+        self.aperture = NumberField(tr("Aperture"), *reach_of(PARAMETERS["lens.f_number"], 0.1, 2))
+        self.aperture.setPrefix("f/")
+        self.aperture.setSpecialValueText(tr("All sharp"))
+        self.focus = NumberField(tr("Focus"), "m", 0.0, 1e6, 0.05, 3, 0.0)
+        self.focus.setSpecialValueText(tr("Middle of the picture"))
+        self.turn = NumberField(tr("Motion blur"), *reach_of(PARAMETERS["lens.turn_deg"], 0.5, 2))
+        self.shutter = NumberField(tr("Shutter"), "°", 0.0, 360.0, 15.0, 0, 0.0)
         self.columns = _number(0, 40, 0, "")
         self.columns.setSpecialValueText(tr("Automatic"))
         self.source = QLineEdit(readOnly=True, placeholderText=tr("A palette, or a folder of paints"))
@@ -99,7 +108,15 @@ class ExportDialog(QDialog):
             frames_per_second=float(self.rate.value()),
             source=self.source.text(),
             columns=self.columns.value(),
+            lens=Lens(self.aperture.value(), self.focus.value() or None, self.turn.value()),
+            shutter_deg=self.shutter.value(),
         )
+
+    def set_lens(self, lens: Lens) -> None:
+        """Show the lens of the view."""
+        self.aperture.set_value(lens.f_number)
+        self.focus.set_value(lens.focus_distance or 0.0)
+        self.turn.set_value(lens.turn_deg)
 
     def set_busy(self, busy: bool) -> None:
         """One export runs at a time."""
@@ -124,6 +141,12 @@ class ExportDialog(QDialog):
         self._add(form, "", self.transparent, "picture", "turntable")
         self._add(form, tr("Frames"), self.frames, "turntable", tip=tr("Frames per turn"))
         self._add(form, tr("Rate"), self.rate, "turntable", tip=tr("Frames per second of a video"))
+        blurred = "picture", "turntable"
+        self._add(form, tr("Aperture"), self.aperture, *blurred, tip=tr(PARAMETERS["lens.f_number"].meaning))
+        self._add(form, tr("Focus"), self.focus, *blurred, tip=tr(PARAMETERS["lens.focus_distance"].meaning))
+        self._add(form, tr("Motion blur"), self.turn, "picture", tip=tr(PARAMETERS["lens.turn_deg"].meaning))
+        tip = tr("Motion blur: how long the shutter is open, 360° for the whole time of a frame")
+        self._add(form, tr("Shutter"), self.shutter, "turntable", tip=tip)
         self._add(form, tr("Columns"), self.columns, "sheet")
         form.add_wide(self._message)
         box = QVBoxLayout(self)

@@ -6,7 +6,7 @@ import contextlib
 import shutil
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from glob import escape
 from pathlib import Path
 from typing import Literal
@@ -17,6 +17,7 @@ from PySide6.QtCore import QObject
 
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING, AnyPaint, save_paint, save_view
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lens
 
 Kind = Literal["picture", "turntable", "sheet"]
 KIND_TITLES: dict[str, str] = {
@@ -57,7 +58,10 @@ FORMATS: dict[str, tuple[Format, ...]] = {
 
 @dataclass(frozen=True)
 class ExportSettings:
-    """What the dialog asks for. ``source`` is the palette or folder of a sheet; ``columns`` 0: as many as fit."""
+    """What the dialog asks for. ``source`` is the palette or folder of a sheet; ``columns`` 0: as many as fit.
+
+    ``lens`` is that of a picture or a turntable, which has a ``shutter_deg`` in place of its turn.
+    """
 
     kind: Kind
     form: Format
@@ -69,6 +73,8 @@ class ExportSettings:
     frames_per_second: float = 30.0
     source: str = ""
     columns: int = 0
+    lens: Lens = field(default_factory=Lens)
+    shutter_deg: float = 0.0
 
 
 class ExportJob:
@@ -106,7 +112,13 @@ class ExportJob:
         s = self.settings
         words = {
             "picture": ["render", self._paint],
-            "turntable": ["turntable", self._paint, f"--frames={s.frames}", f"--fps={s.frames_per_second:g}"],
+            "turntable": [
+                "turntable",
+                self._paint,
+                f"--frames={s.frames}",
+                f"--fps={s.frames_per_second:g}",
+                f"--shutter-angle={s.shutter_deg:g}",
+            ],
             "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
         }[s.kind]
         words += ["-o", str(self.path), "--view", str(self._view), *self._fit_words]

@@ -20,6 +20,11 @@ MARKED = (
         "Illuminance over π, in the units of the environment: a white surface that faces the lamp, at 1 m from a "
         "point lamp, gets this radiance"
     ),
+    mark("Across the disc of a directional lamp, the sun's is 0.53; 0: sharp shadows"),
+    mark("By which the object turns while the shutter is open"),
+    mark("Focal length over diameter of the lens's opening; 0: all is sharp"),
+    mark("From the camera to the plane that is sharp"),
+    mark("Of a point lamp, a ball; 0: a point, whose shadows are sharp"),
     mark("Of the lamp's light, on the locus of daylight"),
     mark("Of the middle of the scene"),
     mark("Of the room, from wall to wall"),

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 from brdf_qt.fields.form import Form, fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import plain_tip, set_bold
-from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
@@ -154,6 +154,14 @@ class LampFields(QWidget):
         self.strength.edited.connect(lambda value: self._change(strength=value))
         self.temperature = self._fields.add_number(tr("Colour"), PARAMETERS["lamp.temperature_k"], 50.0, 0)
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
+        self.diameter = NumberField(tr("Diameter"), *reach_of(PARAMETERS["lamp.diameter"], 0.05, 2))
+        self.diameter.edited.connect(lambda value: self._change(diameter=value))
+        self.angle = NumberField(tr("Extent"), *reach_of(PARAMETERS["lamp.angle_deg"], 0.5, 2))
+        self.angle.edited.connect(lambda value: self._change(angle_deg=value))
+        self._sizes = (
+            self._fields.add_row(tr("Diameter"), self.diameter, tr(PARAMETERS["lamp.diameter"].meaning)),
+            self._fields.add_row(tr("Extent"), self.angle, tr(PARAMETERS["lamp.angle_deg"].meaning)),
+        )
         self._fields.add_row("", self.moving)
         self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))
         fill_column(self, form, self._fields)
@@ -183,6 +191,11 @@ class LampFields(QWidget):
             field.set_value(value)
         for widget in (self.distance, self._distance_label):
             widget.setVisible(lamp.kind == "point")
+        for size, label in zip((self.diameter, self.angle), self._sizes, strict=True):
+            for widget in (size, label):
+                widget.setVisible((size is self.diameter) == (lamp.kind == "point"))
+        self.diameter.set_value(lamp.diameter)
+        self.angle.set_value(lamp.angle_deg)
         self.strength.set_value(lamp.strength)
         self.temperature.set_value(lamp.temperature_k)
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lens
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.picture import write_sums
@@ -49,7 +50,7 @@ class Engines:
             "progress": subrange(progress, 0.3, 1.0),
         }
         # With the plainest background: the window draws what is behind the object, of any kind.
-        view = replace(request.view, background="environment")
+        view = replace(request.view, background="environment", lens=Lens())
         open_scene = self._open_raytraced if request.renderer == "raytraced" else self._open_reference
         return open_scene(request, view, scene, progress)
 

@@ -31,6 +31,7 @@ _SHOWN = (
     "turntable_deg_s",
     "lamp_shading",
     "glare",
+    "lens",
 )
 """Fields of a view that change how traced light is shown, or name what is handed over as it is."""
 _PLAIN = View()

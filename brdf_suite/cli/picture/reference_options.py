@@ -16,8 +16,17 @@ RENDERERS = ("realtime", "reference", "raytraced")
 QUALITIES = ("fast", "medium", "high")
 _OF_OTHER = {
     "realtime": ("spp", "time", "fresh", "denoise", "quality", "table_split"),
-    "reference": ("samples", "quality", "table_split", *FITTING),
-    "raytraced": ("bits", "colour_space", "transparent", "follow", "samples", "denoise", *FITTING),
+    "reference": ("samples", "exposures", "quality", "table_split", *FITTING),
+    "raytraced": (
+        "bits",
+        "colour_space",
+        "transparent",
+        "follow",
+        "samples",
+        "exposures",
+        "denoise",
+        *FITTING,
+    ),
 }
 _INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --samples"}
 

@@ -56,9 +56,9 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         "--point-light",
         type=_point_light,
         action="append",
-        metavar="X,Y,Z,STRENGTH[,KELVIN]",
-        help="a small lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi; up to eight, in "
-        "place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
+        metavar="X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]",
+        help="a lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi, and a diameter in metres; "
+        "up to eight, in place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
     )
     add_arguments(
         command,
@@ -79,6 +79,19 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         background=BACKGROUNDS,
         sparkle=SPARKLE_MODES,
     )
+    add_arguments(
+        command,
+        {
+            "--f-stop N": "depth of field: focal length over the diameter of the lens's opening; 0: all is sharp "
+            "(the default)",
+            "--focus-distance M": "metres from the camera to the sharp plane (default: what the middle of the picture "
+            "shows of the object)",
+            "--turn-blur DEG": "motion blur: by how much the object turns while the shutter is open (default: 0)",
+        },
+        f_stop=float,
+        focus_distance=float,
+        turn_blur=float,
+    )
     command.add_argument(
         "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
     )
@@ -88,15 +101,16 @@ def _point_light(text: str) -> Lamp:
     try:
         numbers = [float(word) for word in text.split(",")]
     except ValueError as error:
-        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN]") from error
-    if len(numbers) not in (4, 5):
+        raise argparse.ArgumentTypeError(f"{text!r} is not X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]") from error
+    if len(numbers) not in (4, 5, 6):
         raise argparse.ArgumentTypeError(
-            f"{text!r} has {len(numbers)} numbers; expected X,Y,Z,STRENGTH[,KELVIN]"
+            f"{text!r} has {len(numbers)} numbers; expected X,Y,Z,STRENGTH[,KELVIN[,DIAMETER]]"
         )
+    defaults = Lamp()
     x, y, z, strength = numbers[:4]
+    kelvin, diameter = (*numbers[4:], *(defaults.temperature_k, defaults.diameter)[len(numbers) - 4 :])
     try:
-        lamp = Lamp("point", (x, y, z), strength=strength)
-        return replace(lamp, temperature_k=numbers[4]) if len(numbers) == 5 else lamp
+        return Lamp("point", (x, y, z), strength=strength, temperature_k=kelvin, diameter=diameter)
     except ValueRangeError as error:
         raise argparse.ArgumentTypeError(f"{text!r}: {error}") from error
 
@@ -137,6 +151,8 @@ def parse_view(options: argparse.Namespace) -> View:
     changed["camera"] = replace(
         view.camera, **given(azimuth_deg=options.azimuth, elevation_deg=options.elevation)
     )
+    lens = given(f_number=options.f_stop, focus_distance=options.focus_distance, turn_deg=options.turn_blur)
+    changed["lens"] = replace(view.lens, **lens)
     changed["light_colour"] = replace(view.light_colour, **light)
     changed["sparkle"] = replace(view.sparkle, **given(mode=options.sparkle))
     look = given(ground=options.ground, occlusion=options.occlusion)
@@ -186,6 +202,10 @@ def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, shee
         "--samples N": "real time: samples per pixel, where the GPU has them (default: 4)",
     }
     add_arguments(command, texts, colour_space=spaces)
+    command.set_defaults(exposures=None)
+    if not sheet:
+        text = "real time, depth of field and motion blur: pictures that are averaged (default: 64)"
+        add_arguments(command, {"--exposures N": text})
 
 
 def parse_settings(options: argparse.Namespace) -> PictureSettings:
@@ -193,4 +213,5 @@ def parse_settings(options: argparse.Namespace) -> PictureSettings:
     from brdf_suite.output.picture_file import PictureSettings
 
     picture = PictureSettings(options.bits, options.colour_space, transparent=options.transparent)
-    return picture if options.samples is None else replace(picture, samples=options.samples)
+    given: dict[str, Any] = {"samples": options.samples, "exposures": options.exposures}
+    return replace(picture, **{name: value for name, value in given.items() if value is not None})

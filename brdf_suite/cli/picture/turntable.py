@@ -26,12 +26,15 @@ def add(command: argparse.ArgumentParser) -> None:
             "--frames N=120": "of the turn (default: 120)",
             "--fps N=30.0": "frames a second of a video (default: 30)",
             "--clockwise": "seen from above",
+            "--shutter-angle DEG=0.0": "motion blur: how long the shutter is open, 360 for the whole time of a frame "
+            "(default: 0, sharp)",
             f"--renderer={RENDERERS[0]}": "realtime (the default), reference (path tracing) or raytraced; the last "
             "two with Mitsuba, an optional extra; their finished frames are kept in PATH.part, and the same command "
             "resumes from there",
             "--spp N": "samples a pixel of each frame (default: reference 64; raytraced as the quality has them)",
         },
         fps=float,
+        shutter_angle=float,
         renderer=RENDERERS,
         spp=samples,
     )
@@ -47,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object."""
     check_renderer(options, _OF_OTHER, {})
     view = parse_view(options)
-    turn = Turn(options.frames, options.fps, options.clockwise)
+    turn = Turn(options.frames, options.fps, options.clockwise, options.shutter_angle)
     with export_progress("turntable", options) as progress:
         if options.renderer == "realtime":
             made = write_turntable(

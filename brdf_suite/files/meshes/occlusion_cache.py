@@ -5,8 +5,8 @@ baking. That of the surface which a new user sees first is packaged, so that the
 (``packaging/generators/resources.py occlusion`` writes it).
 
 In the file (:mod:`brdf_suite.files.array_file`) the header holds ``"ground": [height, x0, z0, x1, z1]``. The arrays are
-``ground``, and of each part only what is not in the mesh itself: ``0.light``, and ``0.triangles`` and the vertices on
-its edges where it was cut.
+``ground``, and of each part only what is not in the mesh itself: ``0.light``, of both sides where it is no solid, and
+``0.triangles`` and the vertices on its edges where it was cut.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
 from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, GroundLight
 
-LAYOUT = Layout(b"BRDFOCCL", 3, "baked occlusion", ("<f2", "<f4", "<u4"), level=1, smallest=0, most=1 << 16)
+LAYOUT = Layout(b"BRDFOCCL", 4, "baked occlusion", ("<f2", "<f4", "<u4"), level=1, smallest=0, most=1 << 16)
 
 _CUT = ("positions", "normals", "uvs")
 
@@ -69,7 +69,7 @@ def _part(original: PartGeometry, number: int, arrays: Mapping[str, AnyArray]) -
         for name in _CUT:
             values[name] = np.concatenate([values[name], arrays[f"{number}.{name}"]])
     light = arrays[f"{number}.light"]
-    if light.shape != (len(values["positions"]), 8):
+    if light.shape[1:] not in ((8,), (16,)) or len(light) != len(values["positions"]):
         raise ValueError(f"part {number} has {len(values['positions'])} vertices, not {len(light)}")
     return BakedPart(**values, light=light)
 

@@ -1,14 +1,14 @@
 """Ground under the object: receives the object's shadow and otherwise shows the background.
 
 The shadow is the ratio of the light that arrives beside the object to the light on an open ground, both in the
-environment's own light: its low harmonics times the baked transfer of the ground. A pixel of background is
-multiplied by it. Nothing is drawn where nothing is in the way, so the ground has no edge.
+environment's own light, its low harmonics times the baked transfer of the ground, and in that of sun and lamps, whose
+shadows are looked up (:mod:`~brdf_suite.realtime.lights.shadows`). A pixel of background is multiplied by it. Nothing
+is drawn where nothing is in the way, so the ground has no edge.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 
 import moderngl
 import numpy as np
@@ -18,13 +18,12 @@ from brdf_suite.arrays import Floats, triple
 from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.programs import assign
+from brdf_suite.realtime.gl.programs import LIGHTS_BINDING, assign
 from brdf_suite.realtime.lights.sun import Sun
 from brdf_suite.realtime.values import CubeFaces, GroundField
 
 GROUND_UNIT = 12
 _DEPTH_CLAMP = 0x864F  # GL_DEPTH_CLAMP, core since OpenGL 3.2
-_LOWEST_SUN = 0.05
 _COARSE = 32
 """Texels along an edge of the faces that the harmonics are taken from: far finer than harmonics of degree 6."""
 
@@ -46,8 +45,8 @@ def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:
 
 def ground_ratio(
     transfer: NDArray[np.float32], light: Floats, sun: Floats | None = None
-) -> tuple[Floats, Floats]:
-    """Return what of the light arrives (rows, columns, 3), 0…1, and the sun's share (3,) of it on open ground.
+) -> tuple[Floats, Floats, Floats]:
+    """Return what of the light arrives (rows, columns, 3), 0…1; of open ground the sun's share (3,) and its light (3,).
 
     ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics and ``sun``
     (h, 3) those of a sun in it, which is then left out of what arrives. The corner of the field is open ground.
@@ -60,7 +59,8 @@ def ground_ratio(
     full = transfer[0, 0].astype(np.float64) @ (soft[:, None] * light)
     ratio = np.divide(arriving, full, out=np.ones_like(arriving), where=full > 0.0)
     open_share = np.clip(ratio[0, 0], 0.0, 1.0)
-    return np.asarray(np.clip(ratio, 0.0, open_share)), np.asarray(1.0 - open_share)
+    shares = np.asarray(np.clip(ratio, 0.0, open_share)), np.asarray(1.0 - open_share)
+    return *shares, np.maximum(full, 0.0)
 
 
 class GroundShadow:
@@ -73,7 +73,7 @@ class GroundShadow:
         self._background: CubeFaces | None = None
         self._texture: moderngl.Texture | None = None
         self._shown: tuple[float, bytes, Sun | None] | None = None
-        self._sun_share = (0.0, 0.0, 0.0)
+        self._sun_share = self._open_light = (0.0, 0.0, 0.0)
 
     @property
     def height(self) -> float | None:
@@ -97,8 +97,10 @@ class GroundShadow:
         world_to_clip: tuple[float, ...],
         turn: float,
         colours: Floats,
-        sun: Sun | None = None,
-        sun_uniforms: Mapping[str, object] = MappingProxyType({}),
+        sun: Sun | None,
+        lamps: bool,
+        cast: Mapping[str, object],
+        reach: tuple[Floats, Floats],
     ) -> None:
         """Multiply what is drawn already, where the object is not in front, by the shadow.
 
@@ -108,23 +110,37 @@ class GroundShadow:
             Column by column.
         turn, colours
             How far the light is turned about y, radians, and the (3, 3) that its colours are mixed by.
-        sun, sun_uniforms
-            The environment's sun, and the inputs of sun.glsl, where it casts a shadow of its own.
+        sun
+            The environment's sun where it casts a shadow of its own.
+        lamps
+            Whether lamps light the ground, and cast shadows there.
+        cast
+            Inputs of shadows.glsl; nothing where neither sun nor lamps cast shadows. Lamps are bound by the caller.
+        reach
+            Lowest and highest (x, z) of these shadows, metres.
         """
         if self._field is None or self._background is None:
             return
         texture = self._brought_up_to_date(self._field, self._background, turn, colours, sun)
-        words = {"SUN": "1"} if sun is not None else None
+        words = {"SUN": "1"} if sun is not None else {}
+        if lamps:
+            words["LAMP_SHADOWS"] = "1"
         program, corners = self._objects.screen("ground.frag.glsl", words, vertex="ground.vert.glsl")
         texture.use(GROUND_UNIT)
+        block = program.get("Lights", None)
+        if isinstance(block, moderngl.UniformBlock):
+            block.binding = LIGHTS_BINDING
+        low, high = np.array(self._field.low), np.array(self._field.high)
         values = {
             "world_to_clip": world_to_clip,
             "ground_shadow": GROUND_UNIT,
             "ground_field": (*self._field.low, *self._field.high),
             "ground_height": self._field.height,
-            "ground_beyond": 0.0 if sun is None else self._shadow_length(sun),
+            "ground_beyond": float(np.concatenate([[0.0], low - reach[0], reach[1] - high]).max()),
+            "sun_share": self._sun_share,
+            "open_light": self._open_light,
         }
-        assign(program, values | dict(sun_uniforms) | {"sun_share": self._sun_share})
+        assign(program, values | dict(cast))
         context = self._objects.context
         context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
         # The near and far planes enclose the object; the ground goes on beyond them.
@@ -134,12 +150,6 @@ class GroundShadow:
         context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
         context.disable_direct(_DEPTH_CLAMP)
         context.enable_only(moderngl.DEPTH_TEST)
-
-    def _shadow_length(self, sun: Sun) -> float:
-        """How far a shadow may reach beyond the field, metres; of a sun on the horizon it is cut off."""
-        assert self._field is not None
-        across = float(np.hypot(*np.subtract(self._field.high, self._field.low)))
-        return across / max(float(sun.direction[1]), _LOWEST_SUN)
 
     def _brought_up_to_date(
         self, field: GroundField, background: CubeFaces, turn: float, colours: Floats, sun: Sun | None
@@ -158,8 +168,8 @@ class GroundShadow:
         of_sun = None
         if sun is not None:
             of_sun = turned(low_harmonics(sun.direction, degree)[:, None] * sun.irradiance)
-        ratio, share = ground_ratio(field.transfer, turned(self._light), of_sun)
-        self._sun_share = triple(share)
+        ratio, share, full = ground_ratio(field.transfer, turned(self._light), of_sun)
+        self._sun_share, self._open_light = triple(share), triple(full)
         rows, columns = ratio.shape[:2]
         if self._texture is None or self._texture.size != (columns, rows):
             self.release()

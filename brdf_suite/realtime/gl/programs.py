@@ -24,7 +24,7 @@ MATERIAL_BINDING = 0
 LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
-SUN_UNIT = 30
+SHADOW_UNIT = 30
 MOSAIC_UNIT, TILT_LIGHT_UNIT = 33, 34
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
@@ -147,7 +147,7 @@ class Programs:
             "places": PLACES_UNIT,
             "kept_light": KEPT_UNIT,
             "lamp_ball": BALL_UNIT,
-            "sun_map": SUN_UNIT,
+            "shadow_map": SHADOW_UNIT,
             "flake_mosaic": MOSAIC_UNIT,
             "tilt_light": TILT_LIGHT_UNIT,
         }
@@ -164,11 +164,11 @@ class Programs:
             )
         return self._surfaces[key]
 
-    def sun_map(self) -> moderngl.Program:
-        """Return the program that draws the depth of a mesh as a sun sees it."""
-        key = (LookUps(0, 0), frozenset({"SUN_MAP"}))
+    def shadow_map(self) -> moderngl.Program:
+        """Return the program that draws the depth of a mesh as a light sees it."""
+        key = (LookUps(0, 0), frozenset({"SHADOW_MAP"}))
         if key not in self._surfaces:
-            vertex, fragment = compose("sun_map.vert.glsl"), compose("sun_map.frag.glsl")
+            vertex, fragment = compose("shadow_map.vert.glsl"), compose("shadow_map.frag.glsl")
             self._surfaces[key] = self._objects.program(vertex, fragment)
         return self._surfaces[key]
 

@@ -91,6 +91,8 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     for row, lamp in zip(rows[count:], view.lamps, strict=False):
         row[0, :3], row[0, 3] = _place(lamp)
         row[1, :3] = math.pi * lamp.strength * np.asarray(_colour(lamp.temperature_k))
+        # An even disc has half its radius as standard deviation along an axis.
+        row[1, 3] = 0.25 * (lamp.diameter if lamp.kind == "point" else math.radians(lamp.angle_deg))
     block[0, :2] = count, count + len(view.lamps)
     return block.tobytes()
 
@@ -148,7 +150,7 @@ def flake_power(weights: MaterialWeights, flakes: Flakes, strength: float = 1.0)
 
 COLUMNS = 160
 """A lobe of exponent 50,000 is then right to 0.5 % of its peak between columns."""
-ROWS = 3
+ROWS = 4
 
 
 def column_angles() -> Floats:
@@ -160,11 +162,12 @@ def column_angles() -> Floats:
 def light_lobes(
     weights: MaterialWeights, flakes: Flakes | None = None, strength: float = 1.0
 ) -> NDArray[np.float32]:
-    """Return a table for light_lobes.glsl, (3, :data:`COLUMNS`, 4): base, gloss, visible flakes; KD in the alphas.
+    """Return a table for light_lobes.glsl, (4, :data:`COLUMNS`, 4): base, gloss, flakes, discs; KD in the first alphas.
 
     A light from one direction needs Σ KDD_i cos^E_i γ and Σ KG_i cos^E_i γ, γ from the mirror direction. Both are
     tabulated over sqrt(sin γ/2), which gives the narrow lobes most of the columns, up to 90°, where every lobe ends; so
-    a light costs one look-up however many lobes there are.
+    a light costs one look-up however many lobes there are. The last row is the share that the gloss keeps of its peak
+    in the light of a disc of radius γ (:func:`disc_lobe`), and in alpha the gloss's width.
     """
     gamma = column_angles()
     # 1 - cos γ = 2 sin²(γ/2) keeps its digits for narrow lobes; at 90° every lobe is 0.
@@ -174,12 +177,39 @@ def light_lobes(
     table = np.zeros((ROWS, COLUMNS, 4), np.float32)
     base = powers @ weights.kdd
     table[0, :, :3] = base
-    table[1, :, :3] = powers @ weights.kg
+    gloss = powers @ weights.kg
+    table[1, :, :3] = gloss
+    table[3, :, :3], table[3, :, 3] = disc_lobe(gamma, gloss)
     if flakes is not None and flakes.density_per_mm2 > 0.0:
         theta, ior = weights.theta_fit_rad, coat_index(weights)
         lobe = visible_flake_lobe(flakes, gamma, base + weights.kd, theta, ior, strength)
         # The shader knows the tilt itself, not only in the plane of the fit's light.
         tilts = seen_tilts(gamma, theta, ior, flakes.roughness)
         table[2, :, :3] = lobe / np.maximum(tilts, 1e-4)[:, None]
-    table[:, :, 3] = weights.kd[:, None]
+    table[:3, :, 3] = weights.kd[:, None]
     return table
+
+
+def disc_lobe(gamma: Floats, lobe: Floats) -> tuple[Floats, float]:
+    """Return what a lobe (n, 3) over γ (n,), radians, is multiplied by in the light of discs of radius γ; its width.
+
+    What a disc of radius a gives is drawn as an even middle, and beyond it the lobe, stretched: f((γ - s)/b), with the
+    width σ from the lobe's peak, ∫ f γ dγ = σ² f(0), as of a Gaussian. Up to a = 2σ there is no middle, s = 0, and
+    b² = 1 + a²/(4σ²) adds the disc's variance; beyond, s = a - 2σ, and b rises to 1.7, which puts half of the peak at
+    the disc's edge. All directions together must get what they get of a light without extent:
+
+        share = ∫ f γ dγ / (f(0) s²/2 + ∫ f (b γ + s) b dγ)
+    """
+    step = np.diff(gamma)[:, None]
+
+    def integral(values: Floats) -> Floats:
+        return np.asarray((0.5 * step * (values[1:] + values[:-1])).sum(axis=0))
+
+    whole, over = integral(lobe * gamma[:, None]), integral(lobe)
+    peak = float(lobe[0].max())
+    width = math.sqrt(float(whole.max()) / peak) if peak > 0.0 else 1.0
+    middle = np.maximum(gamma - 2.0 * width, 0.0)[:, None]
+    broad = 1.7 - 0.58 * width / np.maximum(gamma, 2.0 * width)
+    stretch = np.where(gamma < 2.0 * width, np.sqrt(1.0 + (0.5 * gamma / width) ** 2), broad)[:, None]
+    spread = 0.5 * lobe[0] * middle**2 + stretch**2 * whole + middle * stretch * over
+    return np.divide(whole, spread, out=np.ones_like(spread), where=spread > 0.0), width

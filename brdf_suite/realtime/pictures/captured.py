@@ -46,8 +46,8 @@ from brdf_suite.realtime.gl.programs import (
     columns,
     view_uniforms,
 )
+from brdf_suite.realtime.lights.shadows import Shadows
 from brdf_suite.realtime.lights.single_lights import SingleLights
-from brdf_suite.realtime.lights.sun import SunShadow
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.display import SRGB, Display
 from brdf_suite.realtime.pictures.finish import FinishPass
@@ -82,7 +82,7 @@ class DrawContext:
     mesh: MeshBuffers
     materials: MaterialSet
     single_lights: SingleLights
-    sun: SunShadow
+    shadows: Shadows
     finish: FinishPass
 
 
@@ -217,8 +217,8 @@ class CapturedForm:
         words = self._features
         if swatch.flakes is not None:
             words |= drawing.single_lights.features(view)
-        words |= drawing.sun.features(words)
-        sun = drawing.sun.uniforms(view, words)
+        words |= drawing.shadows.features(view, words)
+        cast = drawing.shadows.uniforms(view, words)
         lit = words != self._features
         kept = None
         if self._kept is not None and material.numbers is not None:
@@ -236,7 +236,7 @@ class CapturedForm:
         assign(program, drawing.environment.use_sharp(material.sharp) if kept is None else kept)
         if lit:
             drawing.single_lights.bind(view)
-            assign(program, drawing.single_lights.uniforms(name, view, has_uv=True) | sun)
+            assign(program, drawing.single_lights.uniforms(name, view, has_uv=True) | cast)
         program["first_row"] = number * self._rows
         material.ramp.use(RAMP_UNIT)
         material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
@@ -273,9 +273,10 @@ def capture(
         framebuffer = objects.framebuffer(*colours, depth=depth)
         objects.bind(framebuffer, size, depth=True)
         framebuffer.clear(depth=1.0)
-        program = drawing.programs.capture(features)
-        assign(program, common)
         for part, painted in parts:
+            sides = drawing.mesh.side_words(part) if "OCCLUSION" in features else frozenset()
+            program = drawing.programs.capture(features | sides)
+            assign(program, common)
             assign(program, {"kept": 1.0 if painted else 2.0, "has_uv": drawing.mesh.has_uv[part]})
             drawing.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         places = np.empty((_PLACE_TARGETS, height, width, samples, 4), np.float32)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
-from brdf_suite.realtime.camera import CameraMatrices, crop, matrices
+from brdf_suite.realtime.camera import MIDDLE, CameraMatrices, LensPoint, crop, matrices
 from brdf_suite.realtime.environment.backdrop import backdrop
 from brdf_suite.realtime.environment.ground import GroundShadow
 from brdf_suite.realtime.environment.textures import RAMP_UNIT
@@ -56,7 +56,7 @@ class LightPass:
             drawing.environment,
         )
         self.mesh, self._materials = drawing.mesh, drawing.materials
-        self._single_lights, self._sun = drawing.single_lights, drawing.sun
+        self._single_lights, self._shadows = drawing.single_lights, drawing.shadows
         self.ground = GroundShadow(drawing.objects)
         self.relief = ReliefTextures(drawing.objects, make_peel)
         self.factors = FactorTextures(drawing.objects)
@@ -77,8 +77,9 @@ class LightPass:
         dtype: str = "f2",
         transparent: bool = False,
         without_paint: bool = False,
+        lens: LensPoint = MIDDLE,
     ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance.
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance, seen from ``lens``.
 
         ``without_paint`` leaves nothing where the paint is but what panes and gaps lay over it, with their alpha.
         """
@@ -87,32 +88,33 @@ class LightPass:
         samples = min(samples, self._objects.context.max_samples)
         # Graphics cards have powers of two of them.
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
-        camera = matrices(view.camera, self.mesh.bounds, size)
+        camera = matrices(view.camera, self.mesh.bounds, size, lens)
         self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
         features |= self._dark(view)
-        features |= self._sun.features(features)
-        sun = self._sun.uniforms(view, features)
+        features |= self._shadows.features(view, features)
+        cast = self._shadows.uniforms(view, features)
         self._single_lights.prepare(view)
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
         self._environment.bind()
-        self._warm_up(samples, features)
+        on_mesh = self._shadows.on_mesh(features)
+        self._warm_up(samples, on_mesh)
         framebuffer.clear(depth=1.0)
         cropping = crop(size, corner, tile)
-        opaque, panes = self.divided(view, self.drawn_parts(view, features), materials)
+        opaque, panes = self.divided(view, self.drawn_parts(view, on_mesh), materials)
         if without_paint:
             opaque = [
                 (part, name, words | {"LEFT_OUT"} if name == PAINT else words) for part, name, words in opaque
             ]
-        common = self._common(view, camera, cropping, sun)
-        self._draw_parts(view, opaque, camera, common, materials, lit=bool(sun))
+        common = self._common(view, camera, cropping, cast)
+        self._draw_parts(view, opaque, camera, common, materials, lit=bool(cast))
         self._draw_gaps(view, common, tile)
         if not transparent:
             self._draw_background(view, camera, size, corner)
-            self._draw_ground(view, camera, cropping, sun)
-        self._draw_panes(view, panes, camera, common, materials, lit=bool(sun), framebuffer=framebuffer)
+            self._draw_ground(view, camera, cropping, features, cast)
+        self._draw_panes(view, panes, camera, common, materials, lit=bool(cast), framebuffer=framebuffer)
         return light
 
     def draw_backdrop(
@@ -133,15 +135,15 @@ class LightPass:
         camera = matrices(view.camera, self.mesh.bounds, size)
         features = self._dark(view) | surface_features(view, knows_light=self.mesh.knows_light)
         if grounded and view.surface_look.ground:
-            features |= self._sun.features(features)
-        sun = self._sun.uniforms(view, features)
+            features |= self._shadows.features(view, features)
+        cast = self._shadows.uniforms(view, features)
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()
         framebuffer.clear(depth=1.0)
         self._draw_background(view, camera, size, (0, 0))
         if grounded:
-            self._draw_ground(view, camera, crop(size, (0, 0), size), sun)
+            self._draw_ground(view, camera, crop(size, (0, 0), size), features, cast)
         return light
 
     def _dark(self, view: View) -> Features:
@@ -154,7 +156,7 @@ class LightPass:
         view: View,
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
-        sun: Mapping[str, object],
+        cast: Mapping[str, object],
     ) -> Mapping[str, object]:
         """Return what all programs that draw the mesh are given."""
         return (
@@ -165,7 +167,7 @@ class LightPass:
                 "eye": tuple(camera.eye),
                 "grounded": view.surface_look.ground,
             }
-            | dict(sun)
+            | dict(cast)
             | self.relief.bind(view, self.mesh.bounds)
         )
 
@@ -287,24 +289,31 @@ class LightPass:
         if self.relief.has_second_paint(view):
             over = painted | {"SECOND_PAINT"}
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
-        return drawn
+        if "OCCLUSION" not in features:
+            return drawn
+        return [(part, name, words | self.mesh.side_words(part)) for part, name, words in drawn]
 
     def _draw_ground(
         self,
         view: View,
         camera: CameraMatrices,
         cropping: NDArray[np.float64],
-        sun: Mapping[str, object],
+        features: Features,
+        cast: Mapping[str, object],
     ) -> None:
         """Darken the background by the shadow on the ground, which is visible from above only."""
         height = self.ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
+            if cast and view.lamps:
+                self._single_lights.bind(view)
             self.ground.draw(
                 columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),
                 environment_matrix(view.light_colour),
-                self._sun.sun if sun else None,
-                sun,
+                self._shadows.sun if "SUN" in features else None,
+                "LAMP_SHADOWS" in features,
+                cast,
+                self._shadows.reach_on(height),
             )
 
     def _warm_up(self, samples: int, features: Features) -> None:
@@ -326,6 +335,7 @@ class LightPass:
         own = {
             "view_to_world": columns(camera.view_to_world),
             "half_tangents": camera.half_tangents,
+            "lens_shift": camera.shift,
             "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
             **backdrop(view, self._environment.ladder),
         }

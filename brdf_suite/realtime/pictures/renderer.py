@@ -34,11 +34,12 @@ from brdf_suite.realtime.gl.programs import (
     Programs,
     surface_features,
 )
+from brdf_suite.realtime.lights.shadows import Shadows
 from brdf_suite.realtime.lights.single_lights import FindLights, SingleLights, no_lights
-from brdf_suite.realtime.lights.sun import SunShadow
 from brdf_suite.realtime.material.material_set import MaterialSet
 from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
+from brdf_suite.realtime.pictures.exposures import Accumulator, Exposure
 from brdf_suite.realtime.pictures.finish import FinishPass
 from brdf_suite.realtime.pictures.glare import GlarePass, Veil, glares
 from brdf_suite.realtime.pictures.light_pass import (
@@ -82,7 +83,7 @@ class Renderer:
         self.mesh = MeshBuffers(objects)
         self._environment, self._materials = EnvironmentTextures(objects), MaterialSet(objects)
         self._single_lights, self._finish = SingleLights(objects), FinishPass(objects)
-        self._glare = GlarePass(objects)
+        self._glare, self._accumulator = GlarePass(objects), Accumulator(objects)
         programs = Programs(objects, surface_shader)
         self._drawing = DrawContext(
             objects,
@@ -91,7 +92,7 @@ class Renderer:
             self.mesh,
             self._materials,
             self._single_lights,
-            SunShadow(objects, programs, self.mesh),
+            Shadows(objects, programs, self.mesh),
             self._finish,
         )
         self._first_pass = LightPass(self._drawing, make_peel)
@@ -140,7 +141,7 @@ class Renderer:
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
         self._single_lights.set_environment(find_lights, maps, self._environment.ladder)
-        self._drawing.sun.set_environment(find_lights, self._environment.mean_radiance)
+        self._drawing.shadows.set_environment(find_lights, self._environment.mean_radiance)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights; from the second time on this writes one small buffer and no more."""
@@ -317,26 +318,27 @@ class Renderer:
         display: Display = SRGB,
         transparent: bool = False,
         largest_tile: int = LARGEST_TILE,
+        exposures: Sequence[Exposure] = (),
     ) -> Iterator[NDArray[Any]]:
         """Draw a picture of any size in tiles and yield it in strips, from the top: memory is that of one strip.
 
         The scene must not change in between. A strip is (rows, w, channels): uint8 where ``display`` is dithered,
         otherwise uint16; three channels, or four with ``transparent``, which leaves the background out and gives
         the object's share of the pixel as alpha, not multiplied in. ``LINEAR`` gives float32 and always four: with
-        ``transparent`` the radiance of the object alone, multiplied by its share.
+        ``transparent`` the radiance of the object alone, multiplied by its share. With ``exposures`` the picture is
+        that of their mean light; what else ``view`` says of a picture stays.
         """
         size = check_size(size)
+        shots = tuple(exposures) or (Exposure(view),)
         dtype = "f4" if display.linear else "f2"
         limit = tile_limit(self.context, largest_tile)
         glaring = glares(view, display) and not transparent
         in_one = max(size) <= min(limit, _GLARING_EDGE)
-        veil = self._veil(view, size, samples) if glaring and not in_one else None
+        veil = self._veil(view, shots, size, samples) if glaring and not in_one else None
 
         def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
             with graphics_errors(self.context, "drawing a picture"):
-                light = self._first_pass.draw(
-                    view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
-                )
+                light = self._light_of(shots, tile, samples, size, corner, dtype, transparent=transparent)
                 laid = self._glare.spread(light, view) if glaring and in_one else veil
                 self.objects.bind(framebuffer, tile)
                 self._finish.draw(light, view, display, corner, transparent=transparent, veil=laid)
@@ -344,12 +346,40 @@ class Renderer:
         channels = 4 if transparent or display.linear else 3
         return draw_strips(draw, self._picture, size, limit, display, channels)
 
-    def _veil(self, view: View, size: Size, samples: int) -> Veil | None:
+    def _light_of(
+        self,
+        shots: Sequence[Exposure],
+        tile: Size,
+        samples: int,
+        size: Size,
+        corner: Corner = (0, 0),
+        dtype: str = "f2",
+        *,
+        transparent: bool = False,
+    ) -> moderngl.Texture:
+        """Return the exposed radiance of a tile: of one exposure as it is drawn, of several their mean."""
+
+        def draw(shot: Exposure) -> moderngl.Texture:
+            return self._first_pass.draw(
+                shot.view,
+                self._tile,
+                tile,
+                samples,
+                size,
+                corner,
+                dtype=dtype,
+                transparent=transparent,
+                lens=shot.lens,
+            )
+
+        return draw(shots[0]) if len(shots) == 1 else self._accumulator.mean(shots, tile, draw)
+
+    def _veil(self, view: View, shots: Sequence[Exposure], size: Size, samples: int) -> Veil | None:
         """Return the veil of a picture of any size, from the whole of it in one tile."""
         scale = min(1.0, tile_limit(self.context, _GLARING_EDGE) / max(size))
         small = (max(1, round(size[0] * scale)), max(1, round(size[1] * scale)))
         with graphics_errors(self.context, "drawing a picture"):
-            light = self._first_pass.draw(view, self._tile, small, samples, small)
+            light = self._light_of(shots, small, samples, small)
             return self._glare.spread(light, view, whole=size)
 
     def count_in(self, light: moderngl.Texture, view: View, size: Size, display: Display) -> Unshowable:

@@ -113,7 +113,7 @@ vec3 factored_radiance(SurfacePoint p)
 #endif
         float over = max(f.r, max(f.g, f.b)) * factor_ceiling;
         over *= over;
-        sum += light.irradiance * (cos_light * inversesqrt(sqrt(1.0 + over * over))) * f;
+        sum += LAMP_SEEN(i) * light.irradiance * (cos_light * inversesqrt(sqrt(1.0 + over * over))) * f;
     }
     return sum;
 }

@@ -14,7 +14,7 @@ layout(std140) uniform Lights
     vec4 light_counts;               // x: of the environment, y: all
     vec4 lights[2 * MOST_LIGHTS];    // of 2 k: direction to the light, or its place in metres; w: kind
                                      // of 2 k + 1: rgb: irradiance on what faces it, at 1 m from a point; w: its
-                                     // standard deviation in angle along an axis, radians
+                                     // standard deviation in angle along an axis, radians, at 1 m from a point
 };
 
 struct Arriving
@@ -32,5 +32,6 @@ Arriving light_at(int index, vec3 position)
         return Arriving(place.xyz, power.rgb, power.w);
     vec3 way = place.xyz - position;
     float squared = max(dot(way, way), 1e-8);
-    return Arriving(way * inversesqrt(squared), power.rgb / squared, power.w);
+    float nearness = inversesqrt(squared);
+    return Arriving(way * nearness, power.rgb / squared, power.w * nearness);
 }

@@ -1,6 +1,6 @@
 // Provides: vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 // Needs:    surface_point.glsl, material.glsl; LAMPS where there are lamps, SUN where the environment has a sun whose
-//           shadow is cast (OCCLUSION then too), SPARKLE_GLINTS or SPARKLE_TEXTURE where
+//           shadow is cast (OCCLUSION then too), LAMP_SHADOWS where lamps cast theirs, SPARKLE_GLINTS or SPARKLE_TEXTURE where
 //           flakes are drawn one by one; FACTORS where a factored material's lamps are shaded by its maps
 //           (factors.glsl), FACTOR_BALL where by a ball (lamp_ball.glsl)
 //
@@ -13,8 +13,14 @@
 // already.
 #include "lights.glsl"
 #include "light_lobes.glsl"
-#ifdef SUN
-#include "sun.glsl"
+#if defined(SUN) || defined(LAMP_SHADOWS)
+#include "shadows.glsl"
+#endif
+#ifdef LAMP_SHADOWS
+float seen_of_lamps[MOST_SHADOWS];    // at the place that is shaded
+#define LAMP_SEEN(i) seen_of_lamps[i - int(light_counts.x)]
+#else
+#define LAMP_SEEN(i) 1.0
 #endif
 #include "flake_place.glsl"
 #ifdef FACTORS
@@ -66,8 +72,8 @@ struct Turns
 };
 
 // The coat's highlight of a light, without its irradiance. The mirror direction of a light turns by twice the turn of
-// the coat's normal.
-vec3 coat_highlight(SurfacePoint p, vec3 to_light, Turns turns)
+// the coat's normal. `radius` is that of the light's disc, radians.
+vec3 coat_highlight(SurfacePoint p, vec3 to_light, float radius, Turns turns)
 {
     vec3 n = p.coat_normal;
     float cos_coat = dot(n, to_light);
@@ -77,10 +83,11 @@ vec3 coat_highlight(SurfacePoint p, vec3 to_light, Turns turns)
     vec3 across = 0.5 * (dot(turns.normal_across, to_light) * n + cos_coat * turns.normal_across)
         - 0.25 * turns.view_across;
     vec3 down = 0.5 * (dot(turns.normal_down, to_light) * n + cos_coat * turns.normal_down) - 0.25 * turns.view_down;
-    return 0.25 * (light_lobe(LOBE_GLOSS, length(off + across + down)).rgb
-        + light_lobe(LOBE_GLOSS, length(off + across - down)).rgb
-        + light_lobe(LOBE_GLOSS, length(off - across + down)).rgb
-        + light_lobe(LOBE_GLOSS, length(off - across - down)).rgb);
+    DiscLobe disc = disc_lobe(radius);
+    vec4 beyond = max(vec4(length(off + across + down), length(off + across - down), length(off - across + down),
+                           length(off - across - down)) - disc.middle, 0.0) / disc.stretch;
+    return 0.25 * disc.share * (light_lobe(LOBE_GLOSS, beyond.x).rgb + light_lobe(LOBE_GLOSS, beyond.y).rgb
+        + light_lobe(LOBE_GLOSS, beyond.z).rgb + light_lobe(LOBE_GLOSS, beyond.w).rgb);
 }
 
 // What the lamps make the surface reflect, flakes in their mean; of a factored material the coat's part alone.
@@ -92,6 +99,7 @@ vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
     for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
     {
         Arriving light = light_at(i, p.position);
+        light.irradiance *= LAMP_SEEN(i);
 #ifndef FACTORS
         float cos_light = dot(p.normal, light.direction);
         if (cos_light > 0.0)
@@ -100,7 +108,7 @@ vec3 lamp_radiance(SurfacePoint p, vec3 base_gain, vec3 gloss_gain)
             sum += light.irradiance * base_gain * cos_light * (kd + light_lobe(LOBE_BASE, chord).rgb);
         }
 #endif
-        sum += light.irradiance * gloss_gain * coat_highlight(p, light.direction, turns);
+        sum += light.irradiance * gloss_gain * coat_highlight(p, light.direction, 2.0 * light.spread, turns);
     }
     return sum;
 }
@@ -116,7 +124,7 @@ vec3 sun_difference(SurfacePoint p, vec3 base_gain)
     float chord = length(2.0 * cos_sun * p.normal - sun_direction - p.view);
     vec3 kd = light_diffuse();
     vec3 lobes = cos_sun > 0.0 ? cos_sun * light_lobe(LOBE_BASE, chord).rgb : vec3(0.0);
-    seen_of_sun = cos_sun > 0.0 ? sun_seen(p.position, p.normal) : 0.0;
+    seen_of_sun = cos_sun > 0.0 ? light_seen(SUN_SHADOW, p.position, p.normal, cos_sun > 0.0) : 0.0;
     vec3 wanted = seen_of_sun * (cos_sun * kd + lobes);
     vec3 given = p.occlusion * (max(dot(p.bent, sun_direction), 0.0) * kd + lobes);
     return sun_irradiance * base_gain * (wanted - given);
@@ -187,6 +195,8 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
             flake_light *= p.occlusion;
 #endif
         }
+        else
+            flake_light *= LAMP_SEEN(i);
         // A light's extent, seen by a mirror below the coat, is a spread of the mirror's tilt of 1 / (2 n) of it.
         float broad = light.spread / (2.0 * flake_optics.x);
         float spread = sqrt(flake_optics.y * flake_optics.y + broad * broad);
@@ -217,15 +227,40 @@ vec3 sparkle(SurfacePoint p, FlakePlace place, vec3 base_gain, vec3 radiance)
 }
 #endif
 
+#ifdef LAMP_SHADOWS
+// What the place sees of each lamp; returned is the same of all lamps together, by what they send to the base.
+float look_for_lamps(SurfacePoint p)
+{
+    float arriving = 0.0, arrived = 0.0;
+    for (int i = int(light_counts.x); i < int(light_counts.y); ++i)
+    {
+        Arriving light = light_at(i, p.position);
+        float cos_light = dot(p.normal, light.direction);
+        int lamp = i - int(light_counts.x);
+        float seen = light_seen(FIRST_LAMP_SHADOW + lamp, p.position, p.normal, cos_light > 0.0);
+        float sent = largest(light.irradiance) * max(cos_light, 0.0);
+        seen_of_lamps[lamp] = seen;
+        arriving += sent;
+        arrived += seen * sent;
+    }
+    return arriving > 0.0 ? arrived / arriving : 1.0;
+}
+#endif
+
 vec3 lit_radiance(SurfacePoint p, vec3 radiance)
 {
+#ifdef LAMP_SHADOWS
+    float of_lamps = look_for_lamps(p);
+#else
+    const float of_lamps = 1.0;
+#endif
     vec3 base_gain, gloss_gain;
     fresnel_gains(max(dot(p.normal, p.view), 0.02), base_gain, gloss_gain);
 #ifdef FACTORS
     radiance += factored_radiance(p);
 #endif
 #ifdef FACTOR_BALL
-    radiance += ball_radiance(p);
+    radiance += of_lamps * ball_radiance(p);
 #endif
 #ifdef LOBES_LIT
     radiance += lamp_radiance(p, base_gain, gloss_gain);

@@ -1,6 +1,6 @@
 // Provides: world_position, world_normal and surface_uv (millimetres) for surface_point.glsl; with OCCLUSION also
-//           arriving_light
-// Needs:    a mesh in world metres
+//           arriving_light, with TWO_SIDED arriving_behind
+// Needs:    a mesh in world metres; TWO_SIDED where the light that arrives is known for the back too
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
@@ -11,6 +11,12 @@ in vec4 light_alone;
 in vec4 light_grounded;
 uniform bool grounded;
 out vec4 arriving_light;
+#ifdef TWO_SIDED
+// The same for the back.
+in vec4 back_alone;
+in vec4 back_grounded;
+out vec4 arriving_behind;
+#endif
 #endif
 
 uniform mat4 world_to_clip;
@@ -29,6 +35,9 @@ void main()
     surface_uv = uv;
 #ifdef OCCLUSION
     arriving_light = grounded ? light_grounded : light_alone;
+#ifdef TWO_SIDED
+    arriving_behind = grounded ? back_grounded : back_alone;
+#endif
 #endif
     gl_Position = world_to_clip * vec4(position, 1.0);
 }

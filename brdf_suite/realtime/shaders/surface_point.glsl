@@ -23,6 +23,9 @@ in vec3 world_normal;
 in vec2 surface_uv;
 #ifdef OCCLUSION
 in vec4 arriving_light;
+#ifdef TWO_SIDED
+in vec4 arriving_behind;
+#endif
 #endif
 #endif
 #endif
@@ -61,11 +64,16 @@ SurfacePoint surface_point(vec3 eye)
     p.bent = p.normal;
     p.occlusion = 1.0;
 #ifdef OCCLUSION
-    // Baked for the side that the mesh's normal looks to; the back of a thin sheet is taken to see as much.
-    vec3 arriving = arriving_light.xyz;
+    // Baked for the side that the mesh's normal looks to; a back that was not baked is taken to see as much.
+    vec4 baked = arriving_light;
+#ifdef TWO_SIDED
+    if (dot(world_normal, p.normal) < 0.0)
+        baked = arriving_behind;
+#endif
+    vec3 arriving = baked.xyz;
     arriving -= min(2.0 * dot(arriving, p.normal), 0.0) * p.normal;
     p.bent = normalize(arriving + 1e-3 * p.normal);
-    p.occlusion = clamp(arriving_light.w, 0.0, 1.0);
+    p.occlusion = clamp(baked.w, 0.0, 1.0);
 #endif
     p.base_spread = 0.0;
     p.coat_spread = 0.0;

@@ -11,13 +11,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.geometry.directions import about_y, from_horizon
@@ -25,6 +24,7 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import direction
 from brdf_suite.lighting.lights.cells import Cells, sum_cells
 from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, METHODS, lights_from_labels
+from brdf_suite.reference.scene.lamps import lamp_power
 
 _GOLDEN = 0.6180339887498949
 
@@ -56,18 +56,17 @@ class LightSet:
         turned = self.places @ about_y(math.radians(degrees)).T
         return replace(self, places=np.where((self.kinds <= SUN)[:, None], turned, self.places))
 
-    def with_lamps(self, lamps: Sequence[Lamp]) -> LightSet:
-        """Return the set with the lamps of a view."""
-        if not lamps:
-            return self
-        places, strengths = zip(*(_lamp(lamp) for lamp in lamps), strict=True)
-        kinds = [NEAR_LAMP if lamp.kind == "point" else FAR_LAMP for lamp in lamps]
-        return LightSet(
-            np.concatenate([self.places, places]),
-            np.concatenate([self.strengths, strengths]),
-            np.concatenate([self.spreads, np.zeros(len(lamps))]),
-            np.concatenate([self.kinds, kinds]).astype(np.uint32),
+    def with_lamps(self, lamps: Sequence[Lamp], turn: int = 0) -> LightSet:
+        """Return the set with the lamps of a view; those with an extent are :data:`PLACES` lights in each ``turn``."""
+        return reduce(LightSet.joined, (lamp_lights(lamp, turn) for lamp in lamps), self)
+
+    def joined(self, other: LightSet) -> LightSet:
+        """Return both in one set."""
+        pairs = (
+            (getattr(self, name), getattr(other, name))
+            for name in ("places", "strengths", "spreads", "kinds")
         )
+        return LightSet(*(np.concatenate(pair) for pair in pairs))
 
     def dealt(self, hands: int) -> LightSet:
         """Return the set in the order in which ``hands`` take a light in turn, as many each.
@@ -222,9 +221,58 @@ def _entries(light: Floats, size: int) -> tuple[npt.NDArray[np.uint32], Floats]:
     return entries.astype(np.uint32), np.divide(size, counts, out=np.zeros(len(light)), where=counts > 0)
 
 
-def _lamp(lamp: Lamp) -> tuple[Floats, Floats]:
-    """Place and strength: ``strength`` of a lamp is its illuminance over π, of a point lamp at 1 m."""
-    power = math.pi * lamp.strength * lamp_colour(lamp.temperature_k)
-    if lamp.kind == "point":
-        return np.array(lamp.position, float), np.asarray(power)
-    return from_horizon(lamp.azimuth_deg, lamp.elevation_deg), np.asarray(power)
+PLACES = 48
+"""Lights that a lamp with an extent is made of."""
+
+
+def lamp_lights(lamp: Lamp, turn: int = 0) -> LightSet:
+    """Return a lamp as lights: one, or :data:`PLACES` in its extent, other ones in each ``turn``.
+
+    ``strength`` of a lamp is its illuminance over π, of a point lamp at 1 m.
+    """
+    power = lamp_power(lamp)
+    near = lamp.kind == "point"
+    middle = np.array(lamp.position, float) if near else from_horizon(lamp.azimuth_deg, lamp.elevation_deg)
+    extent = 0.5 * lamp.diameter if near else math.radians(0.5 * lamp.angle_deg)
+    count = PLACES if extent > 0.0 else 1
+    places = middle[None].repeat(count, axis=0)
+    if extent > 0.0:
+        places = places + extent * (_in_ball(count, turn) if near else _on_disc(count, turn, middle))
+    if not near:
+        places /= np.linalg.norm(places, axis=1, keepdims=True)
+    kinds = np.full(count, NEAR_LAMP if near else FAR_LAMP, np.uint32)
+    return LightSet(places, np.tile(power / count, (count, 1)), np.zeros(count), kinds)
+
+
+def _spiral(count: int, turn: int) -> tuple[Floats, Floats]:
+    """Return even numbers (count,), 0 to 1, and angles (count,), radians, that fill a disc (Vogel 1979)."""
+    number = np.arange(count) + (0.5 + turn * _GOLDEN) % 1.0
+    return np.asarray(number / count), np.asarray(2.0 * math.pi * _GOLDEN * (np.arange(count) + count * turn))
+
+
+def _on_disc(count: int, turn: int, facing: Floats) -> Floats:
+    """Return places (count, 3) spread evenly over a disc of radius 1 that faces a unit direction (3,)."""
+    even, angle = _spiral(count, turn)
+    aside = np.array([1.0, 0.0, 0.0]) if abs(facing[0]) < 0.7 else np.array([0.0, 0.0, 1.0])
+    right = np.cross(aside, facing)
+    right /= np.linalg.norm(right)
+    up = np.cross(facing, right)
+    return np.asarray(np.sqrt(even)[:, None] * (np.cos(angle)[:, None] * right + np.sin(angle)[:, None] * up))
+
+
+def _in_ball(count: int, turn: int) -> Floats:
+    """Return places (count, 3) in a ball of radius 1 that are seen as an even disc from every side.
+
+    Their density is as 1/√(1 - r²), Abel's transform of an even disc: with r = sin t, the share of those within is
+    (2 t - sin 2t)/π.
+    """
+    even, angle = _spiral(count, turn)
+    t = np.linspace(0.0, 0.5 * math.pi, 513)
+    # Radii in another order than heights, so that the two go together in every way.
+    radius = np.sin(
+        np.interp((even + np.arange(count) * 0.7548776662) % 1.0, (2.0 * t - np.sin(2.0 * t)) / math.pi, t)
+    )
+    height = 1.0 - 2.0 * even
+    level = np.sqrt(1.0 - height**2)
+    towards = np.stack([level * np.cos(angle), height, level * np.sin(angle)], axis=1)
+    return np.asarray(radius[:, None] * towards)

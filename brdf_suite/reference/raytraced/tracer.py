@@ -23,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import scramble
@@ -36,6 +37,7 @@ from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import TracedSky
 from brdf_suite.reference.raytraced.surface import Surface, SurfaceHit
 from brdf_suite.reference.scene.camera import Pinhole
+from brdf_suite.reference.scene.lamps import LampAim, lamp_power
 
 _GOLDEN = 0x9E3779B9
 """The golden ratio's part of 2³²: places of a sequence that fills the circle evenly."""
@@ -44,11 +46,34 @@ DEFAULT_DEPTH = 4
 
 
 @dataclass(frozen=True, eq=False)
+class OpenLamp:
+    """A lamp in the renderer's memory, without its extent: ``place`` in metres where it is ``near``, else direction."""
+
+    place: Vector
+    power: Colour
+    near: bool
+
+    @classmethod
+    def of(cls, lamp: Lamp) -> OpenLamp:
+        """Return a lamp of a view."""
+        aim = LampAim.of(lamp)
+        place = mi.Vector3f(*(d.number(x) for x in aim.place))
+        return cls(place, d.colour(lamp_power(lamp).tolist()), aim.near)
+
+    def on_level(self, place: Vector) -> Colour:
+        """Return the irradiance of a level place that sees it."""
+        way = self.place - place if self.near else self.place
+        nearness = dr.rcp(dr.squared_norm(way))
+        return self.power * (nearness * dr.sqrt(nearness) * dr.maximum(way.y, 0.0))
+
+
+@dataclass(frozen=True, eq=False)
 class LightArrays:
     """Lights in the renderer's memory; see :class:`~.light_set.LightSet`.
 
     ``entries`` (2 × 2^``entry_bits``) and ``factors`` (2 × n) are those of :meth:`~.light_set.LightSet.draws`;
-    ``open_ground`` (3,) is the irradiance of a level ground with nothing on it.
+    ``open_ground`` (3,) is the irradiance of a level ground with nothing on it by the environment, ``lamps`` what adds
+    to it.
     """
 
     places: Any
@@ -59,12 +84,12 @@ class LightArrays:
     entry_bits: Any
     factors: Any
     open_ground: Colour
-    has_lamps: bool
+    lamps: tuple[OpenLamp, ...]
     has_suns: bool
 
     @classmethod
-    def of(cls, dealt: LightSet) -> LightArrays:
-        """Return the arrays of a set that was dealt."""
+    def of(cls, dealt: LightSet, lamps: Sequence[Lamp] = ()) -> LightArrays:
+        """Return the arrays of a set that was dealt, and that has the lights of ``lamps``."""
         entries, factors = dealt.draws()
         places, strengths, spreads, drawn = (
             mi.Float(np.ascontiguousarray(a, np.float32).ravel())
@@ -74,8 +99,12 @@ class LightArrays:
         dr.eval(places, strengths, spreads, drawn, kinds, table)
         ground = d.colour(np.maximum(dealt.ground_cosines() @ dealt.strengths, 1e-12).tolist())
         bits = dr.opaque(mi.UInt32, int(entries.shape[1]).bit_length() - 1)
-        lamps, suns = bool((dealt.kinds > SUN).any()), bool((dealt.kinds == SUN).any())
-        return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps, suns)
+        suns, alone = bool((dealt.kinds == SUN).any()), tuple(map(OpenLamp.of, lamps))
+        return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, alone, suns)
+
+    def open_light(self, place: Vector) -> Colour:
+        """Return the irradiance of a level ground at a place with nothing on it."""
+        return sum((lamp.on_level(place) for lamp in self.lamps), start=self.open_ground)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +169,7 @@ def trace(
         def dealt(i: Any, _on_ground: Any) -> tuple[Any, Real]:
             return hand + i * deal.hands, mi.Float(deal.hands)
 
-        light, shade = _lit(stage, hit, met, on_ground, dealt, deal.lights, seen)
+        light, shade = _lit(stage, hit, met, on_ground, dealt, deal.lights, seen, lamps_on_ground=True)
         light = light + _reflected(stage, deal, hit, met, k, turn)
         radiance = radiance + dr.select(met, light, 0.0)
         coverage = coverage + dr.select(met, 1.0, 0.0)
@@ -217,9 +246,16 @@ def _lit(
     pick: Pick,
     number: Any,
     seen: FlakesSeen | None = None,
+    *,
+    lamps_on_ground: bool = False,
 ) -> tuple[Colour, Colour]:
-    """Return the reflected light of ``number`` lights, and the fraction of an open ground's light that arrives."""
+    """Return the reflected light of ``number`` lights, and the fraction of an open ground's light that arrives.
+
+    Lights that are drawn for the ground are those of the environment alone; where all are dealt, lamps count too.
+    """
     lights = stage.lights
+    lamps_on_ground = lamps_on_ground and bool(lights.lamps)
+    open_ground = lights.open_light(hit.place) if lamps_on_ground else lights.open_ground
     frame = mi.Frame3f(hit.normal)
     view = frame.to_local(hit.view)
     material = stage.surface.material(hit, met)
@@ -230,16 +266,17 @@ def _lit(
         strength = dr.gather(mi.Color3f, lights.strengths, index)
         towards, length, share = place, mi.Float(dr.inf), mi.Float(1.0)
         kind, for_ground = mi.UInt32(ENVIRONMENT), on_ground
-        if lights.has_lamps or lights.has_suns:
+        if lights.lamps or lights.has_suns:
             kind = dr.gather(mi.UInt32, lights.kinds, index)
-        if lights.has_lamps:
+        if lights.lamps:
             away = place - hit.off
             distance = dr.norm(away)
             close = kind == NEAR_LAMP
             towards = dr.select(close, away / distance, place)
             length = dr.select(close, distance, length)
             share = dr.select(close, dr.rcp(dr.square(distance)), share)
-            for_ground = on_ground & (kind <= SUN)
+            if not lamps_on_ground:
+                for_ground = on_ground & (kind <= SUN)
         cosine = dr.dot(hit.normal, towards)
         lit = (met | for_ground) & (cosine > 0.0) & (dr.max(strength) > 0.0)
         share = share * stage.surface.arriving(hit.off, towards, length, lit)
@@ -249,7 +286,7 @@ def _lit(
         spread = dr.gather(mi.Float, lights.spreads, index)
         value = _value(stage, material, local, view, kind, seen, spread, met)
         light = light + dr.select(lit & met, value * arriving, 0.0)
-        shade = shade + dr.select(lit & for_ground, arriving / lights.open_ground, 0.0)
+        shade = shade + dr.select(lit & for_ground, arriving / open_ground, 0.0)
         return i + 1, light, shade
 
     state = (mi.UInt32(0), mi.Color3f(0.0), mi.Color3f(0.0))
@@ -278,7 +315,7 @@ def _value(
         def value(light: Vector, view: Vector, kind: Any, spread: Real, active: Any) -> Colour:
             above = active & (light.z > 0.0) & (view.z > 0.0)
             total = split.broad.lit(light, view, spread)
-            if stage.lights.has_lamps and split.narrow:
+            if stage.lights.lamps and split.narrow:
                 total = total + dr.select(kind > SUN, split.narrow_value(light, view), 0.0)
             if stage.lights.has_suns and split.sunlit:
                 total = total + dr.select(kind == SUN, split.narrow_value(light, view, sunlit=True), 0.0)

@@ -23,20 +23,32 @@ Look = Callable[[Floats], npt.NDArray[Any]]
 """Radiance (..., 3) along directions (..., 3) of the environment, before any turn."""
 PLACES = 3
 """Looks along each edge of a pixel."""
+LENS_ROUNDS = 7
+"""Times that this is done through other places of a lens."""
+_GOLDEN = 0.6180339887498949
 
 
-def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[Floats]:
-    """Yield directions (h, w, 3) in the world, of any length, through even places of each pixel."""
+def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[tuple[Floats, Floats]]:
+    """Yield places (3,) and directions (h, w, 3) from there, of any length, through even places of each pixel.
+
+    Both are in the world. Of a lens the places are spread evenly over its opening.
+    """
     width, height = size
-    for j in range(PLACES):
-        for i in range(PLACES):
-            across = (np.arange(width) + (i + 0.5) / PLACES) * (2.0 / width) - 1.0
-            down = (np.arange(height) + (j + 0.5) / PLACES) * (2.0 / height) - 1.0
-            local = np.empty((height, width, 3))
-            local[..., 0] = across * eye.half_width_tangent
-            local[..., 1] = (-down * eye.half_width_tangent * height / width)[:, None]
-            local[..., 2] = -1.0
-            yield local @ eye.axes.T
+    rounds = LENS_ROUNDS if eye.aperture > 0.0 else 1
+    count = rounds * PLACES**2
+    for number in range(count):
+        j, i = divmod(number % PLACES**2, PLACES)
+        across = (np.arange(width) + (i + 0.5) / PLACES) * (2.0 / width) - 1.0
+        down = (np.arange(height) + (j + 0.5) / PLACES) * (2.0 / height) - 1.0
+        # Radii in another order than places of the pixel, so that one does not follow the other.
+        away = eye.aperture * math.sqrt((number * rounds % count + number // PLACES**2 + 0.5) / count)
+        angle = 2.0 * math.pi * _GOLDEN * number
+        right, up = away * math.cos(angle), away * math.sin(angle)
+        local = np.empty((height, width, 3))
+        local[..., 0] = across * eye.half_width_tangent - right / eye.focus
+        local[..., 1] = (-down * eye.half_width_tangent * height / width)[:, None] - up / eye.focus
+        local[..., 2] = -1.0
+        yield eye.place + eye.axes[:, :2] @ [right, up], local @ eye.axes.T
 
 
 def backdrop(
@@ -45,24 +57,25 @@ def backdrop(
     rotation_deg: float,
     look: Look | None,
     plain: npt.NDArray[np.float64],
-    share: Look | None = None,
+    share: Callable[[Floats, Floats], npt.NDArray[Any]] | None = None,
 ) -> Floats:
     """Return (h, w, 3): the mean light behind each pixel.
 
     ``look`` gives the environment's, turned about y; None: it is ``plain`` (3,) everywhere. ``share`` gives what a
-    ground leaves of it, along directions in the world.
+    ground leaves of it, from a place (3,) along directions in the world.
     """
     width, height = size
     total: Floats = np.zeros((height, width, 3))
-    turn = math.radians(rotation_deg)
+    turn, count = math.radians(rotation_deg), 0
     cos, sin = math.cos(turn), math.sin(turn)
-    for world in looks(eye, size):
+    for place, world in looks(eye, size):
         x, y, z = world[..., 0], world[..., 1], world[..., 2]
         light: npt.NDArray[Any] = plain
         if look is not None:
             light = look(np.stack((cos * x - sin * z, y, sin * x + cos * z), axis=-1))
-        total += light if share is None else light * share(world)
-    return total / PLACES**2
+        total += light if share is None else light * share(place, world)
+        count += 1
+    return total / count
 
 
 def sharp(radiance: npt.NDArray[np.float32]) -> Look:

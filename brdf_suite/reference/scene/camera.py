@@ -15,11 +15,16 @@ from brdf_suite.reference.mitsuba_modules import dr, mi
 
 @dataclass(frozen=True, eq=False)
 class PinholeCamera:
-    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
+    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width.
+
+    Or a thin lens: ``aperture`` is the radius of its opening, ``focus`` the distance of the sharp plane, metres.
+    """
 
     place: npt.NDArray[np.float64]
     axes: npt.NDArray[np.float64]
     half_width_tangent: float
+    aperture: float = 0.0
+    focus: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)

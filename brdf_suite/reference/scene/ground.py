@@ -1,10 +1,10 @@
 """Ground under the object, as in the real-time picture: the environment continued, in the object's shadow.
 
 A level plane sends, towards wherever it is seen from, what the environment would send from there, times the share of
-the environment's light that arrives at the place: ∫ V L cosθ / ∫ L cosθ for each channel, V = 0 where the object is in
-the way. So the object stands in its own shadow and sees it, and no light comes through the plane from below. The camera
-does not see the plane: the backdrop is multiplied by the same share. The share is traced on a grid of places, by
-directions that are drawn as bright as the light is.
+the light of environment and lamps that arrives at the place: ∫ V L cosθ / ∫ L cosθ for each channel, V = 0 where the
+object is in the way. So the object stands in its own shadow and sees it, and no light comes through the plane from
+below. The camera does not see the plane: the backdrop is multiplied by the same share. The share is traced on a grid
+of places, by directions that are drawn as bright as the light is.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.scene.lamps import lamp_light
 from brdf_suite.reference.scene.place import texture
 
 LONG_SIDE = 256
@@ -35,7 +37,7 @@ class GroundGrid:
     """A grid of places on the ground, with their known irradiance.
 
     ``height`` in metres, ``low`` and ``high`` (x, z) of the grid's edges; ``arriving`` (rows along z, columns along x,
-    3) the mean of ``samples`` directions a place, ``open_light`` (3,) that of an open place.
+    3) the mean of ``samples`` directions a place, ``open_light`` that of open places, (3,) where there are no lamps.
     """
 
     height: float
@@ -45,6 +47,7 @@ class GroundGrid:
     open_light: Floats = field(default_factory=lambda: np.zeros(3))
     samples: int = 0
     passes: int = 0
+    lamps: tuple[Lamp, ...] = ()
 
     @classmethod
     def under(cls, low: npt.NDArray[Any], high: npt.NDArray[Any]) -> GroundGrid:
@@ -112,12 +115,22 @@ class GroundGrid:
         ds, weight = scene.environment().sample_direction(at, sampler.next_2d())
         light = weight * dr.maximum(ds.d.y, 0.0)
         free = ~scene.ray_test(mi.Ray3f(at.p, ds.d), ds.d.y > 0.0)
-        found = np.array(dr.select(free, light, mi.Color3f(0.0)), np.float64).T
-        everywhere = np.array(light, np.float64).T
+
+        def sees(towards: Any, distance: Any, asked: Any) -> Any:
+            ray: Any = mi.Ray3f(at.p, towards)
+            ray.maxt = mi.Float(distance)
+            return ~scene.ray_test(ray, asked)
+
+        arrived, sent = lamp_light(self.lamps, at.p, sampler.next_2d, sees)
+        found = np.array(dr.select(free, light, mi.Color3f(0.0)) + arrived, np.float64).T
+        everywhere = np.array(light, np.float64).T.mean(axis=0)
         before, after = self.samples, self.samples + samples
         mean = found.reshape(rows, columns, samples, 3).mean(axis=2)
+        if self.lamps:
+            by_lamps = np.array(sent + dr.zeros(mi.Color3f, count), np.float64).T
+            everywhere = everywhere + by_lamps.reshape(rows, columns, samples, 3).mean(axis=2)
         self.arriving = (self.arriving * before + mean * samples) / after
-        self.open_light = (self.open_light * before + everywhere.mean(axis=0) * samples) / after
+        self.open_light = (self.open_light * before + everywhere * samples) / after
         self.samples, self.passes = after, self.passes + 1
 
 

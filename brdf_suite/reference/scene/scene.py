@@ -16,14 +16,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Lamp
-from brdf_suite.geometry.directions import from_horizon
 from brdf_suite.reference.bsdfs.plugin import make_bsdf
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
+from brdf_suite.reference.scene.lamps import lamp_emitter
 from brdf_suite.reference.scene.place import aligned, texture
 
 DEFAULT_DEPTH = 8
@@ -67,10 +65,12 @@ class TracedScene:
         self.terms = {**self.terms, material: term}
 
     def look_from(self, eye: PinholeCamera, size: tuple[int, int]) -> None:
-        """Move the camera, and change the size of the picture."""
+        """Move the camera, and change the size of the picture; a lens stays one, and a pinhole one."""
         values = mi.traverse(self.scene)
         values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
         values["sensor.x_fov"] = math.degrees(2.0 * math.atan(eye.half_width_tangent))
+        if eye.aperture > 0.0:
+            values["sensor.aperture_radius"], values["sensor.focus_distance"] = eye.aperture, eye.focus
         for name in ("size", "crop_size"):
             values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
         values.update()
@@ -122,7 +122,7 @@ def build_scene(
     bsdfs = {name: term if isinstance(term, mi.BSDF) else make_bsdf(term) for name, term in terms.items()}
     _set_viewpoint(bsdfs, eye, size)
     for index, lamp in enumerate(view.lamps):
-        described[f"lamp_{index}"] = _lamp(lamp)
+        described[f"lamp_{index}"] = lamp_emitter(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
     if ground is None:
@@ -130,6 +130,7 @@ def build_scene(
     described["light"] = mi.load_dict(described["light"])
     described["ground"], emitter = ground_mesh(ground, described["light"])
     traced = TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    ground.lamps = view.lamps
     ground.trace(traced.scene, FIRST_SAMPLES)
     emitter.share = texture(ground.share, repeat=False)
     return traced
@@ -168,7 +169,7 @@ def _to_world(eye: PinholeCamera) -> Any:
 
 def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
     return {
-        "type": "perspective",
+        **_lens(eye),
         "fov_axis": "x",
         "fov": math.degrees(2.0 * math.atan(eye.half_width_tangent)),
         "near_clip": 1e-4,
@@ -186,14 +187,10 @@ def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
     }
 
 
-def _lamp(lamp: Lamp) -> dict[str, Any]:
-    """A light of no size; ``strength`` is its illuminance over π, of a point lamp that at 1 m."""
-    power = mi.ScalarColor3f((math.pi * lamp.strength * lamp_colour(lamp.temperature_k)).tolist())
-    if lamp.kind == "point":
-        light = {"type": "point", "position": list(lamp.position)}
-        return light | {"intensity": {"type": "rgb", "value": power}}
-    direction = (-from_horizon(lamp.azimuth_deg, lamp.elevation_deg)).tolist()
-    return {"type": "directional", "direction": direction, "irradiance": {"type": "rgb", "value": power}}
+def _lens(eye: PinholeCamera) -> dict[str, Any]:
+    if eye.aperture <= 0.0:
+        return {"type": "perspective"}
+    return {"type": "thinlens", "aperture_radius": eye.aperture, "focus_distance": eye.focus}
 
 
 def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:

@@ -3,7 +3,8 @@
 1. The triangles, made ready for rays by Embree (:mod:`.rays`); panes let their share of the light pass.
 2. The floor under the mesh (:mod:`.floor`).
 3. Places spread over the triangles (:mod:`.places`), 32 rays each. A ray that leaves counts as light; with the
-   floor, one that meets it counts by the light that the floor sees there.
+   floor, one that meets it counts by the light that the floor sees there. Parts that are no solids are seen from both
+   sides, and have places on both.
 4. Values at the vertices by least squares (:mod:`.fit`); triangles that they fit badly are cut and looked at again, up
    to eight times.
 """
@@ -20,13 +21,14 @@ from numpy.typing import NDArray
 from brdf_suite.arrays import Integers, Singles
 from brdf_suite.documents.view_settings import TRANSMITTANCE
 from brdf_suite.errors import SuiteError
+from brdf_suite.geometry.closed_surface import is_closed_outward
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, cut, spread
 from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, RayScene
 
-Look: TypeAlias = Callable[[Places, Progress | None], Singles]
+Look: TypeAlias = Callable[[Places, NDArray[np.bool_], Progress | None], Singles]
 
 ALGORITHM_VERSION = 3
 """Part of the key of what is kept: to be raised with every change of what baking gives."""
@@ -49,13 +51,19 @@ _ADDED_SHARE, _ADDED_FEWEST = 0.5, 40_000
 
 @dataclass(frozen=True, eq=False)
 class _Surface:
-    """All parts in one: vertices, triangles, and the part of each triangle."""
+    """All parts in one: vertices, triangles, the part of each triangle, and whether that is seen from behind too."""
 
     positions: Singles
     normals: Singles
     uvs: Singles
     triangles: Integers
     part: Integers
+    open_parts: NDArray[np.bool_]
+
+    @property
+    def two_sided(self) -> NDArray[np.bool_]:
+        """(k,): whether each triangle is seen from behind too."""
+        return np.asarray(self.open_parts[self.part])
 
 
 def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
@@ -80,19 +88,30 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     low, high = mesh.bounds()
     ground = bake_floor(scene, low, high, subrange(progress, 0.02, 0.3))
 
-    def look(places: Places, progress: Progress | None) -> Singles:
-        return scene.gather(
-            places.points, places.normals, places.planes, RAYS, ground, progress, "occlusion of the surface"
-        )
+    def look(places: Places, behind: NDArray[np.bool_], progress: Progress | None) -> Singles:
+        """What is seen at places (n, 18): from the front, and from the back of those that have one."""
+        what = "occlusion of the surface"
+        found = np.zeros((len(places.points), 18), np.float32)
+        share = 0.5 if behind.any() else 1.0
+        first, second = subrange(progress, 0.0, share), subrange(progress, share, 1.0)
+        found[:, :9] = scene.gather(places.points, places.normals, places.planes, RAYS, ground, first, what)
+        if behind.any():
+            points, normals, planes = (v[behind] for v in places.behind())
+            found[behind, 9:] = scene.gather(points, normals, planes, RAYS, ground, second, what)
+        return found
 
     count = int(np.clip(_PLACES_A_TRIANGLE * len(surface.triangles), _FEWEST_PLACES, _MOST_PLACES))
     places = spread(surface.positions, surface.normals, surface.triangles, count)
-    seen = look(places, subrange(progress, 0.3, 0.85))
+    seen = look(places, surface.two_sided[places.triangle], subrange(progress, 0.3, 0.85))
     limit = len(surface.triangles) + max(_ADDED_FEWEST, int(_ADDED_SHARE * mesh.triangle_count))
     for number in range(_ROUNDS + 1):
         report(progress, 0.85 + 0.15 * number / (_ROUNDS + 1), "fitting the occlusion")
-        values = _values(surface, places, seen)
-        chosen = _misfits(surface, places, seen, values)
+        values = _values(surface, places, seen[:, :9])
+        chosen = _misfits(surface, places, seen[:, :9], values)
+        if surface.open_parts.any():
+            back = _values(surface, places, seen[:, 9:])
+            chosen |= _misfits(surface, places, seen[:, 9:], back)
+            values = np.hstack([values, back])
         if number == _ROUNDS or not chosen.any() or len(surface.triangles) + 3 * chosen.sum() > limit:
             break
         surface, places, seen = _refined(surface, places, seen, chosen, look)
@@ -108,6 +127,7 @@ def _joined(mesh: Mesh) -> _Surface:
         np.concatenate([p.uvs for p in mesh.parts]),
         np.concatenate([p.triangles.astype(np.int64) + s for p, s in zip(mesh.parts, starts, strict=False)]),
         np.repeat(np.arange(len(mesh.parts)), [len(p.triangles) for p in mesh.parts]),
+        np.array([not is_closed_outward(p.positions, p.triangles) for p in mesh.parts]),
     )
 
 
@@ -153,6 +173,7 @@ def _refined(
         made.extended(surface.uvs),
         made.triangles,
         surface.part[made.origin],
+        surface.open_parts,
     )
     number = np.full(len(surface.triangles), -1)
     whole = np.flatnonzero(made.whole)
@@ -163,9 +184,9 @@ def _refined(
     count = max(_PLACES_A_PIECE * len(pieces), len(kept) - int(kept.sum()))
     more = spread(new.positions, new.normals, new.triangles[pieces], count)
     more = replace(more, triangle=pieces[more.triangle])
-    found = look(more, None)
+    found = look(more, new.two_sided[more.triangle], None)
     old = replace(places, triangle=number[places.triangle])
-    fields = ("triangle", "weights", "area", "points", "normals", "planes")
+    fields = ("triangle", "weights", "area", "points", "normals", "planes", "lifts")
     both = (np.concatenate([getattr(old, name)[kept], getattr(more, name)]) for name in fields)
     return new, Places(*both), np.concatenate([seen[kept], found])
 
@@ -188,7 +209,7 @@ def _separated(mesh: Mesh, surface: _Surface, values: Singles) -> tuple[BakedPar
                 surface.normals[kept],
                 surface.uvs[kept],
                 local.astype(np.uint32),
-                values[kept].astype(np.float16),
+                values[kept, : 16 if surface.open_parts[number] else 8].astype(np.float16),
             )
         )
     return tuple(parts)

@@ -31,8 +31,8 @@ class Places:
     """Places on triangles.
 
     ``triangle`` (n,) says on which, ``weights`` (n, 3) where on it (they add up to 1), ``area`` (n,) for how much
-    surface each stands (m²); ``points`` are just above the surface; ``normals`` and ``planes`` are the
-    interpolated and the triangle's own unit normals.
+    surface each stands (m²); ``points`` are above the surface by ``lifts`` (n, 1), metres; ``normals`` and ``planes``
+    are the interpolated and the triangle's own unit normals.
     """
 
     triangle: Integers
@@ -41,6 +41,11 @@ class Places:
     points: Singles
     normals: Singles
     planes: Singles
+    lifts: Singles
+
+    def behind(self) -> tuple[Singles, Singles, Singles]:
+        """Return points, normals and planes of the same places on the back."""
+        return self.points - 2.0 * self.lifts * self.planes, -self.normals, -self.planes
 
 
 def spread(positions: Singles, normals: Singles, triangles: Integers, count: int) -> Places:
@@ -70,8 +75,8 @@ def spread(positions: Singles, normals: Singles, triangles: Integers, count: int
     size = np.linalg.norm(smooth, axis=1, keepdims=True)
     smooth = np.where(size > 1e-6, smooth / np.maximum(size, 1e-6), planes)
     lift = _OFFSET * float(np.ptp(positions, axis=0).max())
-    vectors = (np.ascontiguousarray(v, np.float32) for v in (points + lift * planes, smooth, planes))
-    return Places(triangle, weights, area, *vectors)
+    above, smooth, planes = (v.astype(np.float32) for v in (points + lift * planes, smooth, planes))
+    return Places(triangle, weights, area, above, smooth, planes, np.full((len(points), 1), lift, np.float32))
 
 
 def _inside(triangle: Integers, rank: Integers) -> Floats:

@@ -220,7 +220,8 @@ class BakedPart:
         :class:`~brdf_suite.surface.occlusion.places.Cut`).
     light
         (n, 8) float16: x, y, z of the mean direction of the light that arrives, for an open place 2/3 of the
-        normal; the share of a uniform light's irradiance that arrives, 0…1; and the same four with the floor.
+        normal; the share of a uniform light's irradiance that arrives, 0…1; and the same four with the floor. (n, 16)
+        where the part is no solid: then the same eight for its back.
     """
 
     positions: Singles

@@ -293,4 +293,8 @@ def left_out(inputs: PictureInputs) -> tuple[str, ...]:
         notices.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:
         notices.append("The ray tracer shows the first paint alone.")
+    if view.lens.blurs:
+        notices.append(
+            "The ray tracer shows all sharp: without depth of field, and without the blur of a turn."
+        )
     return tuple(notices)

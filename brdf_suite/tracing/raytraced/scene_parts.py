@@ -140,9 +140,8 @@ class Parts(Kept):
         def make() -> LightArrays:
             tinted = self._strata(inputs).tinted(tint)
             found: LightSet = tinted.middles() if turn == 0 else tinted.drawn(turn)
-            return LightArrays.of(
-                found.turned(view.rotation_deg).with_lamps(view.lamps).dealt(quality.samples)
-            )
+            everything = found.turned(view.rotation_deg).with_lamps(view.lamps, turn)
+            return LightArrays.of(everything.dealt(quality.samples), view.lamps)
 
         return self.keep(
             "lights", (*made_of, quality.samples, colour, view.rotation_deg, view.lamps, turn), make

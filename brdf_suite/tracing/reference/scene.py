@@ -23,6 +23,7 @@ from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.output.exposures import aperture_radius, focused
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.scene import find_environment
@@ -107,6 +108,7 @@ _LIT_BY = (
     "surface_look",
     "relief",
     "two_tone",
+    "lens",
 )
 """What of a view the traced light depends on, beside environment and surface."""
 
@@ -131,13 +133,12 @@ class ReferenceScene(SceneFacts):
             of_map = self.view.background == "environment"
             look = sharp(self.light) if of_map else blur_map(self.light, BLUR_EXPONENT)
         share = None
-        ground, place = self.ground, self.eye.place
+        ground = self.ground
         if ground is not None:
             while ground.samples < GROUND_SAMPLES:
                 ground.trace(self.traced.scene, GROUND_PASS)
 
-            def share(directions: Floats) -> Floats:
-                return ground.seen_from(place, directions)
+            share = ground.seen_from
 
         return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
 
@@ -209,9 +210,15 @@ def build_reference(
     """
     variant = start() if variant is None else variant
     bounds = Bounds.of(p.positions for p in mesh.parts)
-    view = replace(view, camera=compose(view.camera, bounds, size))
+    view = focused(replace(view, camera=compose(view.camera, bounds, size)), mesh, size)
     camera = matrices(view.camera, bounds, size)
-    eye = PinholeCamera(camera.eye, camera.view_to_world, camera.half_tangents[0])
+    eye = PinholeCamera(
+        camera.eye,
+        camera.view_to_world,
+        camera.half_tangents[0],
+        aperture_radius(view),
+        view.lens.focus_distance or 1.0,
+    )
     mesh = choose_materials(mesh, view)
     dress = load_dress(view) if dress is None else dress
     energy = _energy(material, dress)
@@ -284,6 +291,8 @@ def _left_out(view: View, paint: Material, dress: Dress) -> tuple[str, ...]:
         )
     if not view.surface_look.occlusion:
         notices.append("The reference always shows the shadows of the surface on itself.")
+    if view.lens.turn_deg != 0.0:
+        notices.append("The reference shows the object standing still, without the blur of its turn.")
     return tuple(notices)
 
 

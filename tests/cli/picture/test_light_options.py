@@ -42,14 +42,24 @@ def test_options_change_a_view(tmp_path) -> None:
 
 def test_lamps_without_the_environment(tmp_path) -> None:
     found = view(
-        "--brightness", "0", "--point-light", "1,2,3,4", "--point-light", "0,-1,0.5,2,3000", "--lamp", "A"
+        "--brightness",
+        "0",
+        "--point-light",
+        "1,2,3,4",
+        "--point-light",
+        "0,-1,0.5,2,3000",
+        "--point-light",
+        "0,1,0.5,2,3000,0.4",
+        "--lamp",
+        "A",
     )
     assert found.light_colour == LightColour("A", adapted=True, brightness=0.0)
     assert found.lamps == (
         Lamp("point", (1.0, 2.0, 3.0), strength=4.0),
         Lamp("point", (0.0, -1.0, 0.5), strength=2.0, temperature_k=3000.0),
+        Lamp("point", (0.0, 1.0, 0.5), strength=2.0, temperature_k=3000.0, diameter=0.4),
     )
     assert view("--point-light=-1,2,3,4").lamps[0].position == (-1.0, 2.0, 3.0)
-    for wrong in ("1,2,3", "1,2,3,four", "1,2,3,4,5000,6", "1,2,3,-4"):
+    for wrong in ("1,2,3", "1,2,3,four", "1,2,3,4,5000,6,7", "1,2,3,-4", "1,2,3,4,5000,-6"):
         with pytest.raises(SystemExit):
             view("--point-light", wrong)

@@ -91,7 +91,7 @@ def test_a_damaged_entry_is_baked_anew(facet: Mesh, folder: Path, caplog: pytest
     (entry,) = kept(folder)
     sound = entry.read_bytes()
     entry.write_bytes(sound[:100])
-    assert baked_occlusion(facet).parts[0].light.shape[1] == 8
+    assert baked_occlusion(facet).parts[0].light.shape[1] == 16
     assert entry.read_bytes() == sound
     assert "made again" in caplog.text
 
@@ -102,7 +102,7 @@ def test_a_folder_that_cannot_be_written_costs_time_only(
     blocked = tmp_path / "file"
     blocked.write_text("no folder")
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(blocked))
-    assert baked_occlusion(facet).parts[0].light.shape[1] == 8
+    assert baked_occlusion(facet).parts[0].light.shape[1] == 16
     assert "not kept" in caplog.text
 
 

@@ -17,6 +17,7 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lens
 
 
 @pytest.fixture
@@ -76,6 +77,10 @@ def test_the_dialog_offers_what_each_kind_has(exporting) -> None:
     assert dialog.settings().colour_space == "rec2020"
     dialog.preset.setCurrentIndex(3)
     assert dialog.settings().size == (3840, 2160)
+    assert dialog.settings().lens == Lens()
+    dialog.aperture.setValue(2.8)
+    dialog.turn.setValue(3.0)
+    assert dialog.settings().lens == Lens(2.8, None, 3.0)
     dialog.width_field.setValue(1234)
     assert dialog.preset.currentText() == "Other"
 
@@ -84,7 +89,13 @@ def test_exr_turntable_and_sheet(exporting, tmp_path) -> None:
     run(exporting, ExportSettings("picture", FORMATS["picture"][2], (32, 24), "rec2020", transparent=True))
     with OpenEXR.File(str(exporting.folder / "Blue.exr")) as file:
         assert file.channels()["RGBA"].pixels.shape == (24, 32, 4)
-    run(exporting, ExportSettings("turntable", FORMATS["turntable"][2], (32, 24), frames=2))
+    lens = Lens(0.5, 0.7, 4.0)
+    run(exporting, ExportSettings("picture", FORMATS["picture"][2], (32, 24), "rec2020", lens=lens))
+    with OpenEXR.File(str(exporting.folder / "Blue.exr")) as file:
+        assert file.channels()["RGB"].pixels.shape == (24, 32, 3)
+    assert exporting.state.view.lens == lens  # the view keeps it
+    turn = ExportSettings("turntable", FORMATS["turntable"][2], (32, 24), frames=2, shutter_deg=180.0)
+    run(exporting, turn)
     assert sorted(path.name for path in (exporting.folder / "Blue").iterdir()) == [
         "frame_0001.png",
         "frame_0002.png",

@@ -1,5 +1,5 @@
 // Provides: nothing: the depth alone is kept
-// Needs:    sun_map.vert.glsl
+// Needs:    shadow_map.vert.glsl
 void main()
 {
 }
