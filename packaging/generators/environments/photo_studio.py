@@ -18,7 +18,7 @@ EYE = (0.0, 0.9, 0.0)
 _KELVIN = 6300.0
 _COVE_M, _CORNER_M = 1.5, 2.4
 _HALF_WIDTH, _BACK, _FRONT, _TOP = 6.6, -7.6, 5.6, 6.0
-_ROOM = ((-11.0, 11.0), (-10.5, 11.5), 7.6)
+_ROOM = ((-11.0, 11.0), (-10.5, 11.5), 7.4)
 _BLACK = srgb("#1c1c1e")
 
 
@@ -97,7 +97,7 @@ def _light_panel(
     edge = np.clip((1.0 - np.maximum(np.abs(u), np.abs(v))) / 0.02, 0.35, 1.0)
     seams = 1.0 - 0.035 * np.exp(-(((u * 3.0) % 1.0 - 0.5) / 0.02) ** 2) * (wide > 3.0)
     glow = luminance * (fall * edge * seams)[..., None] * lamp_colour(_KELVIN)
-    stage.lamp(cloth, picture(glow))
+    stage.lamp(cloth, picture(glow), wide * high * luminance)
     corners = cloth.points
     first, second = 0.5 * (corners[1] - corners[0]), 0.5 * (corners[2] - corners[0])
     if high > wide:
@@ -138,12 +138,12 @@ def _room(stage: Stage) -> None:
     (west, east), (north, south), top = _ROOM
     deep, wide = south - north, east - west
     stage.add("floor", quad((west, -0.06, south), (wide, 0, 0), (0, 0, -deep)))
-    wall = srgb("#45474a")
+    wall = srgb("#5a5c5f")
     stage.add("wall", quad((west, 0, south), (0, 0, -deep), (0, top, 0), wall))
     stage.add("wall", quad((east, 0, north), (0, 0, deep), (0, top, 0), wall))
     stage.add("wall", quad((west, 0, north), (wide, 0, 0), (0, top, 0), wall))
     stage.add("wall", quad((east, 0, south), (-wide, 0, 0), (0, top, 0), wall))
-    stage.add("wall", quad((west, top, north), (wide, 0, 0), (0, 0, deep), srgb("#2a2b2d")))
+    stage.add("wall", quad((west, top, north), (wide, 0, 0), (0, 0, deep), srgb("#3a3b3d")))
     for i in range(9):  # pilasters along the front wall, and the sliding door between them
         x = west + 1.2 + 2.45 * i
         stage.add("gear", bar((x - 0.12, x + 0.12), (0, top), (south - 0.14, south), srgb("#37393c"), 0.01))
@@ -157,7 +157,7 @@ def _room(stage: Stage) -> None:
     for x in np.arange(west + 1.0, east, 2.2):
         stage.add("stand", tube([[x, 6.56, north], [x, 6.56, south]], 0.03, srgb("#3c3e40"), 8))
         stage.add("gear", bar((x - 0.14, x + 0.14), (top - 0.35, top), (north, south), srgb("#232426"), 0.01))
-    stage.lamp(quad((4.9, 2.75, south - 0.02), (0, 0.17, 0), (-0.45, 0, 0)), colour_of(0.16 * np.array([0.15, 1.2, 0.5])))
+    stage.add("cloth", quad((4.9, 2.75, south - 0.02), (0, 0.17, 0), (-0.45, 0, 0), srgb("#3fae6b")))
     stage.add("gear", bar((4.2, 5.2), (0, 2.15), (south - 0.06, south), srgb("#5b6064"), 0.015))
 
 
@@ -177,7 +177,7 @@ def _props(stage: Stage) -> None:
             stage.add("stand", tube([[x + dx, -0.06, z + dz], [x + dx, 0.86, z + dz]], 0.015, srgb("#8c9094"), 8))
     stage.add("gear", bar((x - 0.48, x + 0.48), (0.2, 0.23), (z - 0.28, z + 0.28), case, 0.005))
     screen = quad((0.3, 0.0, 0.0), (-0.6, 0, 0), (0, 0.36, 0)).turned(-12.0, "x").moved(x, 0.99, z - 0.08)
-    stage.lamp(screen, colour_of(0.11 * lamp_colour(7000.0)))
+    stage.add("cloth", screen.painted(srgb("#b9c4cc")))
     stage.add("gear", bar((-0.32, 0.32), (-0.02, 0.38), (0.005, 0.03), _BLACK, 0.006).turned(-12.0, "x").moved(x, 0.99, z - 0.08))
     stage.add("gear", bar((x - 0.1, x + 0.1), (0.9, 1.0), (z - 0.08, z + 0.02), _BLACK, 0.006))
     # Tripod with a camera.
@@ -239,6 +239,10 @@ def photo_studio() -> TracedScene:
     _light_panel(stage, (5.2, 0.4), (-5.2, 3.9, -1.0), (0.0, 0.9, -0.4), 5.0, 0.25)
     for z in (-3.2, 1.2):
         stage.add("chrome", tube([[-5.4, 4.0, z], [-5.4, 6.5, z]], 0.01, around=6))
+    # Washes along the tops of the walls, from above the picture.
+    _light_panel(stage, (9.0, 0.5), (0.0, 6.1, -5.6), (0.0, 1.2, _BACK), 7.5, 0.2)
+    for sign in (-1.0, 1.0):
+        _light_panel(stage, (9.0, 0.5), (sign * 4.7, 6.1, -0.6), (sign * _HALF_WIDTH, 1.2, -0.6), 6.0, 0.2)
     _flag(stage, 2.4, 7.4, 30.0, (1.1, 1.7), 0.7)
     _flag(stage, -2.1, 8.4, -20.0, (1.5, 2.0), 0.5)
     _room(stage)
@@ -248,4 +252,4 @@ def photo_studio() -> TracedScene:
         "A photo studio: white cyclorama, a softbox of 7.2 m by 3.6 m and 4.2 kcd/m² above, strips of 4.5 to "
         "7 kcd/m² at the sides, 6,300 K; path-traced from 0.9 m above the floor."
     )
-    return TracedScene("photo_studio", description, (Light("panels", scene, 7, 8.0, tuple(stage.panels)),), EYE)
+    return TracedScene("photo_studio", description, (Light("panels", scene, 6, 3.0, tuple(stage.panels)),), EYE)

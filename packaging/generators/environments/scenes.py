@@ -6,8 +6,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
+from brdf_suite.arrays import Floats
 from brdf_suite.files.images.exr.image import write_exr
-from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, finish
+from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, finish, solid_angles
 from brdf_suite.reference.variant import start
 from environments.photo_studio import photo_studio
 from environments.street import street
@@ -40,7 +43,34 @@ class TracedPicture:
 
     def write(self, path: Path) -> None:
         """Write it as half floats, compressed by DWA."""
-        write_exr(path, self.environment.stored(), metadata={"comments": self.comment}, lossy=True)
+        pixels = within_half(self.environment.radiance.astype(np.float64))
+        # What is darker is black to any eye, and the compression would let it fall below 0 here and there.
+        pixels = np.maximum(pixels, _DARKEST).astype(np.float16)
+        write_exr(path, pixels, metadata={"comments": self.comment}, lossy=True)
+
+
+_DARKEST = 1e-3
+_BRIGHTEST = 65000.0
+
+
+def within_half(pixels: Floats) -> Floats:
+    """Return a map (h, w, 3) in which nothing exceeds half floats; the other half-bright places get what that takes.
+
+    Only the middle of a sun's disc is too bright, by a few percent: its light stays, a little more even over the disc.
+    """
+    result = pixels.copy()
+    weights = np.broadcast_to(solid_angles(len(pixels)), pixels.shape[:2])
+    for channel in range(3):
+        values = result[..., channel]
+        for _ in range(8):
+            over = values > _BRIGHTEST
+            excess = float(((values[over] - _BRIGHTEST) * weights[over]).sum())
+            if excess <= 0.0:
+                break
+            values[over] = _BRIGHTEST
+            takers = (values > 0.3 * _BRIGHTEST) & (values < _BRIGHTEST)
+            values[takers] *= 1.0 + excess / max(float((values[takers] * weights[takers]).sum()), 1e-300)
+    return result
 
 
 def trace(name: str, height: int, samples: int, kept: Path | None = None) -> Iterator[TracedPicture]:

@@ -56,7 +56,7 @@ def _road(x: Floats, z: Floats) -> Floats:
     patch = (np.abs(x - 2.3) < 0.9) & (np.abs((z + 40.0) % 47.0 - 20.0) < 3.4)
     tone = np.where(patch, 0.68 * tone, tone)
     crack = np.clip(1.0 - np.abs(field(x, z, 25, 17.0, 1.6)) * 70.0, 0.0, 1.0) * (field(x, z, 26, 29.0, 1.4) > 0.5)
-    colour = shaded(srgb("#5a5957"), np.clip(grain * tone, 0.3, 2.0) * (1.0 - 0.5 * crack))
+    colour = shaded(srgb("#6c6b69"), np.clip(grain * tone, 0.3, 2.0) * (1.0 - 0.5 * crack))
     worn = np.clip(1.25 - 0.35 * field(x, z, 27, 1.3, 0.5), 0.0, 1.0) * 0.9
     middle = (np.abs(x + 1.65) < 0.06) & (z % 9.0 < 5.0)
     parking = (np.abs(x + 5.1) < 0.05) | ((x < -5.1) & (np.abs(z % 6.0 - 0.1) < 0.05))

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from brdf_suite.arrays import Floats
-from brdf_suite.lighting.procedural.panorama import horizontal_illuminance, solid_angles
+from brdf_suite.lighting.procedural.panorama import solid_angles
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from environments.solids import Solid, join
 
@@ -57,7 +57,7 @@ def metal(reflectance: ArrayLike, roughness: float) -> dict[str, Any]:
     return {"type": "twosided", "bsdf": base | {"specular_reflectance": colour_of(reflectance)}}
 
 
-def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] | None = None) -> Any:
+def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] | None = None, power: float = 1.0) -> Any:
     """Return a mesh of Mitsuba; a palette in its material is that of its faces."""
     normals = _normals(solid) if solid.smooth else None
     points, faces, uv = solid.points, solid.faces, solid.uv
@@ -76,7 +76,9 @@ def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] 
     properties = mi.Properties()
     properties["mesh_bsdf"] = mi.load_dict(dict(material))
     if radiance is not None:
-        properties["mesh_emitter"] = mi.load_dict({"type": "area", "radiance": dict(radiance)})
+        properties["mesh_emitter"] = mi.load_dict(
+            {"type": "area", "radiance": dict(radiance), "sampling_weight": power}
+        )
     made = mi.Mesh(
         "solid", len(points), len(faces), props=properties, has_vertex_texcoords=True,
         has_vertex_normals=normals is not None,
@@ -129,7 +131,7 @@ class Stage:
 
     materials: dict[str, dict[str, Any]] = field(default_factory=dict)
     solids: dict[str, list[Solid]] = field(default_factory=dict)
-    lamps: list[tuple[Solid, dict[str, Any]]] = field(default_factory=list)
+    lamps: list[tuple[Solid, dict[str, Any], float]] = field(default_factory=list)
     panels: list[Panel] = field(default_factory=list)
 
     def material(self, name: str, bsdf: dict[str, Any]) -> None:
@@ -140,9 +142,9 @@ class Stage:
         """Put solids of a material there."""
         self.solids.setdefault(name, []).extend(solids)
 
-    def lamp(self, solid: Solid, radiance: dict[str, Any]) -> None:
-        """Put a luminous surface there; it shines from its front."""
-        self.lamps.append((solid, radiance))
+    def lamp(self, solid: Solid, radiance: dict[str, Any], power: float = 1.0) -> None:
+        """Put a luminous surface there; it shines from its front, and of the paths' samples gets its share of power."""
+        self.lamps.append((solid, radiance, power))
 
     def objects(self) -> dict[str, Any]:
         """Return the meshes: one for each material and smoothness, one for each lamp."""
@@ -152,8 +154,8 @@ class Stage:
                 chosen = [s for s in solids if s.smooth == smooth]
                 if chosen:
                     made[f"{name}_{int(smooth)}"] = mesh(join(chosen), self.materials[name])
-        for number, (solid, radiance) in enumerate(self.lamps):
-            made[f"lamp_{number}"] = mesh(solid, matt(colour_of((0.6, 0.6, 0.6))), radiance)
+        for number, (solid, radiance, power) in enumerate(self.lamps):
+            made[f"lamp_{number}"] = mesh(solid, matt(colour_of((0.6, 0.6, 0.6))), radiance, power)
         return made
 
 
@@ -245,28 +247,43 @@ def _sky_light(scene: Any, surface: Any, bsdf: Any, pair: Any) -> Any:
 
 
 def _radiance(light: Light, ray: Any, sampler: Any, sequence: _Sequence) -> Any:
-    """Return the radiance along rays: of what is seen, of its direct light, and of all paths that go on from there."""
+    """Return the radiance along rays: of what is seen, of its direct light, and of all paths that go on from there.
+
+    Where lamps are panels, what is met next gets light from all of them too; further on paths choose one at random.
+    """
     scene = light.scene
     surface = scene.ray_intersect(ray)
     total = surface.emitter(scene).eval(surface)
-    bsdf = surface.bsdf(ray)
-    for panel in light.panels:
-        total += _panel_light(scene, panel, surface, bsdf, sequence.next())
-    for _ in range(light.directions):
-        total += _sky_light(scene, surface, bsdf, sequence.next()) / light.directions
-    chosen, weight = bsdf.sample(
-        mi.BSDFContext(), surface, sampler.next_1d(), sequence.next(), surface.is_valid()
-    )
-    onward = surface.spawn_ray(surface.to_world(chosen.wo))
-    going = surface.is_valid() & dr.any(weight > 0.0)
-    paths = mi.load_dict({"type": "path", "max_depth": light.depth - 1, "rr_depth": 4})
-    arriving, _, _ = paths.sample(scene, sampler, mi.RayDifferential3f(onward), active=going)
-    # Lamps that the path meets next were counted as direct light, except in a mirror.
-    met = scene.ray_intersect(onward, going)
-    counted = going & ~mi.has_flag(chosen.sampled_type, mi.BSDFFlags.Delta)
-    arriving -= dr.select(counted, met.emitter(scene, counted).eval(met, counted), 0.0)
-    arriving = dr.select(counted, dr.clip(arriving, 0.0, light.cap), arriving)
-    return total + dr.select(going, weight * arriving, 0.0)
+    beyond, weight = mi.Color3f(0.0), mi.Color3f(1.0)
+    is_mirror = mi.Bool(False)
+    vertices = 2 if light.panels else 1
+    for vertex in range(vertices):
+        bsdf = surface.bsdf(ray)
+        direct = mi.Color3f(0.0)
+        for panel in light.panels:
+            direct += _panel_light(scene, panel, surface, bsdf, sequence.next())
+        for _ in range(light.directions):
+            direct += _sky_light(scene, surface, bsdf, sequence.next()) / light.directions
+        if vertex == 0:
+            total += direct
+        else:
+            beyond += weight * direct
+        chosen, part = bsdf.sample(
+            mi.BSDFContext(), surface, sampler.next_1d(), sequence.next(), surface.is_valid()
+        )
+        going = surface.is_valid() & dr.any(part > 0.0)
+        weight *= dr.select(going, part, 0.0)
+        ray = mi.RayDifferential3f(surface.spawn_ray(surface.to_world(chosen.wo)))
+        surface = scene.ray_intersect(ray, going)
+        mirrored = going & mi.has_flag(chosen.sampled_type, mi.BSDFFlags.Delta)
+        is_mirror = mirrored if vertex == 0 else is_mirror
+        # A lamp that is met next has been counted as direct light, except in a mirror.
+        beyond += weight * dr.select(mirrored, surface.emitter(scene, mirrored).eval(surface, mirrored), 0.0)
+    paths = mi.load_dict({"type": "path", "max_depth": light.depth - vertices, "rr_depth": 4})
+    arriving, _, _ = paths.sample(scene, sampler, ray, active=going)
+    arriving -= surface.emitter(scene, going).eval(surface, going)
+    beyond += dr.select(going, weight * arriving, 0.0)
+    return total + dr.select(is_mirror, beyond, dr.clip(beyond, 0.0, light.cap))
 
 
 def trace_pass(
@@ -356,9 +373,9 @@ def whole(scene: TracedScene, sums: Mapping[str, Sums]) -> Floats:
 
 
 def relative_noise(sums: Mapping[str, Sums]) -> float:
-    """Return the relative standard deviation of a pixel's luminance by noise, as the median over the sphere.
+    """Return the relative standard deviation of a pixel's luminance by noise: its median over the sphere.
 
-    From the difference of two halves with independent samples: the mean of both deviates half as much as they differ,
+    What is darker than a fiftieth of the mean is left out. From the difference of two halves with independent samples: the mean of both deviates half as much as they differ,
     divided by what is there. The median of |x| of a normal distribution is 0.6745 deviations.
     """
     first = sum(s.half(0) for s in sums.values())
@@ -366,12 +383,9 @@ def relative_noise(sums: Mapping[str, Sums]) -> float:
     luminance = [np.asarray(half).mean(axis=-1) for half in (first, second)]
     mean = 0.5 * (luminance[0] + luminance[1])
     deviation = np.abs(luminance[0] - luminance[1]) / 2.0 / np.maximum(mean, 1e-9)
-    weights = np.broadcast_to(solid_angles(len(mean)), mean.shape).ravel()
+    areas = np.broadcast_to(solid_angles(len(mean)), mean.shape)
+    dark = mean < 0.02 * float((mean * areas).sum() / areas.sum())
+    weights = np.where(dark, 0.0, areas).ravel()
     order = np.argsort(deviation.ravel())
     reached = np.cumsum(weights[order])
     return float(deviation.ravel()[order][np.searchsorted(reached, 0.5 * reached[-1])] / 0.6745)
-
-
-def white_of(picture_kcd: Floats) -> float:
-    """Return the luminance, kcd/m², of a white card that lies flat in the middle of the scene."""
-    return horizontal_illuminance(picture_kcd) / np.pi

@@ -72,7 +72,7 @@ def _floor() -> Floats:
     cloud = 1.0 + 0.08 * field(x, z, 7, 8.0, 1.3) + 0.05 * field(x, z, 8, 1.7, 0.9)
     fine = 0.04 * field(x, z, 9, 0.7, 0.4) - 0.25 * np.clip(field(x, z, 10, 3.0, 0.9) - 2.2, 0.0, 1.0)
     colour = shaded((0.235, 0.232, 0.222), cloud + fine)
-    joint = np.minimum(np.abs((z + 1.5) % 3.0 - 1.5), np.abs(np.abs(x) - 3.1))
+    joint = np.minimum(np.abs(z % 3.0 - 1.5), np.abs(np.abs(x) - 3.1))
     colour = shaded(colour, np.where(joint < 0.005, 0.35, 1.0))
     track = np.exp(-(((np.abs(x) - 0.78) / 0.12) ** 2)) * np.clip(0.5 + 0.5 * field(x * 6, z, 12, 9.0, 1.2), 0, 1)
     colour = shaded(colour, 1.0 - 0.28 * track)
@@ -107,7 +107,7 @@ def _hall(stage: Stage) -> None:
     lamps = [
         quad((x - 0.6, 5.4, z - 0.12), (1.2, 0, 0), (0, 0, 0.24)) for x in (-3.7, 0.0, 3.7) for z in (far + 2.5, far + 6.0)
     ]
-    stage.lamp(join(lamps), colour_of(5.0 * lamp_colour(4000.0)))
+    stage.lamp(join(lamps), colour_of(5.0 * lamp_colour(4000.0)), 0.05)
 
 
 def _front(stage: Stage) -> None:
@@ -124,7 +124,7 @@ def _front(stage: Stage) -> None:
     stage.add("steel", bar((-2.56, 2.56), (2.95, 3.14), (end - 0.09, end + 0.08), srgb("#4f565b"), 0.012))
     stage.add("steel", revolved([(0, 0), (0.08, 0.01), (0.085, 0.05), (0.085, 0.42), (0.06, 0.5), (0.02, 0.53), (0.02, 0.6), (0, 0.6)], srgb("#b02a22")).moved(3.25, 0.75, end - 0.14))
     stage.add("steel", bar((2.9, 3.6), (1.55, 2.15), (end - 0.2, end), srgb("#80878b"), 0.012))
-    stage.lamp(quad((-0.3, 3.26, end - 0.02), (0, 0.16, 0), (0.6, 0, 0)), colour_of(0.25 * np.array([0.15, 1.2, 0.45])))
+    stage.lamp(quad((-0.3, 3.26, end - 0.02), (0, 0.16, 0), (0.6, 0, 0)), colour_of(0.25 * np.array([0.15, 1.2, 0.45])), 0.001)
 
 
 def light_tunnel() -> TracedScene:
@@ -174,4 +174,4 @@ def light_tunnel() -> TracedScene:
         "A light tunnel, 21 m long: rows of diffused tubes of 9 kcd/m² and 6,200 K along walls, shoulders and ceiling "
         "over sealed concrete; path-traced from 0.9 m above the floor."
     )
-    return TracedScene("light_tunnel", description, (Light("tubes", scene, 8, 8.0, tuple(stage.panels)),), EYE)
+    return TracedScene("light_tunnel", description, (Light("tubes", scene, 6, 3.0, tuple(stage.panels)),), EYE)

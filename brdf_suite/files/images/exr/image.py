@@ -172,6 +172,10 @@ class _Rows:
         return chosen
 
 
+_DWA_LEVEL = 15.0
+"""A third of the library's own level: errors of .3 % in one pixel of a hundred, below .1 % in most."""
+
+
 def write_exr(
     path: PathLike,
     pixels: NDArray[np.floating],
@@ -199,7 +203,7 @@ def write_exr(
         "compression": OpenEXR.DWAB_COMPRESSION if lossy else OpenEXR.ZIP_COMPRESSION,
         "type": OpenEXR.scanlineimage,
         "chromaticities": chromaticities,
-    }
+    } | ({"dwaCompressionLevel": _DWA_LEVEL} if lossy else {})
     with replacing(path) as temporary:
         try:
             OpenEXR.File(header, channels).write(str(temporary))
