@@ -35,7 +35,10 @@ def generate(
         start = saved = time.perf_counter()
         for picture in trace(name, height, samples, kept):
             now = time.perf_counter()
-            print(f"{name}: {picture.samples:.0f} samples a pixel, noise {100 * picture.noise:.2f} %, {now - start:.0f} s", flush=True)
+            print(
+                f"{name}: {picture.samples:.0f} paths, noise {100 * picture.noise:.2f} %, {now - start:.0f} s",
+                flush=True,
+            )
             if picture.is_last or now - saved > save_every_s:
                 picture.write(path)
                 saved = now
@@ -45,10 +48,14 @@ def generate(
 def main() -> int:
     """Write the environments that the command line names."""
     parser = argparse.ArgumentParser(description="Path-trace the packaged environments that are scenes.")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"any of {', '.join(SCENES)}; none means all")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help=f"any of {', '.join(SCENES)}; none means all"
+    )
     parser.add_argument("--output", type=Path, default=RESOURCES / "environments", help="folder of the maps")
     parser.add_argument("--height", type=int, default=HEIGHT, help="rows of a map")
-    parser.add_argument("--samples", type=int, default=SAMPLES, help="paths of a pixel, before the lights' shares")
+    parser.add_argument(
+        "--samples", type=int, default=SAMPLES, help="paths of a pixel, before the lights' shares"
+    )
     parser.add_argument("--kept", type=Path, help="folder in which the sums are kept")
     options = parser.parse_args()
     unknown = sorted(set(options.names) - set(SCENES))

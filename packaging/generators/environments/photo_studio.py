@@ -12,7 +12,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.reference.mitsuba_modules import mi
 from environments.solids import Solid, bar, box, join, net, quad, revolved, srgb, tube
 from environments.textures import concrete, field, places, shaded
-from environments.tracing import Light, Panel, Stage, TracedScene, colour_of, glazed, matt, metal, picture
+from environments.tracing import Light, Panel, Stage, TracedScene, glazed, matt, metal, picture
 
 EYE = (0.0, 0.9, 0.0)
 _KELVIN = 6300.0
@@ -69,7 +69,12 @@ def _paint(seed: int, wide: float, high: float, scuffs: float) -> Floats:
 
 
 def _light_panel(
-    stage: Stage, size: tuple[float, float], centre: ArrayLike, toward: ArrayLike, luminance: float, depth: float
+    stage: Stage,
+    size: tuple[float, float],
+    centre: ArrayLike,
+    toward: ArrayLike,
+    luminance: float,
+    depth: float,
 ) -> None:
     """Add a softbox: a black case with a rim, and cloth before its lamps, brightest in the middle."""
     wide, high = size
@@ -95,7 +100,7 @@ def _light_panel(
     u, v = u - 1.0, v - 1.0
     fall = (1.0 - 0.42 * np.abs(u) ** 2.4) * (1.0 - 0.42 * np.abs(v) ** 2.4)
     edge = np.clip((1.0 - np.maximum(np.abs(u), np.abs(v))) / 0.02, 0.35, 1.0)
-    seams = 1.0 - 0.035 * np.exp(-(((u * 3.0) % 1.0 - 0.5) / 0.02) ** 2) * (wide > 3.0)
+    seams = 1.0 - 0.035 * np.exp(-((((u * 3.0) % 1.0 - 0.5) / 0.02) ** 2)) * (wide > 3.0)
     glow = luminance * (fall * edge * seams)[..., None] * lamp_colour(_KELVIN)
     stage.lamp(cloth, picture(glow), wide * high * luminance)
     corners = cloth.points
@@ -115,9 +120,17 @@ def _stand(stage: Stage, x: float, z: float, height: float, turn: float = 0.0, w
         if wheels:
             wheel = tube([[-0.018, 0.035, 0.62], [0.018, 0.035, 0.62]], [0.035, 0.035], dark, 14)
             parts.append(wheel.turned(leg + turn))
-    for low, high, radius in ((0.2, 0.45 * height, 0.022), (0.45 * height, 0.75 * height, 0.017), (0.75 * height, height, 0.013)):
+    for low, high, radius in (
+        (0.2, 0.45 * height, 0.022),
+        (0.45 * height, 0.75 * height, 0.017),
+        (0.75 * height, height, 0.013),
+    ):
         parts.append(tube([[0, low, 0], [0, high, 0]], radius, steel))
-        parts.append(revolved([(0, -0.03), (radius + 0.012, -0.028), (radius + 0.012, 0.028), (0, 0.03)], dark).moved(y=high))
+        parts.append(
+            revolved([(0, -0.03), (radius + 0.012, -0.028), (radius + 0.012, 0.028), (0, 0.03)], dark).moved(
+                y=high
+            )
+        )
     stage.add("stand", join(parts).moved(x, 0.0, z))
 
 
@@ -125,8 +138,16 @@ def _flag(stage: Stage, x: float, z: float, turn: float, size: tuple[float, floa
     wide, high = size
     cloth = bar((-wide / 2, wide / 2), (low, low + high), (-0.004, 0.004), srgb("#131314"))
     frame = tube(
-        [[-wide / 2, low, 0], [wide / 2, low, 0], [wide / 2, low + high, 0], [-wide / 2, low + high, 0], [-wide / 2, low, 0]],
-        0.008, srgb("#6f7377"), 6,
+        [
+            [-wide / 2, low, 0],
+            [wide / 2, low, 0],
+            [wide / 2, low + high, 0],
+            [-wide / 2, low + high, 0],
+            [-wide / 2, low, 0],
+        ],
+        0.008,
+        srgb("#6f7377"),
+        6,
     )
     stage.add("cloth", cloth.turned(turn).moved(x, 0, z))
     stage.add("stand", frame.turned(turn).moved(x, 0, z))
@@ -148,9 +169,21 @@ def _room(stage: Stage) -> None:
         x = west + 1.2 + 2.45 * i
         stage.add("gear", bar((x - 0.12, x + 0.12), (0, top), (south - 0.14, south), srgb("#37393c"), 0.01))
     for i in range(2):
-        stage.add("gear", bar((-3.6 + 3.62 * i, 3.58 * i), (-0.03, 4.3), (south - 0.3, south - 0.2), srgb("#6a6f74"), 0.02))
+        stage.add(
+            "gear",
+            bar((-3.6 + 3.62 * i, 3.58 * i), (-0.03, 4.3), (south - 0.3, south - 0.2), srgb("#6a6f74"), 0.02),
+        )
         for k in range(4):
-            stage.add("gear", bar((-3.35 + 3.62 * i, -0.25 + 3.6 * i), (0.25 + k, 1.12 + k), (south - 0.32, south - 0.29), srgb("#757a7f"), 0.012))
+            stage.add(
+                "gear",
+                bar(
+                    (-3.35 + 3.62 * i, -0.25 + 3.6 * i),
+                    (0.25 + k, 1.12 + k),
+                    (south - 0.32, south - 0.29),
+                    srgb("#757a7f"),
+                    0.012,
+                ),
+            )
     stage.add("gear", bar((-3.9, 3.9), (4.3, 4.5), (south - 0.36, south - 0.1), srgb("#2d2f31"), 0.01))
     for z in np.arange(north + 1.0, south, 1.9):  # the lighting grid
         stage.add("stand", tube([[west, 6.5, z], [east, 6.5, z]], 0.03, srgb("#3c3e40"), 8))
@@ -162,37 +195,58 @@ def _room(stage: Stage) -> None:
 
 
 def _props(stage: Stage) -> None:
-    """Add what stands about in front: a tethering table, cases, wooden boxes, a ladder, a tripod, cables, paper rolls."""
+    """Add what stands about in front: a table, cases, wooden boxes, a ladder, a tripod, cables, paper rolls."""
     wood, case = srgb("#a77f52"), srgb("#303337")
-    for i, (x, y, z, turn) in enumerate(((-3.1, -0.06, 7.1, 12.0), (-3.05, 0.14, 7.12, 20.0), (-2.5, -0.06, 7.3, -8.0))):
+    for i, (x, y, z, turn) in enumerate(
+        ((-3.1, -0.06, 7.1, 12.0), (-3.05, 0.14, 7.12, 20.0), (-2.5, -0.06, 7.3, -8.0))
+    ):
         stage.add("wood", box((0.5, 0.2, 0.3), wood * (1.0 - 0.08 * i), 0.008).turned(turn).moved(x, y, z))
     for x, z, turn, high in ((-5.4, 8.2, 8.0, 0.45), (-4.6, 8.6, -5.0, 0.6), (5.6, 8.4, 14.0, 0.5)):
         stage.add("gear", box((0.75, high, 0.5), case, 0.03).turned(turn).moved(x, -0.06, z))
-        stage.add("stand", box((0.77, 0.03, 0.52), srgb("#9a9da0"), 0.008).turned(turn).moved(x, -0.06 + 0.7 * high, z))
+        stage.add(
+            "stand",
+            box((0.77, 0.03, 0.52), srgb("#9a9da0"), 0.008).turned(turn).moved(x, -0.06 + 0.7 * high, z),
+        )
     # Table with a screen.
     x, z = 3.4, 8.0
     stage.add("gear", bar((x - 0.5, x + 0.5), (0.86, 0.9), (z - 0.3, z + 0.3), case, 0.01))
     for dx in (-0.46, 0.46):
         for dz in (-0.26, 0.26):
-            stage.add("stand", tube([[x + dx, -0.06, z + dz], [x + dx, 0.86, z + dz]], 0.015, srgb("#8c9094"), 8))
+            stage.add(
+                "stand", tube([[x + dx, -0.06, z + dz], [x + dx, 0.86, z + dz]], 0.015, srgb("#8c9094"), 8)
+            )
     stage.add("gear", bar((x - 0.48, x + 0.48), (0.2, 0.23), (z - 0.28, z + 0.28), case, 0.005))
     screen = quad((0.3, 0.0, 0.0), (-0.6, 0, 0), (0, 0.36, 0)).turned(-12.0, "x").moved(x, 0.99, z - 0.08)
     stage.add("cloth", screen.painted(srgb("#b9c4cc")))
-    stage.add("gear", bar((-0.32, 0.32), (-0.02, 0.38), (0.005, 0.03), _BLACK, 0.006).turned(-12.0, "x").moved(x, 0.99, z - 0.08))
+    stage.add(
+        "gear",
+        bar((-0.32, 0.32), (-0.02, 0.38), (0.005, 0.03), _BLACK, 0.006)
+        .turned(-12.0, "x")
+        .moved(x, 0.99, z - 0.08),
+    )
     stage.add("gear", bar((x - 0.1, x + 0.1), (0.9, 1.0), (z - 0.08, z + 0.02), _BLACK, 0.006))
     # Tripod with a camera.
     for leg in (0.0, 120.0, 240.0):
-        stage.add("stand", tube([[0, 1.2, 0], [0, -0.06, 0.5]], [0.02, 0.013], srgb("#2b2c2f"), 10).turned(leg + 25).moved(1.6, 0, 7.2))
+        stage.add(
+            "stand",
+            tube([[0.0, 1.2, 0.0], [0.0, -0.06, 0.5]], [0.02, 0.013], srgb("#2b2c2f"), 10)
+            .turned(leg + 25)
+            .moved(1.6, 0, 7.2),
+        )
     stage.add("gear", box((0.15, 0.11, 0.08), _BLACK, 0.012).moved(1.6, 1.24, 7.2))
-    stage.add("gear", tube([[0, 0, 0], [0, 0, -0.13]], 0.042, _BLACK, 18).moved(1.6, 1.295, 7.16))
+    stage.add("gear", tube([[0.0, 0.0, 0.0], [0.0, 0.0, -0.13]], 0.042, _BLACK, 18).moved(1.6, 1.295, 7.16))
     # Ladder and rolls of paper by the wall.
     for dx in (-0.22, 0.22):
-        stage.add("stand", tube([[7.4 + dx, -0.06, 9.3], [7.4 + dx * 0.7, 2.6, 10.2]], 0.022, srgb("#b5b8ba"), 8))
+        stage.add(
+            "stand", tube([[7.4 + dx, -0.06, 9.3], [7.4 + dx * 0.7, 2.6, 10.2]], 0.022, srgb("#b5b8ba"), 8)
+        )
     for k in range(8):
         y, z = 0.24 + 0.3 * k, 9.4 + 0.1 * k
-        stage.add("stand", tube([[7.19, y, z], [7.61, y, z]], 0.014, srgb("#b5b8ba"), 8))
+        stage.add("stand", tube(np.array([[7.19, y, z], [7.61, y, z]]), 0.014, srgb("#b5b8ba"), 8))
     for i, tone in enumerate(("#b9b4a8", "#5a6a70", "#8c3c33", "#3a3b3d", "#c8c2b2")):
-        stage.add("wood", tube([[-8.4 + 0.3 * i, -0.06, 10.7], [-8.35 + 0.3 * i, 2.75, 11.2]], 0.07, srgb(tone), 14))
+        stage.add(
+            "wood", tube([[-8.4 + 0.3 * i, -0.06, 10.7], [-8.35 + 0.3 * i, 2.75, 11.2]], 0.07, srgb(tone), 14)
+        )
     random = np.random.default_rng(3)
     for start, end in (((3.4, 8.3), (4.9, 6.2)), ((-4.6, 8.3), (-5.0, 4.4)), ((-4.8, 8.6), (5.2, 9.2))):
         t = np.linspace(0.0, 1.0, 40)[:, None]
@@ -219,11 +273,17 @@ def photo_studio() -> TracedScene:
     stage.add("white", floor)
     stage.add("cove", walls)
     # The platform's front edge and the backs of the walls.
-    stage.add("wall", quad((-_HALF_WIDTH, -0.06, _FRONT), (2 * _HALF_WIDTH, 0, 0), (0, 0.06, 0), srgb("#8a8a88")))
+    stage.add(
+        "wall", quad((-_HALF_WIDTH, -0.06, _FRONT), (2 * _HALF_WIDTH, 0, 0), (0, 0.06, 0), srgb("#8a8a88"))
+    )
     for sign in (-1.0, 1.0):
         x = sign * (_HALF_WIDTH + 0.09)
-        stage.add("wood", bar((x - 0.08, x + 0.08), (-0.06, _TOP), (_BACK - 0.1, _FRONT), srgb("#a58a66"), 0.004))
-    stage.add("wood", bar((-_HALF_WIDTH, _HALF_WIDTH), (-0.06, _TOP), (_BACK - 0.2, _BACK - 0.06), srgb("#a58a66")))
+        stage.add(
+            "wood", bar((x - 0.08, x + 0.08), (-0.06, _TOP), (_BACK - 0.1, _FRONT), srgb("#a58a66"), 0.004)
+        )
+    stage.add(
+        "wood", bar((-_HALF_WIDTH, _HALF_WIDTH), (-0.06, _TOP), (_BACK - 0.2, _BACK - 0.06), srgb("#a58a66"))
+    )
     # Above; the long one that draws the side of the car; the two that draw its front; the one that lifts its far edge.
     _light_panel(stage, (3.6, 7.2), (0.0, 5.1, -0.4), (0.0, 0.0, -0.35), 4.2, 0.5)
     for x in (-1.6, 1.6):
@@ -252,4 +312,6 @@ def photo_studio() -> TracedScene:
         "A photo studio: white cyclorama, a softbox of 7.2 m by 3.6 m and 4.2 kcd/m² above, strips of 4.5 to "
         "7 kcd/m² at the sides, 6,300 K; path-traced from 0.9 m above the floor."
     )
-    return TracedScene("photo_studio", description, (Light("panels", scene, 6, 3.0, tuple(stage.panels)),), EYE)
+    return TracedScene(
+        "photo_studio", description, (Light("panels", scene, 6, 3.0, tuple(stage.panels)),), EYE
+    )

@@ -114,7 +114,9 @@ def box(size: Sequence[float], colour: ArrayLike = WHITE, bevel: float = 0.0) ->
             if sign < 0.0:
                 along, up = up, along
             # The texture stands upright on the sides.
-            pieces.append(quad(corner, along, up, colour) if along[1] == 0.0 else _swapped(corner, along, up, colour))
+            pieces.append(
+                quad(corner, along, up, colour) if along[1] == 0.0 else _swapped(corner, along, up, colour)
+            )
     if cut > 0.0:
         signs, axes = _box_faces()
         points = signs * half - signs * cut * (np.arange(3)[None, :] != axes[:, None])
@@ -146,7 +148,13 @@ def _swapped(corner: Floats, along: Floats, up: Floats, colour: ArrayLike) -> So
     return replace(made, uv=made.uv[:, ::-1])
 
 
-def bar(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float], colour: ArrayLike = WHITE, bevel: float = 0.0) -> Solid:
+def bar(
+    x: tuple[float, float],
+    y: tuple[float, float],
+    z: tuple[float, float],
+    colour: ArrayLike = WHITE,
+    bevel: float = 0.0,
+) -> Solid:
     """Return the box between two places on each axis."""
     solid = box((x[1] - x[0], y[1] - y[0], z[1] - z[0]), colour, bevel)
     return solid.moved(0.5 * (x[0] + x[1]), y[0], 0.5 * (z[0] + z[1]))

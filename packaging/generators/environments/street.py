@@ -1,4 +1,4 @@
-"""A street of town houses with trees on a clear day: the car stands in the right lane, the sun before it to the left."""
+"""A street of town houses with trees on a clear day; the car stands in its right lane, along z."""
 
 from __future__ import annotations
 
@@ -11,9 +11,30 @@ from brdf_suite.lighting.procedural.sun import DIAMETER_DEG, LimbDisc, Sun
 from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.reference.mitsuba_modules import mi
 from environments.houses import House, house_front, placed
-from environments.solids import Solid, bar, join, quad, revolved, srgb, tube
-from environments.textures import ashlar, bark, blend, bricks, cells, field, hashed, plaster, places, roof_tiles, shaded
-from environments.tracing import FACE_COLOUR, Light, Stage, TracedScene, colour_of, glazed, matt, metal, picture
+from environments.solids import Solid, bar, join, quad, revolved, srgb
+from environments.textures import (
+    ashlar,
+    bark,
+    blend,
+    bricks,
+    cells,
+    field,
+    hashed,
+    places,
+    plaster,
+    roof_tiles,
+    shaded,
+)
+from environments.tracing import (
+    FACE_COLOUR,
+    Light,
+    Stage,
+    TracedScene,
+    colour_of,
+    glazed,
+    matt,
+    picture,
+)
 from environments.trees import tree
 
 EYE = (0.0, 0.9, 0.0)
@@ -55,7 +76,9 @@ def _road(x: Floats, z: Floats) -> Floats:
         tone -= 0.1 * np.exp(-(((np.abs(x - lane) - 0.75) / 0.3) ** 2))
     patch = (np.abs(x - 2.3) < 0.9) & (np.abs((z + 40.0) % 47.0 - 20.0) < 3.4)
     tone = np.where(patch, 0.68 * tone, tone)
-    crack = np.clip(1.0 - np.abs(field(x, z, 25, 17.0, 1.6)) * 70.0, 0.0, 1.0) * (field(x, z, 26, 29.0, 1.4) > 0.5)
+    crack = np.clip(1.0 - np.abs(field(x, z, 25, 17.0, 1.6)) * 70.0, 0.0, 1.0) * (
+        field(x, z, 26, 29.0, 1.4) > 0.5
+    )
     colour = shaded(srgb("#6c6b69"), np.clip(grain * tone, 0.3, 2.0) * (1.0 - 0.5 * crack))
     worn = np.clip(1.25 - 0.35 * field(x, z, 27, 1.3, 0.5), 0.0, 1.0) * 0.9
     middle = (np.abs(x + 1.65) < 0.06) & (z % 9.0 < 5.0)
@@ -70,7 +93,12 @@ def _road(x: Floats, z: Floats) -> Floats:
 def _pavement(x: Floats, z: Floats) -> Floats:
     """Return slabs, with rows of setts along the kerb and the houses, stains and gum."""
     depth, column, row = cells(x, z, 0.6, 0.4, 0.01)
-    light = 0.88 + 0.22 * hashed(column, row, 31) + 0.1 * field(x, z, 32, 11.0, 1.1) + 0.1 * field(x, z, 33, 1.9, 0.2)
+    light = (
+        0.88
+        + 0.22 * hashed(column, row, 31)
+        + 0.1 * field(x, z, 32, 11.0, 1.1)
+        + 0.1 * field(x, z, 33, 1.9, 0.2)
+    )
     light *= 1.0 - 0.2 * np.clip(field(x, z, 34, 13.0, 0.9) - 1.6, 0.0, 1.0)
     slabs = blend(shaded(srgb("#8f8a80"), 0.5 * np.ones_like(x)), shaded(srgb("#a8a298"), light), depth)
     depth, column, row = cells(z, x, 0.12, 0.1, 0.014, 0.5)
@@ -84,7 +112,11 @@ def _pavement(x: Floats, z: Floats) -> Floats:
 def _ground(stage: Stage) -> None:
     """Add road and pavements, finer near the eye, and kerbs stone by stone."""
     bands = (("near", -11.0, 11.0, 110.0), ("front", 11.0, _REACH, 34.0), ("back", -_REACH, -11.0, 34.0))
-    strips = (("road", _WEST, _EAST, 0.0, _road), ("west", _WEST_FRONT, _WEST, _KERB_M, _pavement), ("east", _EAST, _EAST_FRONT, _KERB_M, _pavement))
+    strips = (
+        ("road", _WEST, _EAST, 0.0, _road),
+        ("west", _WEST_FRONT, _WEST, _KERB_M, _pavement),
+        ("east", _EAST, _EAST_FRONT, _KERB_M, _pavement),
+    )
     for band, low, high, density in bands:
         for strip, west, east, level, colour in strips:
             wide, long = east - west, high - low
@@ -95,16 +127,22 @@ def _ground(stage: Stage) -> None:
             stage.material(name, matt(picture(pixels, wide, long)))
             stage.add(name, quad((west, level, high), (wide, 0, 0), (0, 0, -long)))
     random = np.random.default_rng(9)
-    for z in np.arange(-_REACH, _REACH, 1.0):
-        for x, side in ((_WEST, -1.0), (_EAST, 1.0)):
+    for metre in range(-int(_REACH), int(_REACH)):
+        for kerb, side in ((_WEST, -1.0), (_EAST, 1.0)):
             tone = srgb("#b3aea3") * random.uniform(0.85, 1.08)
-            edges = sorted((x, x + side * 0.16))
-            stage.add("stone", bar((edges[0], edges[1]), (-0.05, _KERB_M + 0.004), (z + 0.004, z + 0.996), tone, 0.018))
+            inner, outer = min(kerb, kerb + side * 0.16), max(kerb, kerb + side * 0.16)
+            stage.add(
+                "stone",
+                bar((inner, outer), (-0.05, _KERB_M + 0.004), (metre + 0.004, metre + 0.996), tone, 0.018),
+            )
     stage.add("stone", quad((-400, -0.02, 400), (800, 0, 0), (0, 0, -800), srgb("#8b877c")))
 
 
 def _rows_of_houses(stage: Stage) -> None:
-    for houses, front, turn, start in ((_HOUSES_WEST, _WEST_FRONT, 90.0, -46.0), (_HOUSES_EAST, _EAST_FRONT, -90.0, -42.0)):
+    for houses, front, turn, start in (
+        (_HOUSES_WEST, _WEST_FRONT, 90.0, -46.0),
+        (_HOUSES_EAST, _EAST_FRONT, -90.0, -42.0),
+    ):
         z = start
         for number, house in enumerate(houses):
             built = Stage()
@@ -113,9 +151,22 @@ def _rows_of_houses(stage: Stage) -> None:
             z += house.width
     # Both ends of the street.
     for z, turn, seed in ((58.0, 180.0, 7), (-60.0, 0.0, 8)):
-        for number, (x, wall) in enumerate(((-13.0, "plaster_ochre"), (0.0, "ashlar"), (13.0, "plaster_rose"))):
+        for number, (x, wall) in enumerate(
+            ((-13.0, "plaster_ochre"), (0.0, "ashlar"), (13.0, "plaster_rose"))
+        ):
             built = Stage()
-            house = House(13.0, wall, "", "#e4ddce", 4, 4, 3.25, "shop", "slate" if number == 1 else "tiles", balconies=number == 1)
+            house = House(
+                13.0,
+                wall,
+                "",
+                "#e4ddce",
+                4,
+                4,
+                3.25,
+                "shop",
+                "slate" if number == 1 else "tiles",
+                balconies=number == 1,
+            )
             house_front(built, house, 300 + 10 * seed + number)
             placed(stage, built, x, z, turn)
 
@@ -129,22 +180,64 @@ def _trees(stage: Stage) -> None:
         turn = 137.5 * number
         stage.add("wood", wood.turned(turn).moved(x, _KERB_M, z))
         stage.add("leaves", leaves.turned(turn).moved(x, _KERB_M, z))
-        stage.add("stone", bar((x - 0.7, x + 0.7), (_KERB_M, _KERB_M + 0.015), (z - 0.7, z + 0.7), srgb("#5d5346")))
-        for a, b, c, d in ((-0.75, 0.75, -0.75, -0.69), (-0.75, 0.75, 0.69, 0.75), (-0.75, -0.69, -0.69, 0.69), (0.69, 0.75, -0.69, 0.69)):
-            stage.add("metal", bar((x + a, x + b), (_KERB_M, _KERB_M + 0.035), (z + c, z + d), srgb("#33312e"), 0.006))
+        stage.add(
+            "stone", bar((x - 0.7, x + 0.7), (_KERB_M, _KERB_M + 0.015), (z - 0.7, z + 0.7), srgb("#5d5346"))
+        )
+        for a, b, c, d in (
+            (-0.75, 0.75, -0.75, -0.69),
+            (-0.75, 0.75, 0.69, 0.75),
+            (-0.75, -0.69, -0.69, 0.69),
+            (0.69, 0.75, -0.69, 0.69),
+        ):
+            stage.add(
+                "metal",
+                bar((x + a, x + b), (_KERB_M, _KERB_M + 0.035), (z + c, z + d), srgb("#33312e"), 0.006),
+            )
 
 
 def _furniture(stage: Stage) -> None:
     """Add lamps, bollards, benches and litter bins."""
     iron = srgb("#23282a")
     post = revolved(
-        [(0.0, 0.0), (0.19, 0.0), (0.19, 0.12), (0.13, 0.18), (0.12, 0.75), (0.085, 0.85), (0.06, 1.0), (0.05, 3.9), (0.08, 3.95), (0.08, 4.05), (0.03, 4.1)],
-        iron, 20,
+        [
+            (0.0, 0.0),
+            (0.19, 0.0),
+            (0.19, 0.12),
+            (0.13, 0.18),
+            (0.12, 0.75),
+            (0.085, 0.85),
+            (0.06, 1.0),
+            (0.05, 3.9),
+            (0.08, 3.95),
+            (0.08, 4.05),
+            (0.03, 4.1),
+        ],
+        iron,
+        20,
     )
-    lantern = revolved([(0.03, 4.1), (0.2, 4.2), (0.25, 4.75), (0.29, 4.78), (0.12, 5.0), (0.03, 5.1), (0.0, 5.15)], iron, 8)
+    lantern = revolved(
+        [(0.03, 4.1), (0.2, 4.2), (0.25, 4.75), (0.29, 4.78), (0.12, 5.0), (0.03, 5.1), (0.0, 5.15)], iron, 8
+    )
     glass = revolved([(0.17, 4.24), (0.235, 4.74)], srgb("#c9c4b4"), 8).scaled(1.06, 1.0, 1.06)
-    bollard = revolved([(0.0, 0.0), (0.09, 0.0), (0.09, 0.1), (0.06, 0.14), (0.05, 0.8), (0.075, 0.84), (0.075, 0.9), (0.04, 0.98), (0.0, 1.0)], iron, 16)
-    for x, spots in ((_WEST - 0.75, (-33.0, -14.0, 8.8, 20.0, 31.0)), (_EAST + 0.75, (-31.0, -11.5, 5.5, 22.5, 33.0))):
+    bollard = revolved(
+        [
+            (0.0, 0.0),
+            (0.09, 0.0),
+            (0.09, 0.1),
+            (0.06, 0.14),
+            (0.05, 0.8),
+            (0.075, 0.84),
+            (0.075, 0.9),
+            (0.04, 0.98),
+            (0.0, 1.0),
+        ],
+        iron,
+        16,
+    )
+    for x, spots in (
+        (_WEST - 0.75, (-33.0, -14.0, 8.8, 20.0, 31.0)),
+        (_EAST + 0.75, (-31.0, -11.5, 5.5, 22.5, 33.0)),
+    ):
         for z in spots:
             for part in (post, lantern):
                 stage.add("iron", part.moved(x, _KERB_M, z))
@@ -153,30 +246,71 @@ def _furniture(stage: Stage) -> None:
         stage.add("iron", bollard.moved(_EAST + 0.42, _KERB_M, float(z)))
     wood = srgb("#8a5f3a")
     for x, z, turn in ((_EAST + 3.2, -1.5, 180.0), (_WEST - 3.0, -4.0, 0.0), (_WEST - 3.0, 10.0, 0.0)):
-        parts = [bar((-0.9, 0.9), (0.44, 0.475), (0.1 * k - 0.2, 0.1 * k - 0.11), wood, 0.008) for k in range(5)]
-        parts += [bar((-0.9, 0.9), (0.58 + 0.12 * k, 0.67 + 0.12 * k), (-0.28 - 0.03 * k, -0.25 - 0.03 * k), wood, 0.008) for k in range(3)]
-        legs = [bar((a, a + 0.06), (0.0, 0.44 if k else 0.9), (-0.3 + 0.5 * k, -0.24 + 0.5 * k), iron, 0.01) for a in (-0.8, 0.74) for k in (0, 1)]
+        parts = [
+            bar((-0.9, 0.9), (0.44, 0.475), (0.1 * k - 0.2, 0.1 * k - 0.11), wood, 0.008) for k in range(5)
+        ]
+        parts += [
+            bar(
+                (-0.9, 0.9),
+                (0.58 + 0.12 * k, 0.67 + 0.12 * k),
+                (-0.28 - 0.03 * k, -0.25 - 0.03 * k),
+                wood,
+                0.008,
+            )
+            for k in range(3)
+        ]
+        legs = [
+            bar((a, a + 0.06), (0.0, 0.44 if k else 0.9), (-0.3 + 0.5 * k, -0.24 + 0.5 * k), iron, 0.01)
+            for a in (-0.8, 0.74)
+            for k in (0, 1)
+        ]
         stage.add("paint", join(parts).turned(90.0 + turn).moved(x, _KERB_M, z))
         stage.add("metal", join(legs).turned(90.0 + turn).moved(x, _KERB_M, z))
     for x, z in ((_EAST + 0.9, 3.2), (_WEST - 0.9, -13.0)):
-        stage.add("iron", revolved([(0, 0), (0.22, 0.0), (0.25, 0.05), (0.25, 0.75), (0.29, 0.78), (0.25, 0.84), (0.0, 0.95)], srgb("#2d4a3b"), 20).moved(x, _KERB_M, z))
+        stage.add(
+            "iron",
+            revolved(
+                [(0, 0), (0.22, 0.0), (0.25, 0.05), (0.25, 0.75), (0.29, 0.78), (0.25, 0.84), (0.0, 0.95)],
+                srgb("#2d4a3b"),
+                20,
+            ).moved(x, _KERB_M, z),
+        )
 
 
-_CAR_TONES = {"glass": "#0e1113", "chrome": "#b9bcbe", "rubber": "#1b1b1b", "tyre": "#1b1b1b", "rim": "#8f9294", "wheel": "#8f9294", "lamp": "#c9c9c4"}
+_CAR_TONES = {
+    "glass": "#0e1113",
+    "chrome": "#b9bcbe",
+    "rubber": "#1b1b1b",
+    "tyre": "#1b1b1b",
+    "rim": "#8f9294",
+    "wheel": "#8f9294",
+    "lamp": "#c9c9c4",
+}
 
 
 def _parked_cars(stage: Stage) -> None:
     """Add the packaged car, in plain colours, along the western kerb."""
     parts = load_surface("car").parts
     for z, paint, turn in (
-        (9.2, "#8f969c", 0.0), (15.4, "#22324d", 0.0), (-9.6, "#7e2420", 0.0), (-15.8, "#d4d2cc", 0.0), (-27.6, "#30363a", 180.0), (33.4, "#9aa3a0", 0.0),
+        (9.2, "#8f969c", 0.0),
+        (15.4, "#22324d", 0.0),
+        (-9.6, "#7e2420", 0.0),
+        (-15.8, "#d4d2cc", 0.0),
+        (-27.6, "#30363a", 180.0),
+        (33.4, "#9aa3a0", 0.0),
     ):
         for part in parts:
             tone = next((code for word, code in _CAR_TONES.items() if word in part.material), None)
             if tone is None:
                 tone = paint if "paint" in part.material or "body" in part.material else "#1a1b1c"
             faces = part.triangles.astype(np.int64)
-            solid = Solid(part.positions.astype(float), faces, np.zeros((len(part.positions), 2)), np.ones((len(faces), 3)), True)
+            solid = Solid(
+                part.positions.astype(float),
+                faces,
+                np.zeros((len(part.positions), 2)),
+                np.ones((len(faces), 3)),
+                True,
+            )
             name = "metal_smooth" if tone in ("#b9bcbe", "#8f9294") else "lacquer"
             stage.add(name, solid.painted(srgb(tone)).turned(turn).moved(_WEST + 1.1, 0.0, z))
 
@@ -184,7 +318,9 @@ def _parked_cars(stage: Stage) -> None:
 def _materials(stage: Stage) -> None:
     white = plaster(51)
     for name, tint in (("cream", "#dccfae"), ("ochre", "#cfa567"), ("rose", "#c99f8b"), ("grey", "#bdbbb3")):
-        stage.material(f"plaster_{name}", matt(picture(np.clip(white * srgb(tint) / 0.86, 0.01, 0.9), 8.0, 8.0)))
+        stage.material(
+            f"plaster_{name}", matt(picture(np.clip(white * srgb(tint) / 0.86, 0.01, 0.9), 8.0, 8.0))
+        )
     stage.material("brick", matt(picture(bricks(52), 4.0, 3.0)))
     stage.material("ashlar", matt(picture(ashlar(53), 6.4, 3.2)))
     stage.material("tiles", matt(picture(roof_tiles(54), 4.0, 4.0)))
@@ -192,7 +328,17 @@ def _materials(stage: Stage) -> None:
     stage.material("wood", matt(picture(bark(56), 1.0, 1.0)))
     for name in ("stone", "cloth", "gable"):
         stage.material(name, matt())
-    stage.material("leaves", {"type": "principledthin", "base_color": FACE_COLOUR, "diff_trans": 0.85, "roughness": 0.55, "spec_trans": 0.0, "eta": 1.4})
+    stage.material(
+        "leaves",
+        {
+            "type": "principledthin",
+            "base_color": FACE_COLOUR,
+            "diff_trans": 0.85,
+            "roughness": 0.55,
+            "spec_trans": 0.0,
+            "eta": 1.4,
+        },
+    )
     stage.material("pane", glazed())
     for name, roughness in (("paint", 0.25), ("metal", 0.2), ("iron", 0.2), ("metal_smooth", 0.1)):
         stage.material(name, glazed(roughness=roughness))
@@ -207,7 +353,9 @@ def _move_sun(scene: object, number: int) -> None:
     side /= np.linalg.norm(side)
     place = SUN.direction + radius * (np.cos(angle) * side + np.sin(angle) * np.cross(side, SUN.direction))
     values = mi.traverse(scene)
-    values["sun.to_world"] = mi.Transform4f().look_at(origin=[0, 0, 0], target=(-place).tolist(), up=[0, 1, 0])
+    values["sun.to_world"] = mi.Transform4f().look_at(
+        origin=[0, 0, 0], target=(-place).tolist(), up=[0, 1, 0]
+    )
     values.update()
 
 
@@ -230,11 +378,22 @@ def street() -> TracedScene:
         {"type": "scene", **objects, "sky": {"type": "envmap", "bitmap": mi.Bitmap(dome.astype(np.float32))}}
     )
     by_sun = mi.load_dict(
-        {"type": "scene", **objects, "sun": {"type": "directional", "direction": (-SUN.direction).tolist(), "irradiance": colour_of(disc.illuminance())}}
+        {
+            "type": "scene",
+            **objects,
+            "sun": {
+                "type": "directional",
+                "direction": (-SUN.direction).tolist(),
+                "irradiance": colour_of(disc.illuminance()),
+            },
+        }
     )
     description = (
         f"A street of town houses with trees under the sky and sun of Hošek and Wilkie (2012, 2013), turbidity "
         f"{TURBIDITY:g}, sun {SUN.height_deg:g}° high, {DIAMETER_DEG:g}° across; path-traced from 0.9 m above the road."
     )
-    lights = (Light("sky", by_sky, 5, 40.0, directions=3), Light("sun", by_sun, 5, 40.0, share=0.5, prepare=_move_sun, directions=1))
+    lights = (
+        Light("sky", by_sky, 5, 40.0, directions=3),
+        Light("sun", by_sun, 5, 40.0, share=0.5, prepare=_move_sun, directions=1),
+    )
     return TracedScene("street", description, lights, EYE, disc.add_to)

@@ -47,7 +47,9 @@ def hashed(i: Floats, j: Floats, seed: int) -> Floats:
     return np.asarray(value - np.floor(value))
 
 
-def cells(x: Floats, y: Floats, wide: float, high: float, joint: float, shift: float = 0.5) -> tuple[Floats, Floats, Floats]:
+def cells(
+    x: Floats, y: Floats, wide: float, high: float, joint: float, shift: float = 0.5
+) -> tuple[Floats, Floats, Floats]:
     """Return depth 0…1 within the joint of bricks or slabs at places, and their column and row numbers.
 
     1 is on a brick, 0 in the middle of a joint; every second row is shifted by ``shift`` of a brick.

@@ -57,15 +57,20 @@ def metal(reflectance: ArrayLike, roughness: float) -> dict[str, Any]:
     return {"type": "twosided", "bsdf": base | {"specular_reflectance": colour_of(reflectance)}}
 
 
-def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] | None = None, power: float = 1.0) -> Any:
+def mesh(
+    solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] | None = None, power: float = 1.0
+) -> Any:
     """Return a mesh of Mitsuba; a palette in its material is that of its faces."""
     normals = _normals(solid) if solid.smooth else None
     points, faces, uv = solid.points, solid.faces, solid.uv
     if _has_palette(material):
         colours, which = np.unique(np.round(solid.colours, 4), axis=0, return_inverse=True)
         palette = {
-            "type": "bitmap", "bitmap": mi.Bitmap(np.ascontiguousarray(colours[None], dtype=np.float32)), "raw": True,
-            "filter_type": "nearest", "wrap_mode": "clamp",
+            "type": "bitmap",
+            "bitmap": mi.Bitmap(np.ascontiguousarray(colours[None], dtype=np.float32)),
+            "raw": True,
+            "filter_type": "nearest",
+            "wrap_mode": "clamp",
         }
         material = _with_palette(material, palette)
         # Each face has corners of its own, which lie in its pixel.
@@ -80,7 +85,11 @@ def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] 
             {"type": "area", "radiance": dict(radiance), "sampling_weight": power}
         )
     made = mi.Mesh(
-        "solid", len(points), len(faces), props=properties, has_vertex_texcoords=True,
+        "solid",
+        len(points),
+        len(faces),
+        props=properties,
+        has_vertex_texcoords=True,
         has_vertex_normals=normals is not None,
     )
     values = mi.traverse(made)
@@ -94,7 +103,9 @@ def mesh(solid: Solid, material: Mapping[str, Any], radiance: Mapping[str, Any] 
 
 
 def _has_palette(description: Mapping[str, Any]) -> bool:
-    return description == FACE_COLOUR or any(_has_palette(v) for v in description.values() if isinstance(v, dict))
+    return description == FACE_COLOUR or any(
+        _has_palette(v) for v in description.values() if isinstance(v, dict)
+    )
 
 
 def _with_palette(description: Mapping[str, Any], palette: dict[str, Any]) -> dict[str, Any]:
@@ -181,7 +192,7 @@ class Light:
 
 @dataclass(frozen=True, eq=False)
 class TracedScene:
-    """A scene as a whole: its lights, and ``finish(picture)``, which adds what is not traced, such as the sun's disc."""
+    """A scene: its lights, and ``finish(picture)``, which adds what is not traced, such as the sun's disc."""
 
     name: str
     description: str
@@ -204,7 +215,8 @@ class _Sequence:
     def next(self) -> Any:
         """Return the next two numbers, 0…1."""
         self._use += 1
-        offsets = mi.sample_tea_32(self._pixel, mi.UInt32(self._use))
+        use: Any = mi.UInt32(self._use)
+        offsets = mi.sample_tea_32(self._pixel, use)
         pair = [offset + self._number * mi.UInt32(step) for offset, step in zip(offsets, _STEPS, strict=True)]
         return mi.Point2f(*(mi.Float(value >> 8) * 2.0**-24 for value in pair))
 
@@ -375,8 +387,9 @@ def whole(scene: TracedScene, sums: Mapping[str, Sums]) -> Floats:
 def relative_noise(sums: Mapping[str, Sums]) -> float:
     """Return the relative standard deviation of a pixel's luminance by noise: its median over the sphere.
 
-    What is darker than a fiftieth of the mean is left out. From the difference of two halves with independent samples: the mean of both deviates half as much as they differ,
-    divided by what is there. The median of |x| of a normal distribution is 0.6745 deviations.
+    What is darker than a fiftieth of the mean is left out. From the difference of two halves with independent samples:
+    the mean of both deviates half as much as they differ. The median of |x| of a normal distribution is 0.6745
+    deviations.
     """
     first = sum(s.half(0) for s in sums.values())
     second = sum(s.half(1) for s in sums.values())

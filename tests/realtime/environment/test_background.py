@@ -34,7 +34,7 @@ def test_an_enlarged_map_has_no_corners(renderer, scenes, azimuth):
     assert np.abs(slope).max() > 0.01  # there is something to see
     # Over p pixels a texel the B-spline's slope turns by some 2/p of itself in each; a straight line's at once.
     assert jump.max() < 0.3 * np.abs(slope).max()
-    assert 0.0 <= picture.min()
+    assert picture.min() >= 0.0
     assert picture.max() <= 1.001
 
 
@@ -66,6 +66,7 @@ def test_the_light_of_a_lamp_stays(renderer, scenes):
 
 def test_a_fine_map_stays_sharp(renderer, scenes):
     """With a texel or more in each pixel a step between texels stays a step."""
+
     def step(directions):
         return np.where(directions[..., :1] > 0.0, 1.0, 0.0) * np.ones(3)
 
