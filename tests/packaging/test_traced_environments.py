@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from environments.solids import box
+from environments.solids import bar, box, quad
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,6 +17,13 @@ from brdf_suite.lighting.procedural.panorama import horizontal_illuminance, soli
 from brdf_suite.lighting.statistics import environment_statistics
 from brdf_suite.pipeline.environments import read_environment, read_environment_file
 from brdf_suite.pipeline.scene import environment_names, find_environment, narrowed
+
+
+def directions_at(rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Unit directions (n, 3) at places 0…1 down and across a map."""
+    theta, phi = np.pi * rows, 2.0 * np.pi * (columns - 0.5)
+    return np.stack([-np.sin(theta) * np.sin(phi), np.cos(theta), np.sin(theta) * np.cos(phi)], axis=-1)
+
 
 NAMES = ("photo_studio", "street", "light_tunnel")
 
@@ -85,6 +92,57 @@ def test_the_generator_makes_the_shipped_light(name: str, tmp_path: Path) -> Non
         written.radiance, np.maximum(last.environment.radiance, 1e-3), rtol=0.05, atol=2e-3
     )
     assert "noise of a pixel" in last.comment
+
+
+@pytest.mark.parametrize("lamps", ["sky", "panel"])
+def test_chosen_samples_bring_the_light_of_plain_paths(lamps: str) -> None:
+    """Directions and places that are chosen for little noise have the mean of Mitsuba's own integrator."""
+    pytest.importorskip("mitsuba")
+    from environments import tracing
+
+    from brdf_suite.reference.mitsuba_modules import mi
+    from brdf_suite.reference.variant import start
+
+    start()
+    stage = tracing.Stage()
+    stage.material("wall", tracing.matt())
+    stage.material("pane", tracing.glazed())
+    stage.add("wall", quad((-20, 0, 20), (40, 0, 0), (0, 0, -40), (0.3, 0.3, 0.3)))
+    stage.add("wall", bar((3.0, 4.0), (0.0, 6.0), (-9.0, 9.0), (0.5, 0.4, 0.3)))
+    stage.add("pane", bar((-4.0, -3.0), (0.0, 3.0), (-3.0, 3.0), (0.1, 0.1, 0.1)))
+    emitters = {}
+    if lamps == "sky":
+        dome = np.full((64, 128, 3), 0.5, np.float32)
+        dome[20:23, 20:24] = 200.0
+        emitters["sky"] = {"type": "envmap", "bitmap": mi.Bitmap(dome)}
+    else:
+        stage.lamp(
+            quad((-1, 4, -2), (0, 0, 4), (2, 0, 0)).moved(y=-8.0).turned(180.0, "x"),
+            tracing.colour_of((5, 5, 5)),
+        )
+        middle, along, across = (
+            np.array([0.0, 4.0, 0.0]),
+            np.array([0.0, 0.0, 2.0]),
+            np.array([1.0, 0.0, 0.0]),
+        )
+        stage.panels.append(tracing.Panel(middle, along, across))
+    scene = mi.load_dict({"type": "scene", **stage.objects(), **emitters})
+    light = tracing.Light(lamps, scene, 4, 1e9, tuple(stage.panels), directions=3 if lamps == "sky" else 0)
+    made = tracing.trace_pass(light, (0.0, 0.9, 0.0), 16, 512, 0, 0)
+    camera = mi.load_dict({"type": "independent"})
+    camera.seed(5, 16 * 32 * 2048)
+    place = np.repeat(np.arange(16 * 32), 2048)
+    random = np.random.default_rng(6)
+    toward = directions_at(
+        (place // 32 + random.random(place.size)) / 16, (place % 32 + random.random(place.size)) / 32
+    )
+    rays = mi.RayDifferential3f(mi.Point3f(0.0, 0.9, 0.0), mi.Vector3f(toward.T.astype(np.float32)))
+    integrator = mi.load_dict({"type": "path", "max_depth": 4, "rr_depth": 99})
+    found, _, _ = integrator.sample(scene, camera, rays)
+    plain = np.array(found).T.reshape(16, 32, 2048, 3).mean(axis=2)
+    assert plain[8:].mean() > 0.01
+    assert made[8:].mean() == pytest.approx(plain[8:].mean(), rel=0.03)
+    assert np.median(np.abs(made / np.maximum(plain, 1e-9) - 1.0)) < 0.08
 
 
 @given(st.floats(1.0, 2.5), st.integers(0, 2**31))

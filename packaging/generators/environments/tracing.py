@@ -251,11 +251,28 @@ def _panel_light(scene: Any, panel: Panel, surface: Any, bsdf: Any, pair: Any) -
     return dr.select(wanted, back * radiance * (cosine / (distance * distance * density)), 0.0)
 
 
-def _sky_light(scene: Any, surface: Any, bsdf: Any, pair: Any) -> Any:
-    """Return what a surface sends back of the light of one direction that the emitters choose, over its density."""
-    sample, weight = scene.sample_emitter_direction(surface, pair, True, surface.is_valid())
-    back = bsdf.eval(mi.BSDFContext(), surface, surface.to_local(sample.d))
-    return dr.select(surface.is_valid() & (sample.pdf > 0.0), back * weight, 0.0)
+def _sky_light(scene: Any, surface: Any, bsdf: Any, pair: Any, count: int) -> Any:
+    """Return what a surface sends back of the light of one of ``count`` directions that the emitters choose.
+
+    The direction in which the path goes on may meet the sky as well: both share its light by the balance heuristic
+    (E. Veach and L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering", SIGGRAPH 1995).
+    """
+    context = mi.BSDFContext()
+    sample, light = scene.sample_emitter_direction(surface, pair, True, surface.is_valid())
+    local = surface.to_local(sample.d)
+    back = bsdf.eval(context, surface, local)
+    other = dr.select(sample.delta, 0.0, bsdf.pdf(context, surface, local))
+    share = sample.pdf / (count * sample.pdf + other)
+    return dr.select(surface.is_valid() & (sample.pdf > 0.0), back * light * share, 0.0)
+
+
+def _sky_share(light: Light, surface: Any, met: Any, density: Any, active: Any) -> Any:
+    """Return the share of the light met by the path that goes on, chosen with a density: 1 less the emitters' share."""
+    if not light.directions:
+        return mi.Float(0.0)
+    sample = mi.DirectionSample3f(light.scene, met, surface)
+    chosen = light.scene.pdf_emitter_direction(surface, sample, active)
+    return dr.select(density > 0.0, density / (density + light.directions * chosen), 0.0)
 
 
 def _radiance(light: Light, ray: Any, sampler: Any, sequence: _Sequence) -> Any:
@@ -275,7 +292,7 @@ def _radiance(light: Light, ray: Any, sampler: Any, sequence: _Sequence) -> Any:
         for panel in light.panels:
             direct += _panel_light(scene, panel, surface, bsdf, sequence.next())
         for _ in range(light.directions):
-            direct += _sky_light(scene, surface, bsdf, sequence.next()) / light.directions
+            direct += _sky_light(scene, surface, bsdf, sequence.next(), light.directions)
         if vertex == 0:
             total += direct
         else:
@@ -286,11 +303,16 @@ def _radiance(light: Light, ray: Any, sampler: Any, sequence: _Sequence) -> Any:
         going = surface.is_valid() & dr.any(part > 0.0)
         weight *= dr.select(going, part, 0.0)
         ray = mi.RayDifferential3f(surface.spawn_ray(surface.to_world(chosen.wo)))
-        surface = scene.ray_intersect(ray, going)
+        before, surface = surface, scene.ray_intersect(ray, going)
         mirrored = going & mi.has_flag(chosen.sampled_type, mi.BSDFFlags.Delta)
         is_mirror = mirrored if vertex == 0 else is_mirror
-        # A lamp that is met next has been counted as direct light, except in a mirror.
-        beyond += weight * dr.select(mirrored, surface.emitter(scene, mirrored).eval(surface, mirrored), 0.0)
+        # A lamp that is met next has been counted as direct light, except in a mirror, and a sky in part.
+        share = dr.select(mirrored, 1.0, _sky_share(light, before, surface, chosen.pdf, going))
+        met = share * dr.select(going, surface.emitter(scene, going).eval(surface, going), 0.0)
+        if vertex == 0:
+            total += weight * met
+        else:
+            beyond += weight * met
     paths = mi.load_dict({"type": "path", "max_depth": light.depth - vertices, "rr_depth": 4})
     arriving, _, _ = paths.sample(scene, sampler, ray, active=going)
     arriving -= surface.emitter(scene, going).eval(surface, going)
