@@ -1,4 +1,4 @@
-"""Path-trace the packaged environments that are scenes; needs Mitsuba (``pip install brdf-suite[reference]``)::
+"""Path-trace the packaged environments that are scenes; needs Mitsuba (the part ``reference``)::
 
     python packaging/generators/traced_environments.py [street] [photo_studio] [light_tunnel] [--kept FOLDER]
 
