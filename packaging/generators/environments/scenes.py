@@ -46,9 +46,15 @@ class TracedPicture:
         pixels = within_half(self.environment.radiance.astype(np.float64))
         # What is darker is black to any eye, and the compression would let it fall below 0 here and there.
         pixels = np.maximum(pixels, _DARKEST).astype(np.float16)
-        write_exr(path, pixels, metadata={"comments": self.comment}, lossy=True)
+        for level in _LEVELS:  # a map with much noise left needs a coarser one
+            write_exr(path, pixels, metadata={"comments": self.comment}, dwa_level=level)
+            if path.stat().st_size <= _LARGEST_FILE:
+                return
 
 
+_LEVELS = (15.0, 30.0, 60.0, 120.0)
+"""Of DWA; at 15, errors are below .1 % in most pixels and .3 % in one of a hundred."""
+_LARGEST_FILE = 4_000_000
 _DARKEST = 1e-3
 _BRIGHTEST = 65000.0
 
