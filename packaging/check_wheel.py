@@ -25,6 +25,7 @@ NEEDED = (
     "brdf_suite/_resources/paints/cook_torrance/table1_blue.brdfpaint",
     "brdf_suite/_resources/meshes/speed_form.glb",
     "brdf_suite/_resources/environments/booth.exr",
+    "brdf_suite/_resources/environments/street.exr",
     "brdf_suite/_resources/occlusion/",
     "brdf_suite/_resources/lobe_maps/",
     "brdf_suite/_resources/colour/cie.csv",

@@ -37,9 +37,13 @@ _READING_SHARE, _DRAWING_SHARE = 0.1, 0.3
 _WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
 
 
+_ORDER = ("photo_studio", "street", "light_tunnel", "booth", "overcast", "sunny")
+
+
 def environment_names() -> list[str]:
-    """Names of the shipped environments, sorted."""
-    return resource_names("environments", ".exr")
+    """Names of the shipped environments: the traced scenes first, then the plain lights."""
+    shipped = resource_names("environments", ".exr")
+    return sorted(shipped, key=lambda name: (_ORDER.index(name) if name in _ORDER else len(_ORDER), name))
 
 
 def surface_names() -> list[str]:
@@ -148,7 +152,7 @@ def load_environment(
     Parameters
     ----------
     name_or_path
-        A packaged name (``booth``, ``sunny``, ``overcast``), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
+        A packaged name (``photo_studio``, ``street``, ``booth`` …), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
         file, which is drawn.
     layout
         How the image is laid out, where its shape does not determine it; see :func:`read_environment`.

@@ -4,6 +4,8 @@ Run without an argument for all of them, or name the kinds::
 
     python packaging/generators/resources.py [paints] [meshes] [environments] [occlusion] [lobe_maps]
 
+The environments that are path-traced take hours and Mitsuba; ``traced_environments.py`` writes them.
+
 Everything is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
 """
 

@@ -2074,6 +2074,14 @@ angegeben {stated}</translation>
         <translation>Bedeckt</translation>
     </message>
     <message>
+        <source>Photo studio</source>
+        <translation>Fotostudio</translation>
+    </message>
+    <message>
+        <source>Street</source>
+        <translation>Straße</translation>
+    </message>
+    <message>
         <source>The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, wheel zooms, Alt drag or right drag rotates the light, F frames.</source>
         <translation>Der Lack auf der Speedform, gezeichnet wie in Viewer. Ziehen umkreist, Mausrad zoomt, Ziehen mit Alt oder rechts dreht das Licht, F rahmt ein.</translation>
     </message>

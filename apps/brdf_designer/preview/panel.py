@@ -19,7 +19,14 @@ from brdf_designer.window.caption import Caption
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
-_LIGHT_NAMES = {"booth": mark("Light booth"), "sunny": mark("Sunny"), "overcast": mark("Overcast")}
+_LIGHT_NAMES = {
+    "booth": mark("Light booth"),
+    "photo_studio": mark("Photo studio"),
+    "street": mark("Street"),
+    "light_tunnel": mark("Light tunnel"),
+    "overcast": mark("Overcast"),
+    "sunny": mark("Sunny"),
+}
 _TIP = mark(
     "The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, "
     "wheel zooms, Alt drag or right drag rotates the light, F frames."

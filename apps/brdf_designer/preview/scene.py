@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from brdf_suite.surface.mesh import Mesh
 
 SURFACE = "speed_form"
-LIGHTS = ("booth", "sunny", "overcast")
+LIGHTS = ("booth", "photo_studio", "street", "light_tunnel", "overcast", "sunny")
 LIGHT_WIDTH = 512
 """Columns of the light: in a picture some 400 pixels wide, mirrored in a curved body, more are not seen."""
 

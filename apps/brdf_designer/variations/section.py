@@ -31,8 +31,11 @@ PLACES: dict[Direction, tuple[int, int]] = {
 }
 ENVIRONMENTS = (
     ("booth", mark("Light booth")),
-    ("sunny", mark("Sunny")),
+    ("photo_studio", mark("Photo studio")),
+    ("street", mark("Street")),
+    ("light_tunnel", mark("Light tunnel")),
     ("overcast", mark("Overcast")),
+    ("sunny", mark("Sunny")),
 )
 SURFACES = (("sphere", mark("Sphere")), ("speed_form", mark("Speed form")))
 

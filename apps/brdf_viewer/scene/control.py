@@ -27,6 +27,9 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 SHIPPED_TITLES = {
+    "photo_studio": mark("Photo studio"),
+    "street": mark("Street"),
+    "light_tunnel": mark("Light tunnel"),
     "booth": mark("Light booth"),
     "sunny": mark("Sunny sky"),
     "overcast": mark("Overcast sky"),

@@ -330,8 +330,8 @@ def _percent(share: float) -> str:
 def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and its actions."""
     command.description = (
-        "Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (booth, sunny, "
-        "overcast); or make one."
+        "Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (photo_studio, "
+        "street, light_tunnel, booth, overcast, sunny); or make one."
     )
     actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
     for add_action in (add_info, add_lights, add_light):

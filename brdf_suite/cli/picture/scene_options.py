@@ -35,8 +35,8 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         command,
         {
             "--view FILE": "a .brdfview file; other options change it",
-            "--environment FILE|NAME": "an .exr or .hdr map, a .brdfstudio file, or booth, sunny, overcast "
-            "(default: booth)",
+            "--environment FILE|NAME": "an .exr or .hdr map, a .brdfstudio file, or photo_studio, street, "
+            "light_tunnel, booth, overcast, sunny (default: booth)",
             **_LAYOUT,
             "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
             "(default: speed_form)",
@@ -177,7 +177,8 @@ def add_environment(command: argparse.ArgumentParser) -> None:
     add_arguments(
         command,
         {
-            "environment FILE|NAME": "an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
+            "environment FILE|NAME": "an .exr, .hdr or .brdfstudio environment, or photo_studio, street, "
+            "light_tunnel, booth, overcast, sunny",
             **_LAYOUT,
         },
         layout=ENVIRONMENT_LAYOUTS,

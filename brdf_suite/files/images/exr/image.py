@@ -177,10 +177,14 @@ def write_exr(
     pixels: NDArray[np.floating],
     chromaticities: Chromaticities = REC2020,
     metadata: Mapping[str, str] | None = None,
+    *,
+    dwa_level: float = 0.0,
 ) -> None:
     """Write pixels (h, w, 3), linear RGB of ``chromaticities``, as a ZIP-compressed EXR; half stays half.
 
-    The file is written whole or not at all. ``metadata`` becomes text attributes.
+    The file is written whole or not at all. ``metadata`` becomes text attributes. ``dwa_level`` above 0
+    compresses by DWA instead: with a fifth of the size and errors that grow with the level (the library's own is 45).
+    Values above 65,504 cannot be kept then.
 
     >>> write_exr("sky.exr", np.ones((512, 1024, 3), np.float32), metadata={"comments": "a white sky"})
     """
@@ -193,10 +197,10 @@ def write_exr(
     channels = {name: np.ascontiguousarray(array[..., i], dtype=kind) for i, name in enumerate("RGB")}
     header = {
         **(metadata or {}),
-        "compression": OpenEXR.ZIP_COMPRESSION,
+        "compression": OpenEXR.DWAB_COMPRESSION if dwa_level else OpenEXR.ZIP_COMPRESSION,
         "type": OpenEXR.scanlineimage,
         "chromaticities": chromaticities,
-    }
+    } | ({"dwaCompressionLevel": float(dwa_level)} if dwa_level else {})
     with replacing(path) as temporary:
         try:
             OpenEXR.File(header, channels).write(str(temporary))
