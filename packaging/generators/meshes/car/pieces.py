@@ -12,7 +12,7 @@ from meshes.car.nets import Soup, compact
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
-_LIP_TURN = 0.55
+_LIP_TURN = 0.1
 _ATLAS_MM = 20000.0
 
 
@@ -38,8 +38,9 @@ def lowered(soup: Soup, normals: Floats, down: Floats) -> Soup:
 def turn_edges_in(soup: Soup, normals: Floats, edge: Integers) -> tuple[Soup, Floats]:
     """Return a panel whose given edges bend inwards: the rounded edge of pressed sheet metal.
 
-    Points on the border drop by a fraction of a millimetre and their normals lean outwards, so each shut line
-    catches a thin highlight. The strip that bends must have been cut beforehand.
+    Points on the border drop by a fraction of a millimetre and their normals lean outwards a little: highlights of a
+    sheet's real radius are far narrower than a pixel and would break into dots. The strip that bends must have been
+    cut beforehand.
     """
     a, b = edge.T
     outwards = np.zeros_like(soup.points)
