@@ -33,6 +33,7 @@ WORKING = (
     "design start blue -o start.brdfpaint",
     "design step blue lighter -o step.brdfpaint",
     "design between blue copper -o between.brdfpaint",
+    "design flakes blue --graininess 2 -o flaked.brdfpaint",
     "convert blue blue.astm",
     "export blue -o blue.csv",
     "palette convert list.gpl list.brdfpalette",
