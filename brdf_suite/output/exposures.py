@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from brdf_suite.documents.view import View
+from brdf_suite.documents.view import PARAMETERS, View
 from brdf_suite.output.turning import turned
 from brdf_suite.realtime.camera import MIDDLE, Bounds, LensPoint, matrices, resolve
 from brdf_suite.realtime.pictures.exposures import Exposure
@@ -15,6 +15,7 @@ from brdf_suite.surface.picking import pick
 DEFAULT_EXPOSURES = 64
 MOST_EXPOSURES = 4096
 _GOLDEN = 0.6180339887498949
+_SILVER = math.sqrt(2.0) - 1.0
 
 
 def aperture_radius(view: View) -> float:
@@ -36,14 +37,15 @@ def focused(view: View, mesh: Mesh, size: tuple[int, int]) -> View:
     hit = pick(mesh, seen.eye, -seen.view_to_world[:, 2])
     distance = hit.distance if hit is not None else camera.distance
     assert distance is not None  # the camera is resolved
-    return replace(view, lens=replace(view.lens, focus_distance=distance))
+    reach = PARAMETERS["lens.focus_distance"]
+    return replace(view, lens=replace(view.lens, focus_distance=min(max(distance, reach.low), reach.high)))
 
 
 def exposures_of(view: View, bounds: Bounds, size: tuple[int, int], count: int) -> tuple[Exposure, ...]:
     """Return ``count`` exposures, or none of a view without blur. A lens without a focus is sharp at its target.
 
-    Places of the opening are spread evenly over its disc (Vogel 1979), moments evenly over the exposure; one goes up
-    with the radius squared, the other in steps of the golden ratio, so neither follows the other.
+    Places of the opening are spread evenly over its disc (Vogel 1979), moments evenly over the exposure; they go on by
+    irrational steps that have no common one, so neither follows the other.
     """
     lens = view.lens
     if not lens.blurs:
@@ -57,7 +59,7 @@ def exposures_of(view: View, bounds: Bounds, size: tuple[int, int], count: int) 
     for number in range(count):
         away, angle = radius * math.sqrt((number + 0.5) / count), 2.0 * math.pi * _GOLDEN * number
         place = LensPoint(away * math.cos(angle), away * math.sin(angle), focus) if radius > 0.0 else MIDDLE
-        moment = (number * _GOLDEN + 0.5) % 1.0 - 0.5 if radius > 0.0 else (number + 0.5) / count - 0.5
+        moment = (number * _SILVER + 0.5) % 1.0 - 0.5 if radius > 0.0 else (number + 0.5) / count - 0.5
         shown = turned(view, moment * lens.turn_deg, bounds.centre) if lens.turn_deg else view
         found.append(Exposure(shown, place))
     return tuple(found)

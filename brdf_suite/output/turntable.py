@@ -35,7 +35,7 @@ _FRAMING_STEPS = 24
 class Turn:
     """One turn: how many frames, how many a second in a video, and whether clockwise seen from above.
 
-    ``shutter_deg`` is the share of a frame's time, 360° for all of it, in which the shutter is open.
+    ``shutter_deg`` says for how much of a frame's time the shutter is open, 360° for all of it.
     """
 
     frames: int = 120

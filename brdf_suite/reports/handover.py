@@ -18,7 +18,7 @@ from brdf_suite.files.exports import read_paints as read_known_paints
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, paint_of_report
 from brdf_suite.inspection.texture import texture_of
 from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
-from brdf_suite.progress import Progress, report
+from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.instruments.aperture import POINT
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.instruments.under_light import spectrum_at
@@ -148,9 +148,13 @@ def export(
     report(progress, 0.0, "reading")
     # All losses before anything is written: what cannot be handed over at all is found here, too.
     losses = tuple(dict.fromkeys(loss for item in items for loss in export_losses(known, item)))
+    start = 0.0
     if known.texture:
-        items = [with_texture(item) for item in items]
-    notes = known.write(items, path, progress)
+        start, plain, items = 0.5, items, []
+        for number, item in enumerate(plain):
+            report(progress, start * number / len(plain), "reading texture")
+            items.append(with_texture(item))
+    notes = known.write(items, path, subrange(progress, start, 1.0))
     report(progress, 1.0, "written")
     return Exported(Path(path), known.name, len(items), losses, notes)
 

@@ -19,6 +19,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
 from brdf_suite.files.images.png import write_png
+from brdf_suite.output.exposures import focused
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.output.turning import turned
 from brdf_suite.output.turntable import Size, Turn, TurntableFiles, check_folder, framed_all_round
@@ -89,9 +90,12 @@ def write_traced_turntable(
         ffmpeg()
     else:
         check_folder(path)
-    bounds = Bounds.of(p.positions for p in load_shaped(view.surface, view.surface_look).parts)
-    shown = framed_all_round(view, bounds, size)
+    mesh = load_shaped(view.surface, view.surface_look)
+    bounds = Bounds.of(p.positions for p in mesh.parts)
+    shown = focused(framed_all_round(view, bounds, size), mesh, size)
     shown = replace(shown, clipping_marks=False, gamut_marks=False)
+    # No tracer shows the blur of a turn, and says so.
+    shown = replace(shown, lens=replace(shown.lens, turn_deg=turn.blur_deg))
     report(progress, 0.0, "starting the renderer")
     begin = _reference if renderer == "reference" else _raytraced
     draw, name, notices = begin(paint, shown, size, budget)

@@ -1,12 +1,12 @@
 """Write the packaged resources: paints, meshes, environments, occlusion of the first surface, maps of the first light.
 
-Run without an argument for all of them, or name the kinds::
+Run without an argument for all that it can write, or name the kinds::
 
     python packaging/generators/resources.py [paints] [meshes] [environments] [occlusion] [lobe_maps]
 
 The environments that are path-traced take hours and Mitsuba; ``traced_environments.py`` writes them.
 
-Everything is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
+All else is computed, nothing is drawn at random without a fixed seed: the same code writes the same files.
 """
 
 from __future__ import annotations

@@ -26,7 +26,6 @@ from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, material_of
 from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
-from brdf_suite.pipeline.picture import gl_renderer_name
 from brdf_suite.pipeline.scene import default_view, map_exponents
 from brdf_suite.progress import report, subrange
 from brdf_suite.realtime.camera import orbit
@@ -69,12 +68,6 @@ BOUNDS = {
     ),
     "orbit_scale": ("", None, "", "the part of width and height that these frames were drawn in"),
     "still_frame_ms": ("", None, "ms", "the same at rest, in full size"),
-    "gpu_4k_ms": (
-        "<=",
-        4.0,
-        "ms",
-        "3840x2160, speed form, flakes, occlusion and ground, 4 samples; none on a software renderer",
-    ),
 } | _sparkle.BOUNDS
 
 BASELINE = Path(__file__).with_name("baseline.frag.glsl")
@@ -85,15 +78,11 @@ EXPONENTS = default_basis().exponents
 MAP_EXPONENTS = map_exponents()
 LARGEST_FACE = 512  # of an environment of 1024x512
 ROUNDS = 60
-SOFTWARE = ("llvmpipe", "softpipe", "swrast", "swiftshader")
 
 
 def run(progress=None):
     """Return the figures of :data:`BOUNDS`."""
-    found = _shading(subrange(progress, 0.0, 0.5)) | {
-        "gpu_4k_ms": gpu_frame_ms(progress=subrange(progress, 0.5, 0.55))
-    }
-    found |= _orbit(subrange(progress, 0.55, 0.6))
+    found = _shading(subrange(progress, 0.0, 0.5)) | _orbit(subrange(progress, 0.5, 0.6))
     return found | _sparkle.figures(SimpleNamespace(**globals()), subrange(progress, 0.6, 1.0))
 
 
@@ -173,30 +162,6 @@ def _in_turn(cases, frame, target, progress, rounds):
 
 def _ratio(times, name):
     return median(a / b for a, b in zip(times[name], times["baseline"], strict=True))
-
-
-def gpu_frame_ms(size=(3840, 2160), frames=100, *, on_software=False, progress=None):
-    """Return the median frame of the speed form with all effects; None on a software renderer, unless asked for."""
-    if not on_software and any(name in gl_renderer_name().lower() for name in SOFTWARE):
-        return None
-    view = View(
-        environment="sunny",
-        fresnel="multi_angle",
-        surface_look=replace(View().surface_look, occlusion=True, ground=True),
-    )
-    with loaded_scene(view, progress) as loaded:
-        scene = loaded.scene
-        scene.set_material(fit_material(load_material("fine_silver")))
-        shown, target = loaded.composed(view, size), scene.renderer.context.simple_framebuffer(size)
-        times = []
-        for i in range(frames + 10):
-            turned = replace(shown, camera=orbit(shown.camera, 0.5 * i, 0.0))
-            start = perf_counter()
-            scene.draw(turned, target, size)
-            scene.renderer.context.finish()
-            times.append((perf_counter() - start) * 1e3)
-        target.release()
-    return median(times[10:])
 
 
 def _orbit(progress=None, size=SIZE, frames=40):

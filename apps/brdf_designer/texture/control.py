@@ -18,10 +18,10 @@ from brdf_designer.texture.section import USUAL_TOLERANCE, Judged, TextureSectio
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.texture.camera import measure_texture
 from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
-from brdf_suite.appearance.texture.inverse import REACHED, FoundFlakes, find_flakes
-from brdf_suite.documents.paint import Flakes, Paint
+from brdf_suite.appearance.texture.inverse import LEAST, REACHED, FoundFlakes, find_flakes
 from brdf_suite.errors import SuiteError
 from brdf_suite.inspection.texture import paint_light
+from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress
 
 KEY = "texture"
@@ -35,9 +35,8 @@ _OPEN: Wanted = (None,) * 4
 
 
 class _Request(NamedTuple):
-    paint: Paint
+    fit: LobeFit
     light: PaintLight
-    flakes: Flakes | None
     wanted: Wanted = _OPEN
 
 
@@ -57,6 +56,7 @@ class TextureControl(Feature, QObject):
         self.host = window.add_section(KEY, tr("Texture"), self.section, after="flakes", is_open=False)
         self._pause = make_timer(self, self._measure, _PAUSE_MS)
         self.section.targets_edited.connect(self._take_targets)
+        self.section.tolerance_edited.connect(self._take_tolerance)
         self.section.take_requested.connect(self._use_readings)
         self.section.find_requested.connect(self.find)
         self.host.toggled.connect(lambda _on: self._later())
@@ -76,9 +76,9 @@ class TextureControl(Feature, QObject):
         wanted = self.section.wanted()
         if fit is None or all(value is None for value in wanted):
             return
-        self.section.search.setEnabled(False)
+        self.section.show_searching(True)
         self.section.show_answer(tr("Looking for flakes…"))
-        request = _Request(fit.paint, paint_light(fit.weights), fit.flakes, wanted)
+        request = _Request(fit, paint_light(fit.weights), wanted)
         self._tasks.submit(_FIND, _search, request, self._found, self._not_found)
 
     def close(self) -> None:
@@ -92,15 +92,14 @@ class TextureControl(Feature, QObject):
             self._pause.stop()
             return
         fit = self._session.fit
-        if fit is None or (
-            self._of is not None and self._of.paint is fit.paint and self.readings is not None
-        ):
+        if fit is None or (self._of is not None and self._of.fit is fit):
             return
         if fit.flakes is None:
             self._tasks.cancel(KEY)
             self._of = None
             self._show(NO_TEXTURE)
             return
+        self.section.show_old()
         self._pause.start()
 
     def _measure(self) -> None:
@@ -110,11 +109,12 @@ class TextureControl(Feature, QObject):
         fit = self._session.fit
         if fit is None:
             return
-        self._of = _Request(fit.paint, paint_light(fit.weights), fit.flakes)
+        self._of = _Request(fit, paint_light(fit.weights))
         self._tasks.submit(KEY, _read, self._of, self._measured, _raise)
 
     def _measured(self, readings: TextureReadings) -> None:
-        self._show(readings)
+        if self._of is not None and self._of.fit is self._session.fit:
+            self._show(readings)
 
     def _forget(self) -> None:
         self._pause.stop()
@@ -130,18 +130,26 @@ class TextureControl(Feature, QObject):
     # Targets.
 
     def _switched(self) -> None:
-        self._tasks.cancel(_FIND)
-        self.section.show_answer("")
+        self._end_search()
         self.section.show_wanted(self._targets.get(self._session.document_key, _OPEN))
         self._forget()
 
     def _take_targets(self) -> None:
-        self._targets[self._session.document_key] = self.section.wanted()
-        # What is opened next may not take the place of a tab that has targets.
-        self._session.documents.front.pristine = False
-        settings().setValue(_TOLERANCE, self.section.tolerance.value())
-        self.section.show_answer("")
+        self._targets[self._session.document_key] = wanted = self.section.wanted()
+        if any(value is not None for value in wanted):
+            # What is opened next may not take the place of a tab that has targets.
+            self._session.documents.front.pristine = False
+        self._end_search()
         self._judge()
+
+    def _take_tolerance(self) -> None:
+        settings().setValue(_TOLERANCE, self.section.tolerance.value())
+        self._judge()
+
+    def _end_search(self) -> None:
+        self._tasks.cancel(_FIND)
+        self.section.show_searching(False)
+        self.section.show_answer("")
 
     def _use_readings(self) -> None:
         if self.readings is not None:
@@ -153,8 +161,8 @@ class TextureControl(Feature, QObject):
         scales = [None] * 4 if readings is None else readings.scales().tolist()
         limit = self.section.tolerance.value() / 100.0
         judged: list[Judged | None] = []
-        for value, wanted in zip(scales, self.section.wanted(), strict=True):
-            away = None if value is None or wanted is None else value / wanted - 1.0
+        for value, wanted, least in zip(scales, self.section.wanted(), LEAST, strict=True):
+            away = None if value is None or wanted is None else (value - wanted) / max(wanted, least)
             judged.append(None if away is None else Judged(away, abs(away) <= limit))
         self.section.show_judged(judged)
 
@@ -162,17 +170,19 @@ class TextureControl(Feature, QObject):
 
     def _found(self, answer: tuple[_Request, FoundFlakes]) -> None:
         request, found = answer
+        self.section.show_searching(False)
         self.section.show_judged([None] * 4)
-        if self._session.paint is not request.paint:
+        if self._session.paint is not request.fit.paint:
             # It was edited meanwhile: what was found is of another paint.
             self.section.show_answer(tr("The paint has changed; look again."))
             self._judge()
             return
-        self._session.set_paint(replace(request.paint, flakes=found.flakes), tr("Find Flakes"))
+        self._session.set_paint(replace(request.fit.paint, flakes=found.flakes), tr("Find Flakes"))
         self.section.show_answer(_sentence(found))
         self._judge()
 
     def _not_found(self, error: Exception) -> None:
+        self.section.show_searching(False)
         self.section.show_answer(str(error) if isinstance(error, SuiteError) else "")
         self._judge()
         if not isinstance(error, SuiteError):
@@ -180,11 +190,11 @@ class TextureControl(Feature, QObject):
 
 
 def _read(request: _Request, progress: Progress) -> TextureReadings:
-    return measure_texture(request.light, request.flakes, progress=progress)
+    return measure_texture(request.light, request.fit.flakes, progress=progress)
 
 
 def _search(request: _Request, progress: Progress) -> tuple[_Request, FoundFlakes]:
-    return request, find_flakes(request.light, request.wanted, request.flakes or DEFAULT_FLAKES, progress)
+    return request, find_flakes(request.light, request.wanted, request.fit.flakes or DEFAULT_FLAKES, progress)
 
 
 def _sentence(found: FoundFlakes) -> str:

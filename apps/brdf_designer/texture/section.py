@@ -44,10 +44,11 @@ class Judged:
 class TextureSection(QWidget):
     """The body of the section.
 
-    Intents: ``targets_edited()``, ``take_requested()``, ``find_requested()``.
+    Intents: ``targets_edited()``, ``tolerance_edited()``, ``take_requested()``, ``find_requested()``.
     """
 
     targets_edited = Signal()
+    tolerance_edited = Signal()
     take_requested = Signal()
     find_requested = Signal()
 
@@ -88,7 +89,7 @@ class TextureSection(QWidget):
         self.tolerance = described(
             NumberField(tr("Tolerance"), "%", 0.5, 100.0, 1.0, 1, USUAL_TOLERANCE), name="texture_tolerance"
         )
-        self.tolerance.edited.connect(lambda _value: self.targets_edited.emit())
+        self.tolerance.edited.connect(lambda _value: self.tolerance_edited.emit())
         form.add_row(tr("Tolerance"), self.tolerance, tr("Of each target, to either side"))
         self.take = described(
             QPushButton(tr("Use Readings")), name="texture_take", tip=tr("Make the readings the targets.")
@@ -104,6 +105,7 @@ class TextureSection(QWidget):
         self.answer.setObjectName("texture_answer")
         self.answer.hide()
         fill_column(self, self.table, self.note, form, row_of(None, self.take, self.search), self.answer)
+        self._searching = False
         self.show_readings(None)
 
     def wanted(self) -> tuple[float | None, ...]:
@@ -151,5 +153,14 @@ class TextureSection(QWidget):
         self.answer.setText(text)
         self.answer.setVisible(bool(text))
 
+    def show_searching(self, searching: bool) -> None:
+        """Show whether flakes are looked for; one search runs at a time."""
+        self._searching = searching
+        self._show_actions()
+
+    def show_old(self) -> None:
+        """Show that the readings are of an earlier paint: they are no targets."""
+        self.take.setEnabled(False)
+
     def _show_actions(self) -> None:
-        self.search.setEnabled(any(value is not None for value in self.wanted()))
+        self.search.setEnabled(not self._searching and any(value is not None for value in self.wanted()))

@@ -66,8 +66,6 @@ class ExportControl(ViewerFeature):
             what = tr("The light has unsaved changes, which an export would not include.")
             self._refuse(KIND, what, todo)
             return
-        if wanted.kind != "sheet" and wanted.lens != self._state.view.lens:
-            self._state.change_part("lens", **dataclasses.asdict(wanted.lens))
         # As it is when the user asks: the paint may change while the dialog is open.
         view, paint, key = self._view(wanted), self._state.paint, self._state.paint_key
         stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name
@@ -75,6 +73,8 @@ class ExportControl(ViewerFeature):
         chosen = self.ask(self.dialog, name, wanted.form.title, wanted.form.ending)
         if not chosen:
             return
+        if wanted.kind != "sheet" and wanted.lens != self._state.view.lens:
+            self._state.change_part("lens", **dataclasses.asdict(wanted.lens))
         path = with_ending(Path(chosen), wanted.form.ending)
         self._window.messages.dismiss(KIND)
         try:
@@ -103,7 +103,9 @@ class ExportControl(ViewerFeature):
             camera = resolve(camera, self._state.bounds, self._window.picture.device_size)
         elif wanted.kind == "sheet":
             camera = frame(camera)
-        return dataclasses.replace(view, camera=camera)
+        return dataclasses.replace(
+            view, camera=camera, lens=view.lens if wanted.kind == "sheet" else wanted.lens
+        )
 
     def _show(self, fraction: float, what: str) -> None:
         if self.process is not None and not self._given_up:

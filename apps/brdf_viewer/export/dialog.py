@@ -78,6 +78,7 @@ class ExportDialog(QDialog):
         self._message = note()
         self._rows: dict[QWidget, tuple[str, ...]] = {}
         self._busy = False
+        self._lens = self._lens_at_first = self._shown_lens()
         self._build()
         self.kind.currentIndexChanged.connect(self._show_kind)
         self.preset.currentIndexChanged.connect(self._take_preset)
@@ -108,7 +109,7 @@ class ExportDialog(QDialog):
             frames_per_second=float(self.rate.value()),
             source=self.source.text(),
             columns=self.columns.value(),
-            lens=Lens(self.aperture.value(), self.focus.value() or None, self.turn.value()),
+            lens=self._lens if self._shown_lens() == self._lens_at_first else self._shown_lens(),
             shutter_deg=self.shutter.value(),
         )
 
@@ -117,6 +118,11 @@ class ExportDialog(QDialog):
         self.aperture.set_value(lens.f_number)
         self.focus.set_value(lens.focus_distance or 0.0)
         self.turn.set_value(lens.turn_deg)
+        # Fields round: what is not edited stays as it is.
+        self._lens, self._lens_at_first = lens, self._shown_lens()
+
+    def _shown_lens(self) -> Lens:
+        return Lens(self.aperture.value(), self.focus.value() or None, self.turn.value())
 
     def set_busy(self, busy: bool) -> None:
         """One export runs at a time."""

@@ -34,11 +34,12 @@ def flakes_of_lobes(
     >>> flakes_of_lobes(CookTorrancePaint("silver", (0.0, 0.0, 0.0), tuple(lobes))).roughness
     0.17
     """
-    wide = [lobe for lobe in paint.lobes if lobe.m >= SHARPEST_FLAKES and max(lobe.ks) > 0.0]
+    ior = 1.0 if paint.clearcoat is None else paint.clearcoat.ior
+    most = PARAMETERS["flakes.roughness"].high * ior
+    wide = [lobe for lobe in paint.lobes if SHARPEST_FLAKES <= lobe.m <= most and max(lobe.ks) > 0.0]
     if not wide:
         return None
     found = max(wide, key=lambda lobe: sum(lobe.ks) / lobe.m**2)
-    ior = 1.0 if paint.clearcoat is None else paint.clearcoat.ior
     flakes = Flakes(0.0, size_um, found.m / ior)
     if density_per_mm2 is None:  # an assumption, so rounded
         density_per_mm2 = min(

@@ -42,7 +42,7 @@ SMALLEST_CELL_MM = 0.02
 """Of the mosaic in diffuse light; one stands for several likewise."""
 
 _FEW = 50_000  # flakes, of which each is drawn as an image of its own
-_REACH = 3  # pixels, of such an image
+_REACH = 3  # pixels, of such an image, at least; and standard deviations
 _FINE = 4  # places along a pixel's edge, of many
 
 
@@ -64,7 +64,9 @@ def measure_texture(
     report(progress, 0.75, "taking pictures of the flakes")
     seen_grain = grain(paint, flakes)
     picture = grain_picture(seen_grain, np.random.default_rng((seed, len(LIGHTS_DEG))))
-    return TextureReadings(tuple(rows), seen_grain.share * float(picture.std() / picture.mean()))
+    mean = float(picture.mean())
+    # So few flakes that none lies in the picture have no grain.
+    return TextureReadings(tuple(rows), seen_grain.share * float(picture.std()) / mean if mean > 0.0 else 0.0)
 
 
 def sparkle_picture(seen: Speckle, rng: np.random.Generator) -> Floats:
@@ -88,7 +90,8 @@ def sparkle_picture(seen: Speckle, rng: np.random.Generator) -> Floats:
 def _images(at: Floats, light: Floats, side: int, spread_mm: float) -> Floats:
     """Return a square picture of flakes ``at`` (2, n) pixels, its edges joined; its sum is that of the light."""
     first = np.floor(at).astype(np.int64)
-    beside = first[:, :, None] + np.arange(-_REACH, _REACH + 1)
+    reach = max(_REACH, math.ceil(_REACH * spread_mm / PIXEL_MM))
+    beside = first[:, :, None] + np.arange(-reach, reach + 1)
     bells = np.exp(-0.5 * ((beside + 0.5 - at[:, :, None]) * (PIXEL_MM / spread_mm)) ** 2)
     bells /= bells.sum(axis=2, keepdims=True)
     beside %= side

@@ -30,8 +30,8 @@ REACHED = 0.05
 COVERAGE, SIZE_UM, ROUGHNESS = (5e-3, 1.0), (5.0, 100.0), (0.03, 0.6)
 """Ranges in which flakes are looked for."""
 
-# Readings below these are as good as none, and are met by any below.
-_LEAST = np.array([0.02, 0.02, 0.02, 0.001])
+LEAST = np.array([0.02, 0.02, 0.02, 0.001])
+"""Readings (4,) that are as good as none: errors are over the wanted ones, or over these where those are less."""
 _NEARNESS = 1e-3
 _EXACT, _MOST_STEPS = 0.01, 40
 _CROWD, _GENERATIONS = 10, 30
@@ -102,7 +102,7 @@ def find_flakes(
 
     def errors(place: Floats) -> Floats:
         scales = expected_scales(paint, _flakes(place, near))
-        return np.where(asked, (scales - target) / np.maximum(target, _LEAST), 0.0)
+        return np.where(asked, (scales - target) / np.maximum(target, LEAST), 0.0)
 
     def residuals(place: Floats) -> Floats:
         # Large errors count by their logarithm, so that the way back from a far start is not a cliff.
@@ -156,7 +156,7 @@ def find_flakes(
         roughness=round(exact.roughness, 4),
     )
     scales = expected_scales(paint, flakes)
-    away = np.where(asked, (scales - target) / np.maximum(target, _LEAST), 0.0)
+    away = np.where(asked, (scales - target) / np.maximum(target, LEAST), 0.0)
     return FoundFlakes(flakes, tuple(scales.tolist()), tuple(away.tolist()))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import sys
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -103,7 +104,7 @@ def run(options: argparse.Namespace) -> int:
             for k, model in enumerate(others)
         ]
     if options.flake_size is not None and found.paint is not None:
-        found = replace(found, paint=_flaked(found.paint, options.flake_size))
+        found = _flaked(found, found.paint, options.flake_size)
     if options.output is not None:
         if found.paint is not None and options.output.suffix.lower() == _PAINT:
             save_paint(found.paint, options.output)
@@ -130,13 +131,12 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _flaked(paint: CookTorrancePaint, size_um: float) -> CookTorrancePaint:
+def _flaked(found: FileFit, paint: CookTorrancePaint, size_um: float) -> FileFit:
     flakes = flakes_of_lobes(paint, size_um)
     if flakes is None:
-        raise FittingError(
-            f"{paint.name}: no lobe is as wide as tilts of flakes; fit more lobes, or no flakes"
-        )
-    return replace(paint, flakes=flakes)
+        missing = "no lobe is as wide as the tilts of flakes, so the paint has none; fit more lobes"
+        print(f"note: {missing}", file=sys.stderr)
+    return replace(found, paint=replace(paint, flakes=flakes))
 
 
 def _check_output(options: argparse.Namespace) -> None:

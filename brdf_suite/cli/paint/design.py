@@ -144,6 +144,8 @@ def run_flakes(options: argparse.Namespace) -> int:
     """Find flakes, write, and print."""
     _check_output(options.output)
     grades = dict(options.sparkle)
+    if len(grades) < len(options.sparkle):
+        raise SuiteError("--sparkle: each light can be named once.")
     wanted = [grades.get(light) for light in LIGHTS_DEG]
     wanted.append(None if options.graininess is None else options.graininess / 100.0)
     if all(value is None for value in wanted):

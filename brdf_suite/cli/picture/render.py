@@ -13,7 +13,7 @@ from brdf_suite.cli.picture.reference_options import (
     run_raytraced,
     run_reference,
 )
-from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
+from brdf_suite.cli.picture.scene_options import add_lens, add_picture, add_scene, parse_settings, parse_view
 
 
 def add(command: argparse.ArgumentParser) -> None:
@@ -32,6 +32,7 @@ def add(command: argparse.ArgumentParser) -> None:
         },
     )
     add_scene(command)
+    add_lens(command, still=True)
     add_picture(command)
     add_reference(command)
     add_fitting(command)

@@ -79,6 +79,14 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         background=BACKGROUNDS,
         sparkle=SPARKLE_MODES,
     )
+    command.add_argument(
+        "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
+    )
+    command.set_defaults(f_stop=None, focus_distance=None, turn_blur=None)
+
+
+def add_lens(command: argparse.ArgumentParser, *, still: bool) -> None:
+    """Declare the options of the lens; those of a ``still`` picture have the blur of a turn."""
     add_arguments(
         command,
         {
@@ -86,15 +94,13 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
             "(the default)",
             "--focus-distance M": "metres from the camera to the sharp plane (default: what the middle of the picture "
             "shows of the object)",
-            "--turn-blur DEG": "motion blur: by how much the object turns while the shutter is open (default: 0)",
         },
         f_stop=float,
         focus_distance=float,
-        turn_blur=float,
     )
-    command.add_argument(
-        "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
-    )
+    if still:
+        blur = "motion blur: by how much the object turns while the shutter is open (default: 0)"
+        add_arguments(command, {"--turn-blur DEG": blur}, turn_blur=float)
 
 
 def _point_light(text: str) -> Lamp:

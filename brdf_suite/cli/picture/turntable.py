@@ -7,7 +7,7 @@ import argparse
 from brdf_suite.cli.fit_options import FITTING, add_fitting, parse_fitting
 from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, check_renderer, samples
-from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
+from brdf_suite.cli.picture.scene_options import add_lens, add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.output.turntable import Turn, write_turntable
 from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 
@@ -41,6 +41,7 @@ def add(command: argparse.ArgumentParser) -> None:
     add_raytraced(command)
     add_fitting(command)
     add_scene(command)
+    add_lens(command, still=False)
     add_picture(command, radiance=False)
     add_export(command)
     command.set_defaults(run=run)
@@ -85,6 +86,6 @@ def run(options: argparse.Namespace) -> int:
 
 _OF_OTHER = {
     "realtime": ("spp", "quality", "table_split", "fresh"),
-    "reference": ("quality", "table_split", "bits", "colour_space", "transparent", *FITTING),
-    "raytraced": ("bits", "colour_space", "transparent", *FITTING),
+    "reference": ("quality", "table_split", "exposures", "bits", "colour_space", "transparent", *FITTING),
+    "raytraced": ("exposures", "bits", "colour_space", "transparent", *FITTING),
 }

@@ -23,15 +23,15 @@ from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
 from brdf_suite.surface.repair import RawPart
 
 # In order: the first row with a word that a name begins a word with decides. Paint comes first, since
-# "metallic paint" is no metal; trim before glass, since a window trim is no window.
+# "metallic paint" is no metal; trim before glass, since a window trim is no window; lamps before the lenses of them.
 _ROWS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("paint", ("paint", "carpaint", "lacquer", "body", "bodywork", "coachwork")),
     ("trim", ("trim", "plastic", "bumper", "grille", "grill")),
-    ("lens", ("lens",)),
     ("glass", ("glass", "window", "windscreen", "windshield")),
     ("rubber", ("rubber", "tire", "tyre", "wheel")),
     ("tail_lamp", ("taillight", "taillamp", "brakelight")),
     ("lamp", ("lamp", "headlamp", "headlight", "bulb")),
+    ("lens", ("lens",)),
     ("chrome", ("chrome", "metal", "steel", "alumin", "rim")),
     ("neutral", ("calibration", "floor", "ground", "backdrop", "background", "pedestal", "plinth")),
 )

@@ -60,7 +60,11 @@ class MeshBuffers:
             light = self._objects.buffer(_light(part).tobytes()) if self.knows_light else None
             buffer = self._objects.buffer
             self._buffers.append((buffer(vertices.tobytes()), buffer(part.triangles.tobytes()), light))
-            if part.material == "gap" and part.uvs is not None:
+            if (
+                part.material == "gap"
+                and part.uvs is not None
+                and np.abs(part.uvs[:, 0]).max(initial=0.0) > 0.0
+            ):
                 across = across_gap(part.positions, part.triangles, part.uvs[:, 0])
                 self._across[len(self._buffers) - 1] = buffer(across.tobytes())
                 self.gaps[len(self._buffers) - 1] = 1e-3 * float(np.abs(part.uvs[:, 0]).max())
@@ -155,7 +159,7 @@ _ALL = 0.98
 
 def _sees_all(part: MeshPart) -> bool:
     """Whether nothing of the mesh is in the way of any light that arrives at a part, as far as is known."""
-    return part.light is not None and bool((part.light[:, 3] > _ALL).all())
+    return part.light is not None and bool((part.light[:, 3::8] > _ALL).all())
 
 
 def _light(part: MeshPart) -> NDArray[np.float16]:

@@ -152,7 +152,7 @@ class Shadows:
     def __init__(self, objects: GpuObjects, programs: Programs, mesh: MeshBuffers) -> None:
         self._objects, self._programs, self._mesh = objects, programs, mesh
         self._map: tuple[moderngl.Framebuffer, moderngl.Texture] | None = None
-        self._drawn: dict[_Tile, tuple[int, bytes]] = {}
+        self._drawn: dict[_Tile, tuple[int, bytes, tuple[bool, ...]]] = {}
         self._find: FindLights = no_lights
         self._mean: Floats = np.zeros(3)
         self._found: tuple[Sun | None] | None = None
@@ -204,7 +204,10 @@ class Shadows:
         if not frames:
             return {}
         tiles = _tiles([size for _, size in frames])
-        texture = self._draw(self._frames, tiles)
+        chosen = {item.part: item.material for item in view.surface_look.materials}
+        materials = zip(self._mesh.names, self._mesh.materials, strict=True)
+        hides = tuple(chosen.get(part, own) not in TRANSMITTANCE for part, own in materials)
+        texture = self._draw(self._frames, tiles, hides)
         texture.use(SHADOW_UNIT)
         each = list(zip(self._frames, tiles, strict=True))
         # A whole array is written: a part of one is none to moderngl.
@@ -223,8 +226,10 @@ class Shadows:
         met = np.concatenate([points[:, [0, 2]], *(frame.shadows(points, height) for frame in self._frames)])
         return met.min(axis=0), met.max(axis=0)
 
-    def _draw(self, frames: Sequence[ShadowFrame], tiles: Sequence[_Tile]) -> moderngl.Texture:
-        """Return the map with these frames in its tiles; drawn is what is not there yet."""
+    def _draw(
+        self, frames: Sequence[ShadowFrame], tiles: Sequence[_Tile], hides: tuple[bool, ...]
+    ) -> moderngl.Texture:
+        """Return the map with these frames of what hides light in its tiles; drawn is what is not there yet."""
         size = max(x + edge for x, _, edge in tiles), max(y + edge for _, y, edge in tiles)
         if self._map is None or self._map[1].size != size:
             if self._map is not None:
@@ -235,16 +240,21 @@ class Shadows:
             self._drawn = {}
         framebuffer, texture = self._map
         for frame, tile in zip(frames, tiles, strict=True):
-            wanted = (self._mesh.generation, frame.to_clip.tobytes())
+            wanted = (self._mesh.generation, frame.to_clip.tobytes(), hides)
             if self._drawn.get(tile) == wanted:
                 continue
             with graphics_errors(self._objects.context, "drawing the shadow of a light"):
-                self._draw_tile(framebuffer, size, frame, tile)
+                self._draw_tile(framebuffer, size, frame, tile, hides)
             self._drawn[tile] = wanted
         return texture
 
     def _draw_tile(
-        self, framebuffer: moderngl.Framebuffer, size: tuple[int, int], frame: ShadowFrame, tile: _Tile
+        self,
+        framebuffer: moderngl.Framebuffer,
+        size: tuple[int, int],
+        frame: ShadowFrame,
+        tile: _Tile,
+        hides: tuple[bool, ...],
     ) -> None:
         program = self._programs.shadow_map()
         self._objects.bind(framebuffer, size, depth=True)
@@ -252,8 +262,8 @@ class Shadows:
         framebuffer.clear(depth=1.0, viewport=viewport)
         self._objects.context.viewport = viewport
         assign(program, {"light_to_clip": columns(frame.to_clip)})
-        for array, material in zip(self._mesh.arrays(program), self._mesh.materials, strict=True):
-            if material not in TRANSMITTANCE:
+        for array, hiding in zip(self._mesh.arrays(program), hides, strict=True):
+            if hiding:
                 array.render(moderngl.TRIANGLES)
 
 

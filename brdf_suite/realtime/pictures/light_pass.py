@@ -110,7 +110,7 @@ class LightPass:
             ]
         common = self._common(view, camera, cropping, cast)
         self._draw_parts(view, opaque, camera, common, materials, lit=bool(cast))
-        self._draw_gaps(view, common, tile)
+        self._draw_gaps(view, common, tile, framebuffer)
         if not transparent:
             self._draw_background(view, camera, size, corner)
             self._draw_ground(view, camera, cropping, features, cast)
@@ -206,13 +206,17 @@ class LightPass:
         far = np.linalg.norm(self.mesh.middles - camera.eye, axis=1)
         ordered = sorted(panes, key=lambda drawn: -far[drawn[0]])
         framebuffer.depth_mask = False
-        for hidden in ("front", "back"):
-            self._draw_parts(view, ordered, camera, common, materials, lit=lit, hidden=hidden)
-        framebuffer.depth_mask = True
-        self._objects.context.cull_face = "back"
+        try:
+            for hidden in ("front", "back"):
+                self._draw_parts(view, ordered, camera, common, materials, lit=lit, hidden=hidden)
+        finally:
+            framebuffer.depth_mask = True
+            self._objects.context.cull_face = "back"
 
-    def _draw_gaps(self, view: View, common: Mapping[str, object], tile: Size) -> None:
-        """Draw the gaps between panels as lines that cover of each pixel what the gap does."""
+    def _draw_gaps(
+        self, view: View, common: Mapping[str, object], tile: Size, framebuffer: moderngl.Framebuffer
+    ) -> None:
+        """Draw the gaps between panels as lines that cover of each pixel what the gap does, and hide nothing."""
         context = self._objects.context
         chosen = {item.part for item in view.surface_look.materials}
         gaps = [part for part in self.mesh.gaps if self.mesh.names[part] not in chosen]
@@ -221,10 +225,14 @@ class LightPass:
         program = self._programs.gap_line()
         context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
         context.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
-        for part in gaps:
-            own = {"half_size": (0.5 * tile[0], 0.5 * tile[1]), "half_gap": self.mesh.gaps[part]}
-            assign(program, {**common, **own})
-            self.mesh.line(program, part).render(moderngl.TRIANGLES)
+        framebuffer.depth_mask = False
+        try:
+            for part in gaps:
+                own = {"half_size": (0.5 * tile[0], 0.5 * tile[1]), "half_gap": self.mesh.gaps[part]}
+                assign(program, {**common, **own})
+                self.mesh.line(program, part).render(moderngl.TRIANGLES)
+        finally:
+            framebuffer.depth_mask = True
         context.enable_only(moderngl.DEPTH_TEST)
 
     def _draw_parts(

@@ -27,6 +27,13 @@ vec4 seen_sample(int i)
 uniform bool transparent;        // the object's share of the pixel as alpha, the colour that of the object alone
 out vec4 fragment;
 
+// Of a transparent picture, the light of the object alone: samples hold its share of it, which edges in depth of field
+// and panes make any number.
+vec3 own_light(vec4 seen)
+{
+    return transparent ? seen.rgb / max(seen.a, 1e-4) : seen.rgb;
+}
+
 void main()
 {
 #ifdef GLARE
@@ -47,25 +54,25 @@ void main()
         return;
     }
     // Where all samples are one, inside a triangle, the curve is taken once.
-    vec3 device = device_light(first.rgb);
+    vec3 device = device_light(own_light(first));
     vec2 beyond = beyond_device(device);
     vec3 shown = clamp(device, 0.0, 1.0);
     if (!even)
     {
+        float weight = transparent ? first.a : 1.0;
+        shown *= weight;
         for (int i = 1; i < SAMPLE_COUNT; ++i)
         {
-            device = device_light(seen_sample(i).rgb);
+            vec4 other = seen_sample(i);
+            device = device_light(own_light(other));
             beyond = max(beyond, beyond_device(device));
-            shown += clamp(device, 0.0, 1.0);
+            float share = transparent ? other.a : 1.0;
+            shown += share * clamp(device, 0.0, 1.0);
+            weight += share;
         }
-        shown /= float(SAMPLE_COUNT);
+        shown /= max(weight, 1e-4);
     }
-    float alpha = 1.0;
-    if (transparent)
-    {
-        alpha = sum.a / float(SAMPLE_COUNT);
-        shown = clamp(shown / max(alpha, 1e-4), 0.0, 1.0);
-    }
+    float alpha = transparent ? sum.a / float(SAMPLE_COUNT) : 1.0;
     vec2 pixel = gl_FragCoord.xy + frame.xy;
     vec3 encoded = marked(device_encode(shown), beyond, pixel);
     fragment = vec4(dithered ? quantize(encoded, pixel) : encoded, alpha);

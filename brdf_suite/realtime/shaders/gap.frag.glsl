@@ -11,5 +11,7 @@ void main()
 {
     float d = abs(from_middle);
     float covered = min(0.5 * gap_width, d + 0.5 * reach) - max(-0.5 * gap_width, d - 0.5 * reach);
+    if (covered <= 0.0)
+        discard;
     fragment = vec4(0.0, 0.0, 0.0, clamp(covered / reach, 0.0, 1.0));
 }

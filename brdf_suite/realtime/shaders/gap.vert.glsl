@@ -34,7 +34,8 @@ void main()
     vec3 middle = position - across.xyz * place;
     vec4 clip = world_to_clip * vec4(middle, 1.0);
     vec2 aside = moved(clip, across.xyz);
-    vec2 along = moved(clip, normalize(cross(normal, across.xyz)));
+    vec3 lengthwise = cross(normal, across.xyz);
+    vec2 along = moved(clip, lengthwise / max(length(lengthwise), 1e-9));
     // Pixels a metre across the line as it is seen.
     float scale = abs(aside.x * along.y - aside.y * along.x) / max(length(along), 1e-6);
     reach = max(abs(along.x), abs(along.y)) / max(length(along), 1e-6);

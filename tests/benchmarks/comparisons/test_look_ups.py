@@ -8,7 +8,7 @@ import pytest
 
 from brdf_suite.cli.tools.bench import load_module
 
-compare_look_ups = load_module(Path(__file__).resolve().parent / "comparisons" / "compare_look_ups.py")
+compare_look_ups = load_module(Path(__file__).resolve().parent / "compare_look_ups.py")
 
 
 @pytest.mark.usefixtures("shared_cache")
