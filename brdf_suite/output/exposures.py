@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from brdf_suite.documents.view import PARAMETERS, View
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import PARAMETERS
 from brdf_suite.output.turning import turned
 from brdf_suite.realtime.camera import MIDDLE, Bounds, LensPoint, matrices, resolve
 from brdf_suite.realtime.pictures.exposures import Exposure

@@ -77,6 +77,27 @@ def test_without_blur_the_picture_is_the_same_to_the_last_bit(draw) -> None:
     assert (draw(still) == draw(VIEW)).all()
 
 
+def test_places_of_the_opening_and_moments_do_not_follow_each_other() -> None:
+    blurred = replace(VIEW, lens=Lens(1.4, 1.0, 20.0))
+    shots = exposures_of(blurred, Bounds.of([]), SIZE, 256)
+    moments = np.array([shot.view.camera.azimuth_deg for shot in shots])
+    places = np.array([(shot.lens.right, shot.lens.up) for shot in shots])
+    assert np.ptp(moments) > 19.0
+    angles = np.arctan2(places[:, 1], places[:, 0])
+    for follows in (*places.T, np.cos(2.0 * angles), np.sin(2.0 * angles)):
+        assert abs(np.corrcoef(moments, follows)[0, 1]) < 0.1
+
+
+def test_a_transparent_picture_has_the_objects_colour_up_to_its_blurred_edges(draw) -> None:
+    view = replace(VIEW, lens=Lens(2.0, 1.0), tone_curve="aces")
+    picture = draw(view, 64, (720, 40), transparent=True).astype(float)[20] / 255.0
+    alpha = picture[:, 3]
+    edge, whole = (alpha > 0.2) & (alpha < 0.8), alpha > 0.99
+    assert edge.sum() >= 4
+    # The sheets are lit evenly along the row, but for the light's slow change.
+    assert abs(picture[edge, :3].mean() / picture[whole, :3].mean() - 1.0) < 0.02
+
+
 def test_the_focus_is_on_what_the_middle_shows() -> None:
     def focus(view: View) -> float | None:
         return focused(replace(view, lens=Lens(2.0)), NEAR_AND_FAR, SIZE).lens.focus_distance

@@ -142,6 +142,14 @@ def test_flakes_are_found_by_their_readings(name: str) -> None:
     assert kept.flakes.size_um == pytest.approx(22.0, rel=0.05), "others would do as well, but farther away"
 
 
+@pytest.mark.parametrize(
+    "flakes", [Flakes(0.005, 50.0, 0.17), Flakes(20.0, 900.0, 0.17), Flakes(0.0001, 2000.0, 0.17)]
+)
+def test_sparse_and_huge_flakes_have_readings(flakes: Flakes, blue: PaintLight) -> None:
+    for seed in range(3):
+        assert np.isfinite(measure_texture(blue, flakes, seed).scales()).all()
+
+
 def test_what_no_flakes_have_is_said_with_the_nearest(blue: PaintLight) -> None:
     """Strong grain and no sparkle at all."""
     found = find_flakes(blue, [0.0, 0.0, 0.0, 0.2])
