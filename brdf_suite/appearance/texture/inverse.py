@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from scipy.optimize import Bounds, differential_evolution, least_squares
 
 from brdf_suite.appearance.flakes.visible import flake_coverage, full_density
 from brdf_suite.appearance.texture.expectation import expected_scales
@@ -89,6 +88,9 @@ def find_flakes(
     Cancelled
         The progress callback asked for it.
     """
+    # 0.2 s at the start of Designer.
+    from scipy.optimize import Bounds, differential_evolution, least_squares
+
     if len(wanted) != len(SCALES) or all(value is None for value in wanted):
         raise ValueRangeError("wanted", f"expected up to {len(SCALES)} readings, at least one")
     for name, value in zip(SCALES, wanted, strict=True):

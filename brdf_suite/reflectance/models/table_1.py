@@ -20,8 +20,6 @@ SOURCE = (
     "channels of its camera are taken as linear Rec. 2020."
 )
 
-ASSUMED = "Flake tilts are those of the second lobe; flake size and density are assumed, not measured."
-
 
 def _paint(name: str, kd: Rgb, *lobes: tuple[Rgb, float, float]) -> CookTorrancePaint:
     return CookTorrancePaint(name, kd, tuple(CookTorranceLobe(ks, m, r) for ks, m, r in lobes), source=SOURCE)
@@ -29,7 +27,7 @@ def _paint(name: str, kd: Rgb, *lobes: tuple[Rgb, float, float]) -> CookTorrance
 
 def _metallic(name: str, kd: Rgb, *lobes: tuple[Rgb, float, float]) -> CookTorrancePaint:
     paint = _paint(name, kd, *lobes)
-    return replace(paint, flakes=flakes_of_lobes(paint), notes=ASSUMED)
+    return replace(paint, flakes=flakes_of_lobes(paint))
 
 
 TABLE_1: Mapping[str, CookTorrancePaint] = MappingProxyType(
