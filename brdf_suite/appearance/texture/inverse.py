@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
+import scipy  # its optimize is loaded when it is used: 0.2 s that the start of Designer is spared
 
 from brdf_suite.appearance.flakes.visible import flake_coverage, full_density
 from brdf_suite.appearance.texture.expectation import expected_scales
@@ -88,9 +89,6 @@ def find_flakes(
     Cancelled
         The progress callback asked for it.
     """
-    # 0.2 s at the start of Designer.
-    from scipy.optimize import Bounds, differential_evolution, least_squares
-
     if len(wanted) != len(SCALES) or all(value is None for value in wanted):
         raise ValueRangeError("wanted", f"expected up to {len(SCALES)} readings, at least one")
     for name, value in zip(SCALES, wanted, strict=True):
@@ -114,7 +112,7 @@ def find_flakes(
     def walked(place: Floats) -> tuple[float, Floats]:
         low, high = bounds
         place = np.clip(place, low + 1e-6, high - 1e-6)
-        found = least_squares(
+        found = scipy.optimize.least_squares(
             residuals,
             place,
             bounds=(low, high),
@@ -139,9 +137,9 @@ def find_flakes(
         if tried[-1][0] <= _EXACT:
             break
     else:
-        coarse = differential_evolution(
+        coarse = scipy.optimize.differential_evolution(
             cost,
-            Bounds(bounds[0], bounds[1]),
+            scipy.optimize.Bounds(bounds[0], bounds[1]),
             popsize=_CROWD,
             maxiter=_GENERATIONS,
             rng=0,
