@@ -21,7 +21,7 @@ from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
 from brdf_suite.appearance.colour.spaces import lch_to_lab
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, SCALE, Sparkle, TextureReadings
+from brdf_suite.appearance.texture import LIGHTS_DEG, SCALE, Sparkle, TextureReadings
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Paint
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes

@@ -16,7 +16,7 @@ from brdf_suite.errors import FileError, FittingError, PathLike, SuiteError, Unr
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports import read_paints as read_known_paints
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, paint_of_report
-from brdf_suite.inspection.texture import texture_of
+from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.instruments.aperture import POINT

@@ -13,10 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.appearance.texture.camera import grain_picture, sparkle_picture
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, PIXEL_MM, grain, speckle
+from brdf_suite.appearance.texture import LIGHTS_DEG, PIXEL_MM, grain, speckle
 from brdf_suite.files.images.png import write_png
-from brdf_suite.inspection.texture import paint_light
+from brdf_suite.inspection.texture.camera import grain_picture, sparkle_picture
+from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 

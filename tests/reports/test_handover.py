@@ -16,13 +16,13 @@ from PIL import Image
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.difference.tolerance import Tolerances
-from brdf_suite.appearance.texture.instrument import NO_TEXTURE
+from brdf_suite.appearance.texture import NO_TEXTURE
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, SuiteError, UnreachableError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
-from brdf_suite.inspection.texture import texture_of
+from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.material import load_shipped_paint, material_of
 from brdf_suite.reports.handover import (

@@ -16,11 +16,11 @@ from brdf_designer.session.edits import DEFAULT_FLAKES
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.texture.section import USUAL_TOLERANCE, Judged, TextureSection
 from brdf_designer.window.window import DesignerWindow
-from brdf_suite.appearance.texture.camera import measure_texture
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
-from brdf_suite.appearance.texture.inverse import LEAST, REACHED, FoundFlakes, find_flakes
+from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
 from brdf_suite.errors import SuiteError
-from brdf_suite.inspection.texture import paint_light
+from brdf_suite.inspection.texture.camera import measure_texture
+from brdf_suite.inspection.texture.inverse import LEAST, REACHED, FoundFlakes, find_flakes
+from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress
 

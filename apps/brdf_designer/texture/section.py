@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QPushButton, QTableWidgetItem, QWidget
 
 from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import wrapped
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, VISIBLE_CONTRAST, TextureReadings
+from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, VISIBLE_CONTRAST, TextureReadings
 
 TARGETS = (*(f"grade_{light:g}" for light in LIGHTS_DEG), "graininess")
 """Names of the numbers to aim at, in the order of ``TextureReadings.scales``."""

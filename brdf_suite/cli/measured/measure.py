@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.light.colour import ColourUnderLight
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, TextureReadings
+from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, TextureReadings
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.inspection.measuring import measurement_json
-from brdf_suite.inspection.texture import texture_of
+from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.reflectance.instruments.aperture import aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport, measure

@@ -7,14 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.appearance.geometries import geometry_set
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG
-from brdf_suite.appearance.texture.inverse import SCALES, find_flakes
+from brdf_suite.appearance.texture import LIGHTS_DEG
 from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.documents.paint import SCATTERINGS, Paint
 from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
-from brdf_suite.inspection.texture import paint_light
+from brdf_suite.inspection.texture.inverse import SCALES, find_flakes
+from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard_files import load_standards

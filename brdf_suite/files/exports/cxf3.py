@@ -19,7 +19,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.texture.instrument import SCALE, TextureReadings
+from brdf_suite.appearance.texture import SCALE, TextureReadings
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import VERSIONS
 from brdf_suite.errors import FileError, PathLike, ValueRangeError

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.texture.instrument import TextureReadings
+from brdf_suite.appearance.texture import TextureReadings
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import PathLike, UnreachableError, ValueRangeError

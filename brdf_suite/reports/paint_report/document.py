@@ -17,7 +17,7 @@ from brdf_suite.appearance.colour.spaces import SRGB_SPACE, in_display_gamut, la
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.texture.instrument import TextureReadings
+from brdf_suite.appearance.texture import TextureReadings
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
@@ -26,7 +26,7 @@ from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.inspection.texture import texture_of
+from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.pipeline.exposure import metered

@@ -11,7 +11,7 @@ from functools import partial
 from html import escape
 from importlib.metadata import version
 
-from brdf_suite.appearance.texture.instrument import SCALE
+from brdf_suite.appearance.texture import SCALE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document

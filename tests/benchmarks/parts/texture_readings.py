@@ -7,11 +7,11 @@ import math
 import numpy as np
 
 from brdf_suite.appearance.flakes.visible import full_density
-from brdf_suite.appearance.texture.camera import measure_texture
-from brdf_suite.appearance.texture.expectation import expected_scales
-from brdf_suite.appearance.texture.inverse import find_flakes
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.inspection.texture import paint_light
+from brdf_suite.inspection.texture.camera import measure_texture
+from brdf_suite.inspection.texture.expectation import expected_scales
+from brdf_suite.inspection.texture.inverse import find_flakes
+from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, paint_names
 from brdf_suite.progress import report

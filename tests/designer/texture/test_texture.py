@@ -8,11 +8,11 @@ from brdf_qt.program.settings import settings
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from brdf_suite.appearance.texture.camera import measure_texture
-from brdf_suite.appearance.texture.expectation import expected_scales
-from brdf_suite.appearance.texture.instrument import NO_TEXTURE
+from brdf_suite.appearance.texture import NO_TEXTURE
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.inspection.texture import paint_light
+from brdf_suite.inspection.texture.camera import measure_texture
+from brdf_suite.inspection.texture.expectation import expected_scales
+from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.pipeline.material import load_shipped_paint
 
 

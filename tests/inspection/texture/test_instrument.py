@@ -11,29 +11,29 @@ from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 
 from brdf_suite.appearance.flakes.visible import full_density
-from brdf_suite.appearance.texture.camera import (
-    grain_picture,
-    measure_texture,
-    read_sparkle,
-    sparkle_picture,
-)
-from brdf_suite.appearance.texture.expectation import (
-    expected_contrast,
-    expected_graininess,
-    expected_scales,
-    expected_sparkle,
-)
-from brdf_suite.appearance.texture.instrument import (
+from brdf_suite.appearance.texture import (
     NO_TEXTURE,
     VISIBLE_CONTRAST,
     Grain,
     PaintLight,
     Speckle,
 )
-from brdf_suite.appearance.texture.inverse import find_flakes
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.inspection.texture import paint_light, texture_of
+from brdf_suite.inspection.texture.camera import (
+    grain_picture,
+    measure_texture,
+    read_sparkle,
+    sparkle_picture,
+)
+from brdf_suite.inspection.texture.expectation import (
+    expected_contrast,
+    expected_graininess,
+    expected_scales,
+    expected_sparkle,
+)
+from brdf_suite.inspection.texture.inverse import find_flakes
+from brdf_suite.inspection.texture.readings import paint_light, texture_of
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.registry import MODELS

@@ -23,7 +23,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.special import gammaincinv
 
-from brdf_suite.appearance.texture.instrument import (
+from brdf_suite.appearance.texture import (
     AREA_2,
     AREA_SHAPE,
     BRIGHTNESS_2,

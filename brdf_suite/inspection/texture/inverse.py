@@ -16,11 +16,11 @@ import numpy as np
 import scipy  # its optimize is loaded when it is used: 0.2 s that the start of Designer is spared
 
 from brdf_suite.appearance.flakes.visible import flake_coverage, full_density
-from brdf_suite.appearance.texture.expectation import expected_scales
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, PaintLight
+from brdf_suite.appearance.texture import LIGHTS_DEG, PaintLight
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.inspection.texture.expectation import expected_scales
 from brdf_suite.progress import Progress, report
 
 SCALES = (*(f"sparkle grade {light:g}°" for light in LIGHTS_DEG), "graininess")

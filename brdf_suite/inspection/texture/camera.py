@@ -11,7 +11,7 @@ import math
 import numpy as np
 from scipy.ndimage import gaussian_filter
 
-from brdf_suite.appearance.texture.instrument import (
+from brdf_suite.appearance.texture import (
     AREA_SHAPE,
     LIGHTS_DEG,
     NO_TEXTURE,

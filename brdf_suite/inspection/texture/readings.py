@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from brdf_suite.appearance.texture.camera import measure_texture
-from brdf_suite.appearance.texture.instrument import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
+from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination
+from brdf_suite.inspection.texture.camera import measure_texture
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
