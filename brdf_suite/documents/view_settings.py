@@ -235,9 +235,13 @@ class SurfaceLook:
         check_flags(self, "recentre", "flip_normals", "occlusion", "ground")
         set_numbers(self, PARAMETERS, "scale", group="surface.")
         object.__setattr__(self, "materials", check_items(self.materials, "materials", PartMaterial, 10_000))
-        names = [item.part for item in self.materials]
-        if len(set(names)) != len(names):
+        if len(self.chosen) != len(self.materials):
             raise ValueRangeError("materials", "a part is named twice")
+
+    @property
+    def chosen(self) -> dict[str, str]:
+        """The materials that take the place of the mesh's own, by part."""
+        return {item.part: item.material for item in self.materials}
 
 
 @dataclass(frozen=True)

@@ -133,7 +133,7 @@ def load_inputs(
 
 def choose_materials(mesh: Mesh, view: View) -> Mesh:
     """Return the mesh with the materials that the view gives its parts."""
-    chosen = {item.part: item.material for item in view.surface_look.materials}
+    chosen = view.surface_look.chosen
     parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in mesh.parts)
     return replace(mesh, parts=parts)
 

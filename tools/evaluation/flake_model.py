@@ -14,11 +14,18 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
-from brdf_suite.appearance.flakes.glints import APPEARING, FADE_FROM, FADE_TO, FLAKE_AREA, RAREST_TILT
+from brdf_suite.appearance.flakes.footprint import (
+    FADE_FROM,
+    FADE_TO,
+    FOOTPRINT_END,
+    RAREST_TILT,
+    Footprint,
+    flake_footprint,
+)
 from brdf_suite.arrays import Floats, Words
 
 GOLDEN = np.uint32(0x9E3779B9)
+APPEARING, FLAKE_AREA = 0.2, 3.0
 AREA_MOMENT, COUNT_CELL = 1.8, 2.5
 _COUNT_TURN = np.array([[0.8, -0.6], [0.6, 0.8]])
 LEAST_COUNTED, COUNTED_FROM, COUNTED_WITHIN = 2.0, 0.3, 0.5

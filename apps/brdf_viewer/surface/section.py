@@ -181,7 +181,7 @@ class SurfaceSection(Section):
         for name in ("unit", "normals"):
             getattr(self, name).show_choice(getattr(look, name))
         self.scale.set_value(look.scale)
-        self.parts.set_chosen({item.part: item.material for item in look.materials})
+        self.parts.set_chosen(look.chosen)
 
     def _check(self, field: str, title: str) -> QCheckBox:
         box = QCheckBox(title)

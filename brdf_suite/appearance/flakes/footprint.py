@@ -26,6 +26,10 @@ PIXEL_REACH = 0.43
 """Standard deviations of a pixel along an axis, in pixels; the contrast is that of a Gaussian of 0.5."""
 FOOTPRINT_END = math.sqrt(8.0)
 """Where a footprint ends, in standard deviations."""
+RAREST_TILT = 0.002
+"""Of the most frequent tilt: the flake texture is not brighter than for tilts as frequent as this."""
+FADE_FROM, FADE_TO = 0.75, 2.0
+"""Standard deviations of a footprint, in cells, between which the flake texture fades."""
 
 
 @dataclass(frozen=True)

@@ -204,7 +204,7 @@ class Shadows:
         if not frames:
             return {}
         tiles = _tiles([size for _, size in frames])
-        chosen = {item.part: item.material for item in view.surface_look.materials}
+        chosen = view.surface_look.chosen
         materials = zip(self._mesh.names, self._mesh.materials, strict=True)
         hides = tuple(chosen.get(part, own) not in TRANSMITTANCE for part, own in materials)
         texture = self._draw(self._frames, tiles, hides)

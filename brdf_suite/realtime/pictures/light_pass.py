@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
@@ -205,34 +206,28 @@ class LightPass:
             return
         far = np.linalg.norm(self.mesh.middles - camera.eye, axis=1)
         ordered = sorted(panes, key=lambda drawn: -far[drawn[0]])
-        framebuffer.depth_mask = False
-        try:
+        with _hiding_nothing(framebuffer):
             for hidden in ("front", "back"):
                 self._draw_parts(view, ordered, camera, common, materials, lit=lit, hidden=hidden)
-        finally:
-            framebuffer.depth_mask = True
-            self._objects.context.cull_face = "back"
+        self._objects.context.cull_face = "back"
 
     def _draw_gaps(
         self, view: View, common: Mapping[str, object], tile: Size, framebuffer: moderngl.Framebuffer
     ) -> None:
         """Draw the gaps between panels as lines that cover of each pixel what the gap does, and hide nothing."""
         context = self._objects.context
-        chosen = {item.part for item in view.surface_look.materials}
+        chosen = view.surface_look.chosen
         gaps = [part for part in self.mesh.gaps if self.mesh.names[part] not in chosen]
         if not gaps:
             return
         program = self._programs.gap_line()
         context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
         context.blend_func = moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
-        framebuffer.depth_mask = False
-        try:
+        with _hiding_nothing(framebuffer):
             for part in gaps:
                 own = {"half_size": (0.5 * tile[0], 0.5 * tile[1]), "half_gap": self.mesh.gaps[part]}
                 assign(program, {**common, **own})
                 self.mesh.line(program, part).render(moderngl.TRIANGLES)
-        finally:
-            framebuffer.depth_mask = True
         context.enable_only(moderngl.DEPTH_TEST)
 
     def _draw_parts(
@@ -287,7 +282,7 @@ class LightPass:
         Relief belongs to the paint. A second paint is drawn over the first, by its share at each place. What is drawn
         as a line over it, a gap, is painted through.
         """
-        chosen = {item.part: item.material for item in view.surface_look.materials}
+        chosen = view.surface_look.chosen
         owned = enumerate(zip(self.mesh.names, self.mesh.materials, strict=True))
         names = [
             chosen.get(part, PAINT if number in self.mesh.gaps else own) for number, (part, own) in owned
@@ -349,6 +344,16 @@ class LightPass:
         }
         assign(program, self._environment.uniforms() | view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
+
+
+@contextmanager
+def _hiding_nothing(framebuffer: moderngl.Framebuffer) -> Iterator[None]:
+    """Leave the depth buffer as it is."""
+    framebuffer.depth_mask = False
+    try:
+        yield
+    finally:
+        framebuffer.depth_mask = True
 
 
 def _blend_over(context: moderngl.Context, words: Features) -> None:

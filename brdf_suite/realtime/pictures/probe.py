@@ -165,7 +165,7 @@ class PixelProbe:
         to_viewer = eye - place[:3]
         mesh = self._renderer.mesh
         name = mesh.names[part]
-        chosen = {item.part: item.material for item in view.surface_look.materials}
+        chosen = view.surface_look.chosen
         return SurfacePoint(
             triple(place[:3]),
             triple(normal[:3]),

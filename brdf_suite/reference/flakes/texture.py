@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from brdf_suite.appearance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
-from brdf_suite.appearance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
+from brdf_suite.appearance.flakes.footprint import FADE_FROM, FADE_TO, FOOTPRINT_END, PIXEL_REACH, RAREST_TILT
 from brdf_suite.appearance.flakes.visible import visible_density
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference.bsdfs import directions as d
