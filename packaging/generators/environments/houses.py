@@ -11,7 +11,7 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from environments.solids import Solid, bar, join, net, quad, srgb, swept
-from environments.tracing import Stage
+from environments.stage import Stage
 
 _REVEAL = 0.22
 _CORNICE = (

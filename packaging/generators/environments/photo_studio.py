@@ -11,8 +11,9 @@ from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.reference.mitsuba_modules import mi
 from environments.solids import Solid, bar, box, join, net, quad, revolved, srgb, tube
+from environments.stage import Panel, Stage, glazed, matt, metal, picture
 from environments.textures import concrete, field, places, shaded
-from environments.tracing import Light, Panel, Stage, TracedScene, glazed, matt, metal, picture
+from environments.tracing import Light, TracedScene
 
 EYE = (0.0, 0.9, 0.0)
 _KELVIN = 6300.0

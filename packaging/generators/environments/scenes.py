@@ -14,7 +14,8 @@ from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, finis
 from brdf_suite.reference.variant import start
 from environments.photo_studio import photo_studio
 from environments.street import street
-from environments.tracing import TracedScene, accumulate, relative_noise, whole
+from environments.sums import accumulate, relative_noise, whole
+from environments.tracing import TracedScene
 from environments.tunnel import light_tunnel
 
 SCENES: dict[str, Callable[[], TracedScene]] = {
@@ -26,19 +27,23 @@ SCENES: dict[str, Callable[[], TracedScene]] = {
 
 @dataclass(frozen=True, eq=False)
 class TracedPicture:
-    """A map so far: ``samples`` a pixel over all lights, and the relative deviation that is left of their noise."""
+    """A map so far: mean ``samples`` a pixel over all lights, and the relative deviation that is left of their noise.
+
+    Half of the sphere stays below ``noise``, and 95 % of it below ``most_noise``.
+    """
 
     environment: ProceduralEnvironment
     samples: float
     noise: float
+    most_noise: float
     is_last: bool
 
     @property
     def comment(self) -> str:
         """What it shows, how it was made and how noisy it is."""
         return (
-            f"{self.environment.comment} {self.samples:.0f} paths a pixel, unfiltered; noise of a pixel "
-            f"{100.0 * self.noise:.1f} % (median, from two halves of the samples)."
+            f"{self.environment.comment} {self.samples:.0f} paths a pixel in the mean, unfiltered; noise of a pixel "
+            f"below {100.0 * self.noise:.1f} % on half of the sphere, {100.0 * self.most_noise:.1f} % on 95 % of it."
         )
 
     def write(self, path: Path) -> None:
@@ -79,12 +84,13 @@ def within_half(pixels: Floats) -> Floats:
     return result
 
 
-def trace(name: str, height: int, samples: int, kept: Path | None = None) -> Iterator[TracedPicture]:
-    """Yield the map after each round of passes; ``kept`` as :func:`environments.tracing.accumulate` has it."""
+def trace(
+    name: str, height: int, samples: float, noise: float = 0.0, kept: Path | None = None
+) -> Iterator[TracedPicture]:
+    """Yield the map after each round of passes; parameters as :func:`environments.sums.accumulate` has them."""
     start()
     scene = SCENES[name]()
-    for sums in accumulate(scene, height, samples, kept):
-        counts = {light.name: sum(sums[light.name].samples) for light in scene.lights}
-        done = all(counts[light.name] >= samples * light.share for light in scene.lights)
+    for sums, is_last in accumulate(scene, height, samples, noise, kept):
         environment = finish(scene.name, whole(scene, sums), scene.description)
-        yield TracedPicture(environment, float(sum(counts.values())), relative_noise(sums), done)
+        paths = sum(own.paths for own in sums.values())
+        yield TracedPicture(environment, paths, relative_noise(sums), relative_noise(sums, 0.95), is_last)

@@ -12,6 +12,7 @@ from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.reference.mitsuba_modules import mi
 from environments.houses import House, house_front, placed
 from environments.solids import Solid, bar, join, quad, revolved, srgb
+from environments.stage import FACE_COLOUR, Stage, colour_of, glazed, matt, picture
 from environments.textures import (
     ashlar,
     bark,
@@ -25,16 +26,7 @@ from environments.textures import (
     roof_tiles,
     shaded,
 )
-from environments.tracing import (
-    FACE_COLOUR,
-    Light,
-    Stage,
-    TracedScene,
-    colour_of,
-    glazed,
-    matt,
-    picture,
-)
+from environments.tracing import Light, TracedScene
 from environments.trees import tree
 
 EYE = (0.0, 0.9, 0.0)
@@ -394,6 +386,6 @@ def street() -> TracedScene:
     )
     lights = (
         Light("sky", by_sky, 5, 40.0, directions=3),
-        Light("sun", by_sun, 5, 40.0, share=0.5, prepare=_move_sun, directions=1),
+        Light("sun", by_sun, 5, 40.0, prepare=_move_sun, directions=1),
     )
     return TracedScene("street", description, lights, EYE, disc.add_to)

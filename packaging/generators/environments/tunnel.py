@@ -8,8 +8,9 @@ from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.reference.mitsuba_modules import mi
 from environments.solids import Solid, bar, join, quad, revolved, srgb
+from environments.stage import Panel, Stage, colour_of, glazed, matt, metal, picture
 from environments.textures import blend, field, places, shaded
-from environments.tracing import Light, Panel, Stage, TracedScene, colour_of, glazed, matt, metal, picture
+from environments.tracing import Light, TracedScene
 
 EYE = (0.0, 0.9, 0.0)
 _HALF_LENGTH, _HALL = 10.5, 9.0
