@@ -1,4 +1,4 @@
-"""Draw docs/images/texture_*.png: six paints at four distances, real time beside path traced, one sheet a light.
+"""Draw docs/images/texture_*.jpg: six paints at four distances, real time beside path traced, one sheet a light.
 
     python packaging/pictures/texture.py [folder]
 
@@ -25,6 +25,7 @@ from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.realtime.pictures.display import LINEAR
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.passes import trace
 from brdf_suite.tracing.reference.scene import build_reference
@@ -39,6 +40,7 @@ RADIUS, MIDDLE = 0.1, (0.0, 0.1, 0.0)
 _PIXEL = math.radians(2.0 / 60.0)
 _AWAY_DEG = 25.0
 _MIDDLE_GREY = 0.3
+_BEHIND = 0.02
 
 
 def main(folder: Path) -> None:
@@ -70,23 +72,28 @@ def main(folder: Path) -> None:
                         background="grey",
                     )
                     if gain is None:
-                        smooth = drawn(scene, fit, replace(view, sparkle=Sparkle("off")))
+                        smooth, _ = drawn(scene, fit, replace(view, sparkle=Sparkle("off")))
                         gain = _MIDDLE_GREY / float(np.median(smooth @ LUMINANCE))
                     traced = trace(
                         build_reference(fit.material, view, SIZE, prepared.environment, mesh).traced,
                         samples=SAMPLES,
-                    ).radiance
-                    for radiance in (drawn(scene, fit, view), traced):
-                        codes = to_display(np.asarray(radiance, float) * gain, 0.0, view.tone_curve)
+                    )
+                    for radiance, share in (
+                        drawn(scene, fit, view),
+                        (traced.radiance, traced.coverage),
+                    ):
+                        before = radiance * gain + (1.0 - share[..., None]) * _BEHIND
+                        codes = to_display(before, 0.0, view.tone_curve)
                         pictures.append(Image.fromarray(np.asarray(codes, np.uint8)))
                 rows.append((fit.material.name, pictures))
-            save(sheet(rows), folder / f"texture_{light}.png")
+            save(sheet(rows), folder / f"texture_{light}.jpg")
 
 
-def drawn(scene: OffscreenScene, fit: LobeFit, view: View) -> Floats:
-    """Return the real-time picture's light (h, w, 3)."""
+def drawn(scene: OffscreenScene, fit: LobeFit, view: View) -> tuple[Floats, Floats]:
+    """Return the ball's light (h, w, 3) in the real-time picture, and its share of each pixel (h, w)."""
     scene.set_material(fit, view=view)
-    return np.asarray(scene.renderer.linear_image(view, SIZE)[..., :3], float)
+    picture = np.asarray(scene.renderer.render_image(view, SIZE, display=LINEAR, transparent=True), float)
+    return picture[..., :3], picture[..., 3]
 
 
 def sheet(rows: list[tuple[str, list[Image.Image]]]) -> Image.Image:
@@ -106,8 +113,8 @@ def sheet(rows: list[tuple[str, list[Image.Image]]]) -> Image.Image:
 
 
 def save(picture: Image.Image, path: Path) -> None:
-    """Write a picture of 256 colours, small enough for a page."""
-    picture.quantize(256).save(path, optimize=True)
+    """Write a picture whose grain stays, small enough for a page."""
+    picture.save(path, quality=92, subsampling=0)
     print(f"{path}: {path.stat().st_size // 1024} kB")
 
 
