@@ -70,7 +70,7 @@ class MeshBuffers:
                 self._across[len(self._buffers) - 1] = buffer(across.tobytes())
                 self.gaps[len(self._buffers) - 1] = 1e-3 * float(np.abs(part.uvs[:, 0]).max())
         boxes = [0.5 * (p.positions.min(axis=0) + p.positions.max(axis=0)) for p in parts]
-        self.middles = np.array(boxes, np.float64)
+        self.middles = np.array(boxes, np.float64).reshape(-1, 3)
         self.names = tuple(part.name for part in parts)
         self.materials = tuple(part.material for part in parts)
         self.has_uv = tuple(part.uvs is not None for part in parts)
