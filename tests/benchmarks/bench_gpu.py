@@ -2,7 +2,8 @@
 
 The default paint in the sun with occlusion and ground, 4 samples per pixel: the car, and a ball of a million triangles.
 Medians of GL timer queries while the camera turns. A software renderer has no such figures: its times are those of its
-processor, which the ratios of `viewer` describe.
+processor, which the ratios of `viewer` describe. Texture reads and instructions of the default frame are counted in
+what Mesa's compiler makes of its shaders, both sides of every condition, and compared with a card's published limits.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from time import perf_counter
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
+from brdf_suite.errors import SuiteError
 from brdf_suite.output.still import LoadedScene, loaded_scene
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import default_paint, material_of
@@ -38,8 +40,8 @@ _CORES, _TEXTURE_UNITS, _CLOCK, _BANDWIDTH = 5888, 184, 2.475e9, 504.2e9
 """An instruction of each core and a filtered texel of each unit a clock; bytes a second. As listed on
 www.thefpsreview.com/gpu-family/nvidia-geforce-rtx-4070-gpu-family-specifications."""
 _SAMPLE_BYTES, _SCREEN_BYTES = 8 + 4 + 4, 4 * 8 + 4 * 8 + 4 * 4 + 4
-"""Of each sample that is drawn: its half floats, and its depth read and written. Of each pixel: its four samples read for
-glare and for the screen, their depth cleared, and what is shown."""
+"""Of each sample that is drawn: its half floats, and its depth read and written. Of each pixel: its four samples read
+for glare and for the screen, their depth cleared, and what is shown."""
 
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "default_4k_ms": ("<=", 8.3, "ms", "the car at 3840x2160, flakes in all light, no lamp"),
@@ -87,7 +89,7 @@ def run(progress: Progress | None = None) -> dict[str, float | None]:
 
 
 def count() -> dict[str, float | None]:
-    """Return what the default frame asks of a card: all None where the driver does not tell, which NOTES then say."""
+    """Return what the default frame asks of a card: all None where the driver does not say, which NOTES then say."""
     try:
         frame, paint, samples = _counts.counts()
     except SuiteError as error:

@@ -135,7 +135,9 @@ def _described(
 
 
 _CELLS = 1024
-_SPREAD_BITS = sum(((np.arange(_CELLS) >> bit) & 1) << 3 * bit for bit in range(10))
+_BITS = np.arange(10)
+_SPREAD_BITS = (((np.arange(_CELLS)[:, None] >> _BITS) & 1) << 3 * _BITS).sum(axis=1)
+"""By a number below 1,024: its bits, with room for two more between each."""
 
 
 def in_clusters(positions: NDArray[Any], triangles: NDArray[Any]) -> NDArray[Any]:

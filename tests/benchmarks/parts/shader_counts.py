@@ -19,7 +19,6 @@ import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import moderngl
@@ -150,7 +149,7 @@ def programs(printed: str) -> dict[int, Cost]:
 
 
 def counts() -> tuple[Cost, Cost, float]:
-    """Return the mean cost of the default frame's pixels, that of a pixel of the paint, and the samples drawn per pixel.
+    """Return the mean cost of the default frame's pixels, that of one of the paint, and the samples drawn per pixel.
 
     Raises :class:`SuiteError`: the driver prints no instructions, as others than Mesa's do.
     """
@@ -173,7 +172,7 @@ def counts() -> tuple[Cost, Cost, float]:
 
 
 def _draw() -> list[dict[str, Any]]:
-    """Draw the default frame of the car; return of each draw its program, pixels, samples, and whether it is the paint."""
+    """Draw the default frame of the car; return of each draw its program, pixels, samples, whether it is the paint."""
     drawn: list[dict[str, Any]] = []
     render = moderngl.VertexArray.render
     view = replace(default_view(), surface="car")

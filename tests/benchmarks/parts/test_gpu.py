@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -67,7 +68,7 @@ void main()
 """
 
 
-def cost(rounds: str, read: str, more: str = "0.0"):
+def cost(rounds: str, read: str, more: str = "0.0") -> Any:
     """What Mesa makes of a shader that reads a texture in a loop."""
     text = DRAWN.format(fragment=FRAGMENT.format(rounds=rounds, read=read, more=more))
     environment = os.environ | {"ST_DEBUG": "nir", "MESA_SHADER_CACHE_DISABLE": "1"}
