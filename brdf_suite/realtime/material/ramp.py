@@ -100,15 +100,12 @@ def make_ramp(
     most = solid * np.array(
         [weight.max(axis=0).max(axis=1) for weight in (kdd, kg, *(weight for _, weight in turned))]
     )
-    by_base, by_gloss, *by_turn = most
     least = NEGLIGIBLE * (np.pi * float(kd.max()) + float(most.sum()))
     broad = exponents <= BROADEST_SHARP
-    base_lobes = np.flatnonzero(broad & (by_base > least))
-    turned_lobes = [np.flatnonzero(broad & (by > least)) for by in by_turn]
-    gloss_lobes = np.flatnonzero(broad & (by_gloss > least))
+    base_lobes, gloss_lobes, *turned_lobes = ((broad & found).nonzero()[0] for found in most > least)
     base_count = len(base_lobes) + sum(map(len, turned_lobes))
     count = base_count + len(gloss_lobes)
-    sharp_lobes = np.flatnonzero(~broad & (by_base + by_gloss > least))
+    sharp_lobes = (~broad & (most[0] + most[1] > least)).nonzero()[0]
     if count > MAX_BROAD or len(sharp_lobes) > MAX_SHARP:
         raise GraphicsError(
             f"A material has weights on {count} broad and {len(sharp_lobes)} sharp lobes; at most "
