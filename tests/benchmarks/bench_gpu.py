@@ -149,7 +149,7 @@ def measure(
 def appendix() -> str:
     """Return every case as a table, with the card's name; nothing where nothing was measured."""
     if not TABLES:
-        return "Not measured: no graphics card was at hand.\n"
+        return "No frame was timed: no graphics card was at hand.\n"
     sizes = list(next(iter(TABLES.values())))
     lines = [f"### Frames on {gl_renderer_name()}, ms", "", "| case | " + " | ".join(sizes) + " |"]
     lines.append("|---" * (1 + len(sizes)) + "|")
