@@ -81,7 +81,6 @@ class ReflectanceBalls:
             texture, framebuffer = self._picture(name)
             drawing.objects.bind(framebuffer, (BALL_EDGE, BALL_EDGE))
             program, screen = drawing.programs.without_mesh(material.look_ups, words)
-            drawing.single_lights.bind(view)
             assign(program, drawing.single_lights.uniforms(name, view, has_uv=False))
             assign(program, self._factors.use(name))
             assign(

@@ -40,6 +40,9 @@ from brdf_suite.realtime.lights.tilt_light import tilt_light
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights
 
+LIT = frozenset({"LAMPS", "SUN", "SPARKLE_GLINTS", "SPARKLE_TEXTURE"})
+"""Words of programs that read a material's table of lobes in single lights."""
+
 FindLights = Callable[[], DistantLights]
 """Finds the small bright lights of an environment; called before a frame that shows flakes or occlusion."""
 
@@ -85,23 +88,28 @@ class SingleLights:
             self._flakes[name] = flakes
 
     def prepare(self, view: View) -> None:
-        """Draw what a frame with flakes reads; another framebuffer may be bound afterwards."""
+        """Draw what a frame with flakes reads, and bind its lights; another framebuffer may be bound afterwards."""
+        if view.lamps or self._sparkles(view):
+            self._bind(view)
         if self._sparkles(view) and view.sparkle.mode == "glints":
             self._mosaic.prepare()
             if self._maps is not None:
                 self._mosaic.light(tilt_light(self._maps, self._find()))
                 self._maps = None
 
-    def features(self, view: View) -> Features:
-        """Return the words of lit.glsl for one frame: lamps, and how flakes are drawn where anything has some."""
+    def features(self, view: View, material: str) -> Features:
+        """Return the words of lit.glsl for a material: lamps, and how its flakes are drawn where it has some.
+
+        A software renderer would carry out what flakes need for a material without any too.
+        """
         words: set[str] = set()
         if view.lamps:
             words.add("LAMPS")
-        if self._sparkles(view):
+        if view.sparkle.mode != "off" and material in self._flakes:
             words.add("SPARKLE_GLINTS" if view.sparkle.mode == "glints" else "SPARKLE_TEXTURE")
         return frozenset(words)
 
-    def bind(self, view: View) -> None:
+    def _bind(self, view: View) -> None:
         """Bind the lights of this frame, written where they changed."""
         block = light_block(view, self._find() if self._sparkles(view) else NO_LIGHTS)
         if self._buffer is None:

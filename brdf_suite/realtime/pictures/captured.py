@@ -214,9 +214,7 @@ class CapturedForm:
         drawing.single_lights.set_material(name, swatch.weights)
         drawing.single_lights.set_flakes(name, swatch.flakes)
         material = drawing.materials.find(name, Modes(view.fresnel, view.look_up), drawing.environment.ladder)
-        words = self._features
-        if swatch.flakes is not None:
-            words |= drawing.single_lights.features(view)
+        words = self._features | drawing.single_lights.features(view, name)
         words |= drawing.shadows.features(view, words)
         cast = drawing.shadows.uniforms(view, words)
         lit = words != self._features
@@ -235,7 +233,6 @@ class CapturedForm:
             ready.add((material.look_ups, words))
         assign(program, drawing.environment.use_sharp(material.sharp) if kept is None else kept)
         if lit:
-            drawing.single_lights.bind(view)
             assign(program, drawing.single_lights.uniforms(name, view, has_uv=True) | cast)
         program["first_row"] = number * self._rows
         material.ramp.use(RAMP_UNIT)

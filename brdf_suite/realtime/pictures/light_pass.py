@@ -31,6 +31,7 @@ from brdf_suite.realtime.gl.programs import (
     surface_features,
     view_uniforms,
 )
+from brdf_suite.realtime.lights.single_lights import LIT
 from brdf_suite.realtime.material.material_set import Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 from brdf_suite.realtime.relief.textures import ReliefTextures
@@ -90,18 +91,17 @@ class LightPass:
         # Graphics cards have powers of two of them.
         samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
         camera = matrices(view.camera, self.mesh.bounds, size, lens)
+        self._single_lights.prepare(view)
         self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
         features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
-        features |= self._single_lights.features(view)
         features |= self._dark(view)
         features |= self._shadows.features(view, features)
         cast = self._shadows.uniforms(view, features)
-        self._single_lights.prepare(view)
         framebuffer, light = target.prepare(tile, dtype, samples)
         self._objects.bind(framebuffer, tile, region, depth=True)
         self._environment.bind()
         on_mesh = self._shadows.on_mesh(features)
-        self._warm_up(samples, on_mesh)
+        self._warm_up(samples, on_mesh | self._single_lights.features(view, PAINT))
         framebuffer.clear(depth=1.0)
         cropping = crop(size, corner, tile)
         opaque, panes = self.divided(view, self.drawn_parts(view, on_mesh), materials)
@@ -110,12 +110,12 @@ class LightPass:
                 (part, name, words | {"LEFT_OUT"} if name == PAINT else words) for part, name, words in opaque
             ]
         common = self._common(view, camera, cropping, cast)
-        self._draw_parts(view, opaque, camera, common, materials, lit=bool(cast))
+        self._draw_parts(view, self._in_turn(opaque, camera), camera, common, materials)
         self._draw_gaps(view, common, tile, framebuffer)
         if not transparent:
             self._draw_background(view, camera, size, corner)
             self._draw_ground(view, camera, cropping, features, cast)
-        self._draw_panes(view, panes, camera, common, materials, lit=bool(cast), framebuffer=framebuffer)
+        self._draw_panes(view, panes, camera, common, materials, framebuffer=framebuffer)
         return light
 
     def draw_backdrop(
@@ -138,6 +138,8 @@ class LightPass:
         if grounded and view.surface_look.ground:
             features |= self._shadows.features(view, features)
         cast = self._shadows.uniforms(view, features)
+        if cast:
+            self._single_lights.prepare(view)
         framebuffer, light = target.prepare(size, "f2")
         self._objects.bind(framebuffer, size, region, depth=True)
         self._environment.bind()
@@ -187,6 +189,17 @@ class LightPass:
                 opaque.append((part, name, words))
         return opaque, panes
 
+    def _in_turn(self, opaque: Sequence[Drawn], camera: CameraMatrices) -> list[Drawn]:
+        """Return parts in the order that costs least: those drawn alike after each other, of them the near ones first.
+
+        A second paint comes last, over the first.
+        """
+        far = self._distances(camera)
+        return sorted(opaque, key=lambda drawn: ("SECOND_PAINT" in drawn[2], drawn[1], far[drawn[0]]))
+
+    def _distances(self, camera: CameraMatrices) -> NDArray[np.float64]:
+        return np.asarray(np.linalg.norm(self.mesh.middles - camera.eye, axis=1))
+
     def _draw_panes(
         self,
         view: View,
@@ -195,7 +208,6 @@ class LightPass:
         common: Mapping[str, object],
         materials: Mapping[str, str],
         *,
-        lit: bool,
         framebuffer: moderngl.Framebuffer,
     ) -> None:
         """Draw panes over what is behind them, which they leave in the depth buffer, from far to near.
@@ -204,11 +216,11 @@ class LightPass:
         """
         if not panes:
             return
-        far = np.linalg.norm(self.mesh.middles - camera.eye, axis=1)
+        far = self._distances(camera)
         ordered = sorted(panes, key=lambda drawn: -far[drawn[0]])
         with _hiding_nothing(framebuffer):
             for hidden in ("front", "back"):
-                self._draw_parts(view, ordered, camera, common, materials, lit=lit, hidden=hidden)
+                self._draw_parts(view, ordered, camera, common, materials, hidden=hidden)
         self._objects.context.cull_face = "back"
 
     def _draw_gaps(
@@ -238,43 +250,54 @@ class LightPass:
         common: Mapping[str, object],
         materials: Mapping[str, str],
         *,
-        lit: bool,
         hidden: str | None = None,
     ) -> None:
         """Draw parts; ``hidden`` is the side of panes that is left out."""
         ready: set[tuple[LookUps, Features]] = set()
-        lit = lit or bool(self._single_lights.features(view))
-        if lit:
-            self._single_lights.bind(view)
-        modes = Modes(view.fresnel, view.look_up)
         context = self._objects.context
         context.front_face, context.cull_face = "ccw", hidden or "back"
+        used: tuple[str, Features, bool] | None = None
         for part, name, words in drawn:
-            name = materials.get(name, name)
-            if view.lamps:
-                words |= self.balls.words(view, name) or self.factors.features(
-                    name, has_uv=self.mesh.has_uv[part]
-                )
-            material = self._materials.find(name, modes, self._environment.ladder)
-            program = self._programs.surface(material.look_ups, words)
-            if (material.look_ups, words) not in ready:
-                assign(program, common)
-                ready.add((material.look_ups, words))
-            assign(program, self._environment.use_sharp(material.sharp))
-            if "COAT_RELIEF" in words:
-                assign(program, self.relief.peel_uniforms(view, name))
-            assign(program, self.balls.uniforms(name, words, camera))
-            if lit:
-                assign(program, self._single_lights.uniforms(name, view, has_uv=self.mesh.has_uv[part]))
-            assign(program, {"transmittance": material.transmittance})
-            material.ramp.use(RAMP_UNIT)
-            material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+            wanted = (materials.get(name, name), words, self.mesh.has_uv[part])
+            if wanted != used:
+                program, used = self._use(view, *wanted, camera, common, ready), wanted
             # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
             one_sided = hidden is not None or (camera.outside and self.mesh.closed[part])
             context.enable_only(moderngl.DEPTH_TEST | (moderngl.CULL_FACE if one_sided else moderngl.NOTHING))
             _blend_over(context, words)
             self.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         context.enable_only(moderngl.DEPTH_TEST)
+
+    def _use(
+        self,
+        view: View,
+        name: str,
+        words: Features,
+        has_uv: bool,
+        camera: CameraMatrices,
+        common: Mapping[str, object],
+        ready: set[tuple[LookUps, Features]],
+    ) -> moderngl.Program:
+        """Return the program for a material, with its values; those of ``ready`` have the common ones already."""
+        words |= self._single_lights.features(view, name)
+        if view.lamps:
+            words |= self.balls.words(view, name) or self.factors.features(name, has_uv=has_uv)
+        modes = Modes(view.fresnel, view.look_up)
+        material = self._materials.find(name, modes, self._environment.ladder)
+        program = self._programs.surface(material.look_ups, words)
+        if (material.look_ups, words) not in ready:
+            assign(program, common)
+            ready.add((material.look_ups, words))
+        assign(program, self._environment.use_sharp(material.sharp))
+        if "COAT_RELIEF" in words:
+            assign(program, self.relief.peel_uniforms(view, name))
+        assign(program, self.balls.uniforms(name, words, camera))
+        if words & LIT:
+            assign(program, self._single_lights.uniforms(name, view, has_uv=has_uv))
+        assign(program, {"transmittance": material.transmittance})
+        material.ramp.use(RAMP_UNIT)
+        material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+        return program
 
     def drawn_parts(self, view: View, features: Features) -> list[Drawn]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
@@ -307,8 +330,6 @@ class LightPass:
         """Darken the background by the shadow on the ground, which is visible from above only."""
         height = self.ground.height
         if view.surface_look.ground and height is not None and camera.eye[1] > height:
-            if cast and view.lamps:
-                self._single_lights.bind(view)
             self.ground.draw(
                 columns(cropping @ camera.world_to_clip),
                 float(np.radians(view.rotation_deg)),

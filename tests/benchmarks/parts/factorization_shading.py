@@ -28,7 +28,7 @@ _ball = load_module(Path(__file__).parent / "ball.py")
 BOUNDS = {
     "shading_ratio": (
         "<=",
-        2.5,
+        2.3,
         "",
         "frame of a factored paint over that of plain diffuse, one lamp, 1280x720, median (the paper: about 2)",
     ),

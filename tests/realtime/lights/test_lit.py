@@ -12,6 +12,7 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
 from brdf_suite.realtime.lights.block import DistantLights
+from brdf_suite.realtime.lights.single_lights import SingleLights
 from brdf_suite.realtime.pictures.display import LINEAR
 from brdf_suite.realtime.values import MeshPart
 
@@ -241,3 +242,16 @@ def test_nothing_is_made_for_what_is_not_shown(renderer, lit, scenes):
     renderer.set_material("paint", scenes.weights(kd=0.31))
     renderer.linear_image(shown, SIZE, samples=1)
     assert renderer.counters.total_created == once
+
+
+def test_only_a_material_with_flakes_is_drawn_with_what_they_need(renderer):
+    """The shader of flakes costs a software renderer as much where there are none."""
+    single = SingleLights(renderer.objects)
+    single.set_flakes("paint", FLAKES)
+    assert single.features(NEAR, "paint") == frozenset()
+    for mode, word in (("glints", "SPARKLE_GLINTS"), ("texture", "SPARKLE_TEXTURE")):
+        view = replace(NEAR, sparkle=Sparkle(mode))
+        assert single.features(view, "paint") == {word}
+        assert single.features(view, "chrome") == frozenset()
+    single.set_flakes("paint", None)
+    assert single.features(replace(NEAR, sparkle=Sparkle("glints")), "paint") == frozenset()
