@@ -184,6 +184,14 @@ def test_a_view_is_held_to_the_same(tmp_path: Path) -> None:
         load_view(path)
 
 
+@pytest.mark.parametrize("version", range(1, 7))
+def test_an_older_view_that_names_no_environment_stays_in_the_booth(version: int) -> None:
+    old: dict[str, object] = {"format": "brdfview", "version": version, "camera": {}}
+    assert view_from_json(old).environment == "booth"
+    assert view_from_json({**old, "environment": "sunny"}).environment == "sunny"
+    assert view_from_json({**old, "version": VERSIONS["brdfview"]}).environment == View().environment
+
+
 def test_a_view_of_version_3_has_its_environment_as_it_was() -> None:
     old = {"format": "brdfview", "version": 3, "camera": {}, "relief": {"normal_strength": 2.0}}
     view = view_from_json(old)

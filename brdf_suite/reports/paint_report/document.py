@@ -32,6 +32,7 @@ from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, ju
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material, refit_under
 from brdf_suite.pipeline.material import material_of
+from brdf_suite.pipeline.scene import default_view
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -62,7 +63,7 @@ def draw_pictures(
 
     Errors as :func:`brdf_suite.output.still.render_to_file`.
     """
-    scenes = ((view or View(), _HERO), (SECOND, _SMALL))
+    scenes = ((view or default_view(), _HERO), (SECOND, _SMALL))
     pictures = []
     for index, (scene, (width, height)) in enumerate(scenes):
         size = (max(16, round(width * scale)), max(16, round(height * scale)))
