@@ -147,7 +147,7 @@ def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp)
     )
     settings().setValue("view/tone_curve", "sepia")
     settings().setValue("view/surface", "../../etc")
-    assert recall(settings()) == View(background="grey", fresnel="off")
+    assert recall(settings()) == View(exposure_ev=ev, background="grey", fresnel="off")
 
 
 def test_closing_remembers_the_view(start, lights) -> None:
