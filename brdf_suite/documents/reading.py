@@ -205,7 +205,7 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 
 VERSIONS: dict[str, int] = {
-    "brdfpaint": 5,
+    "brdfpaint": 6,
     "brdfview": 7,
     "brdfstudio": 1,
     "brdfpalette": 2,
@@ -222,6 +222,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfpaint", 3): dict,
     # Version 5 added how light scatters in a rough coat, with a default.
     ("brdfpaint", 4): dict,
+    # Version 6 added the targets of an aspecular paint's texture; there were none.
+    ("brdfpaint", 5): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.

@@ -45,7 +45,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
     ("keys", "value", "place", "words"),
     [
         (("format",), "brdfview", "format", 'expected "brdfpaint"'),
-        (("version",), 6, "version", "newer than this program"),
+        (("version",), 7, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),
