@@ -86,15 +86,14 @@ def lamp_light(
 ) -> tuple[Any, Any]:
     """Return what lamps send to level places ``point``: what arrives, and what would if nothing were in the way.
 
-    ``draw`` gives squares of random numbers; ``sees`` returns whether the way is free, from directions,
+    ``draw`` gives squares of random numbers; ``sees`` returns which share comes along the way, from directions,
     distances, and which places ask.
     """
     arrived, sent = mi.Color3f(0.0), mi.Color3f(0.0)
     for lamp in lamps:
         towards, distance, nearness = LampAim.of(lamp).draw(point, draw())
         light = mi.Color3f(*lamp_power(lamp).tolist()) * (nearness * dr.maximum(towards.y, 0.0))
-        free = sees(towards, distance, towards.y > 0.0)
-        arrived = arrived + dr.select(free, light, 0.0)
+        arrived = arrived + light * sees(towards, distance, towards.y > 0.0)
         sent = sent + light
     return arrived, sent
 
