@@ -72,7 +72,7 @@ class LampAim:
         The last is of the lamp's middle, and 1 of a distant lamp, whose irradiance is the same everywhere.
         """
         middle = mi.Vector3f(*self.place)
-        way = middle - mi.Vector3f(point) if self.near else middle + dr.zeros(mi.Vector3f, dr.width(point))
+        way = middle - mi.Vector3f(point) if self.near else middle
         squared = dr.maximum(dr.squared_norm(way), 1e-8)
         frame = mi.Frame3f(dr.normalize(way))
         disc = mi.warp.square_to_uniform_disk_concentric(sample) * self.radius
@@ -111,13 +111,14 @@ def _plug_in() -> Any:
 
         def sample_direction(self, it: Any, sample: Any, active: Any = True) -> tuple[Any, Any]:
             towards, distance, nearness = self.aim.draw(it.p, sample)
-            ds: Any = dr.zeros(mi.DirectionSample3f, dr.width(it.p))
+            # By hand: the scalar variant has no zeros of it.
+            ds: Any = mi.DirectionSample3f()
+            ds.uv = mi.Point2f(0.0)
             ds.p = it.p + towards * distance
             ds.n = mi.Normal3f(-towards)
             ds.d, ds.dist, ds.time = towards, distance, it.time
-            ds.pdf = dr.ones(mi.Float, dr.width(it.p))
-            ds.delta = dr.full(mi.Bool, True, dr.width(it.p))
-            ds.emitter = mi.EmitterPtr(self)
+            ds.pdf, ds.delta = mi.Float(1.0), mi.Bool(True)
+            ds.emitter = mi.EmitterPtr(self) if dr.is_jit_v(mi.Float) else self
             light = mi.Color3f(self.power) * nearness
             return ds, dr.select(active, light, mi.Color3f(0.0))
 
