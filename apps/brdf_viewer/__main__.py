@@ -14,7 +14,7 @@ from brdf_qt.program.settings import settings
 from brdf_suite.documents.store import load_view
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.pipeline.material import default_paint_name
-from brdf_suite.pipeline.scene import environment_names, name_in_view, surface_names
+from brdf_suite.pipeline.scene import environment_names, in_environment, name_in_view, surface_names
 from brdf_viewer.controller import ViewerController
 from brdf_viewer.documents.remembered import recall
 from brdf_viewer.tracing.request import QUALITIES, RENDERERS
@@ -92,6 +92,8 @@ def _first_view(options: argparse.Namespace) -> View:
     if wanted["environment"]:
         wanted["environment_layout"] = options.layout
     start = load_view(options.view) if options.view else recall(settings())
+    if wanted["environment"]:
+        start = in_environment(start, wanted["environment"])
     return dataclasses.replace(start, **{k: v for k, v in wanted.items() if v})
 
 

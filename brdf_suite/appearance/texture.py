@@ -100,6 +100,16 @@ class TextureReadings:
         """Return (4,) the grades, and graininess: what flakes are looked for by."""
         return np.array([*(one.grade for one in self.sparkle), self.graininess])
 
+    def by_name(self) -> dict[str, float]:
+        """Return every number by its name in files, as ``sparkle_15.grade``, and ``graininess``."""
+        found = {
+            f"sparkle_{one.light_deg:g}.{part}": value
+            for one in self.sparkle
+            for part, value in asdict(one).items()
+            if part != "light_deg"
+        }
+        return found | {"graininess": self.graininess}
+
     def to_json(self) -> dict[str, object]:
         """Return plain values; areas, grades and graininess as shares of 1."""
         sparkle = [asdict(one) for one in self.sparkle]

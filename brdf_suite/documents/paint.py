@@ -7,7 +7,7 @@ names the field (``measurements[1].lab[0]``).
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
@@ -64,6 +64,10 @@ PARAMETERS: Mapping[str, Parameter] = {
     "flakes.colour_spread": Parameter(
         "Flake colour spread", "", 0.0, 1.0, 0.0, "0: all flakes of one colour; 1: every hue"
     ),
+    "texture.grade_15": Parameter("Sparkle 15°", "", 1e-4, 50.0, 1.0, "Grade in light from 15° to aim at"),
+    "texture.grade_45": Parameter("Sparkle 45°", "", 1e-4, 50.0, 1.0, "Grade in light from 45° to aim at"),
+    "texture.grade_75": Parameter("Sparkle 75°", "", 1e-4, 50.0, 1.0, "Grade in light from 75° to aim at"),
+    "texture.graininess": Parameter("Graininess", "", 1e-4, 1.0, 0.03, "In diffuse light, to aim at"),
     "near_specular": Parameter(
         "Near-specular", "", 0.0, 10.0, 1.0, "Scales the base in the mirror direction; not measured"
     ),
@@ -154,6 +158,34 @@ class Flakes:
 
 
 @dataclass(frozen=True)
+class TextureTargets:
+    """Readings of the texture instrument that a paint shall have, as shares of 1; None leaves one open.
+
+    The grades of sparkle are in light from 15, 45 and 75°. The scale is :data:`brdf_suite.appearance.texture.SCALE`;
+    another one would be another version of the format.
+    """
+
+    grade_15: float | None = None
+    grade_45: float | None = None
+    grade_75: float | None = None
+    graininess: float | None = None
+
+    def __post_init__(self) -> None:
+        given = [name for name in self.__dataclass_fields__ if getattr(self, name) is not None]
+        set_numbers(self, PARAMETERS, *given, group="texture.")
+
+    @property
+    def wanted(self) -> tuple[float | None, ...]:
+        """Return (4,): the three grades and graininess, as of ``TextureReadings.scales``."""
+        return self.grade_15, self.grade_45, self.grade_75, self.graininess
+
+    @classmethod
+    def of(cls, wanted: Sequence[float | None]) -> TextureTargets | None:
+        """Return the targets of :attr:`wanted` (4,), 0 being none; None where all are left open."""
+        return cls(*(value or None for value in wanted)) if any(wanted) else None
+
+
+@dataclass(frozen=True)
 class Paint:
     """A designed paint: at least three measurements, in any order, no two at the same angles.
 
@@ -162,6 +194,7 @@ class Paint:
     of three angles looks. ``out_of_plane`` says what a direction outside the readings' plane is compared by: its
     aspecular angle, or the tilt of the flake that would mirror the light there (the flake rule only). ``scattering``
     says whether light that meets several facets of the coat counts (multiple), or is lost as papers have it (single).
+    ``texture`` is what its flakes are to be seen as, and changes nothing of what is seen.
 
     >>> paint = solid_paint("white", (95.0, 0.0, 1.0))
     >>> paint.with_lab(45.0, (94.0, 0.0, 1.0)).lab_at(45.0)
@@ -181,13 +214,19 @@ class Paint:
     out_of_plane: OutOfPlane = "aspecular"
     orange_peel: OrangePeel | None = None
     scattering: Scattering = "multiple"
+    texture: TextureTargets | None = None
 
     def __post_init__(self) -> None:
         check_labels(self)
         object.__setattr__(self, "measurements", _checked_measurements(self.measurements))
         if not isinstance(self.gloss, Gloss):
             raise ValueRangeError("gloss", f"expected gloss readings, not {describe(self.gloss)}")
-        check_parts(self, flakes=(Flakes, "flakes"), orange_peel=(OrangePeel, "orange peel"))
+        check_parts(
+            self,
+            flakes=(Flakes, "flakes"),
+            orange_peel=(OrangePeel, "orange peel"),
+            texture=(TextureTargets, "targets of texture"),
+        )
         check_choices(self, interpolation=INTERPOLATIONS, out_of_plane=OUT_OF_PLANE, scattering=SCATTERINGS)
         check_choices(self, illuminant=("D65",))
         set_numbers(self, PARAMETERS, "near_specular")

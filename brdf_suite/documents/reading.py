@@ -205,8 +205,8 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 
 VERSIONS: dict[str, int] = {
-    "brdfpaint": 5,
-    "brdfview": 6,
+    "brdfpaint": 6,
+    "brdfview": 7,
     "brdfstudio": 1,
     "brdfpalette": 2,
     "brdf-suite acquisition session": 1,
@@ -222,10 +222,14 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfpaint", 3): dict,
     # Version 5 added how light scatters in a rough coat, with a default.
     ("brdfpaint", 4): dict,
+    # Version 6 added the targets of an aspecular paint's texture; there were none.
+    ("brdfpaint", 5): dict,
     # Version 2 added how the image of the environment is laid out, with a default.
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.
     ("brdfview", 2): _fresnel_mode,
+    # Version 7 begins in the photo studio; what named no environment was in the light booth.
+    ("brdfview", 6): lambda fields: {"environment": "booth", **fields},
     # Version 6 added the extent of lamps, the camera's lens and the turn during an exposure, with defaults.
     ("brdfview", 5): dict,
     # Version 5 added the glare, with a default.

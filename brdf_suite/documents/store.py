@@ -28,6 +28,7 @@ from brdf_suite.documents.paint import (
     Measurement,
     OrangePeel,
     Paint,
+    TextureTargets,
 )
 from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envelope, read_json
 from brdf_suite.documents.view import PARTS, Camera, View
@@ -37,6 +38,7 @@ from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
 _FIELDS = {
     "format", "version", "kind", "name", "measurements", "gloss", "flakes", "interpolation", "near_specular",
     "illuminant", "observer_deg", "notes", "source", "out_of_plane", "orange_peel", "scattering",
+    "texture",
 }  # fmt: skip
 _READING = {"illumination_deg", "aspecular_deg", "lab"}
 
@@ -86,6 +88,7 @@ def quick_paint(value: object) -> Paint | None:
         gloss = Gloss(**get("gloss", {}))
         flakes = None if value.get("flakes") is None else Flakes(**value["flakes"])
         peel = None if value.get("orange_peel") is None else OrangePeel(**value["orange_peel"])
+        texture = None if value.get("texture") is None else TextureTargets(**value["texture"])
     except (TypeError, ValueRangeError):
         return None
     if measurements is None:
@@ -104,6 +107,7 @@ def quick_paint(value: object) -> Paint | None:
         source=source,
         out_of_plane=get("out_of_plane", "aspecular"),
         orange_peel=peel,
+        texture=texture,
         scattering=get("scattering", "multiple"),
     )
 
@@ -264,6 +268,7 @@ def _aspecular(reader: FieldReader) -> Paint:
     parts = {
         "flakes": _optional(reader, "flakes", Flakes),
         "orange_peel": _optional(reader, "orange_peel", OrangePeel),
+        "texture": _optional(reader, "texture", TextureTargets),
     }
     return fill(reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, **parts})
 

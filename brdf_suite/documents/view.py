@@ -123,7 +123,7 @@ class View:
     """
 
     camera: Camera = field(default_factory=Camera)
-    environment: str = "booth"
+    environment: str = "photo_studio"
     surface: str = "speed_form"
     rotation_deg: float = 0.0
     exposure_ev: float = 0.0

@@ -47,6 +47,9 @@ Material: TypeAlias = Literal[
 MATERIALS: tuple[str, ...] = get_args(Material)
 TRANSMITTANCE: Mapping[str, float] = {"glass": 0.6, "lens": 0.92}
 """Of materials that are seen through: which share passes of the light that a sheet does not mirror."""
+PANE_IOR: Mapping[str, float] = {"glass": 1.52, "lens": 1.59}
+"""Their index of refraction: a sheet mirrors R(θ) = 2F/(1 + F), and passes its transmittance times 1 - R(θ), whether it
+is looked through or light comes through it."""
 
 MOST_LAMPS = 8
 

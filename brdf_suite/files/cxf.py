@@ -21,7 +21,7 @@ from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
 from brdf_suite.appearance.colour.spaces import lch_to_lab
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.texture import LIGHTS_DEG, SCALE, Sparkle, TextureReadings
+from brdf_suite.appearance.texture import NO_TEXTURE, SCALE
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Paint
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
@@ -70,7 +70,8 @@ class CxfSample:
     """A sample with at least one reading at a multi-angle geometry.
 
     ``kind`` is the file's own word (Standard, Sample, Target …); ``gloss`` is None where the file does not state it.
-    ``texture`` is what this suite's texture instrument read, where it wrote that as tags.
+    ``texture`` is what this suite's texture instrument read, by the names of ``TextureReadings.by_name``: those that
+    the file has as tags.
     ``settings`` are further fields of a paint, flakes among them, that this suite wrote as tags.
     """
 
@@ -82,7 +83,7 @@ class CxfSample:
     source: str = ""
     settings: Mapping[str, Setting] = field(default_factory=dict)
     version: int | None = None
-    texture: TextureReadings | None = None
+    texture: Mapping[str, float] = field(default_factory=dict)
 
     def paint(self, gloss: Gloss = UNKNOWN_GLOSS) -> Paint:
         """Return the sample as a paint that can be designed further; ``gloss`` where the file has none.
@@ -345,29 +346,22 @@ class SampleReader:
             texture=self._texture(tags),
         )
 
-    def _texture(self, tags: Mapping[str, tuple[Element, str]]) -> TextureReadings | None:
+    def _texture(self, tags: Mapping[str, tuple[Element, str]]) -> dict[str, float]:
         """Return readings of the same scale as the instrument's; others could not be compared with its."""
-        scale = tags.get(TEXTURE + "scale")
-        if scale is None:
-            return None
-        if scale[1] != SCALE:
-            self.refused.append(f"the texture is on the scale {scale[1][:80]!r}, not {SCALE!r}")
-            return None
-
-        def value(name: str) -> float:
-            if TEXTURE + name not in tags:
-                raise self._fail(self._element, f"the tag {TEXTURE}{name} is missing beside {TEXTURE}scale")
+        names = [name for name in NO_TEXTURE.by_name() if TEXTURE + name in tags]
+        _, scale = tags.get(TEXTURE + "scale", (None, ""))
+        if scale != SCALE:
+            if scale or names:
+                named = f"on the scale {scale[:80]!r}" if scale else "on a scale that is not named"
+                self.refused.append(f"the texture is {named}, not {SCALE!r}")
+            return {}
+        found: dict[str, float] = {}
+        for name in names:
             element, text = tags[TEXTURE + name]
-            found = number(element, text, self._path, TEXTURE + name)
-            if found < 0.0:
-                raise self._fail(element, f"{TEXTURE}{name} must not be negative, is {found:g}")
-            return found
-
-        rows = []
-        for light in LIGHTS_DEG:
-            parts = ("points_per_mm2", "area", "intensity", "grade")
-            rows.append(Sparkle(light, *(value(f"sparkle_{light:g}.{part}") for part in parts)))
-        return TextureReadings(tuple(rows), value("graininess"))
+            found[name] = number(element, text, self._path, TEXTURE + name)
+            if found[name] < 0.0:
+                raise self._fail(element, f"{TEXTURE}{name} must not be negative, is {found[name]:g}")
+        return found
 
     def _gloss(self) -> Gloss | None:
         found: dict[str, float] = {}

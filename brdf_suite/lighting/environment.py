@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.latlong import fejer_weights
 
+SMALL_COLUMNS = 512
+"""Columns of the light of small pictures: in one some 400 pixels wide, mirrored in a curved body, more are not seen."""
+
 
 @dataclass(frozen=True, eq=False)
 class Environment:

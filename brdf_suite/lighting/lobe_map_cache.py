@@ -12,6 +12,7 @@ import json
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -155,6 +156,16 @@ class MapCache(DiskCache):
             silence_s=silence_s,
         )
 
+    def holds(self, environment: Environment, exponents: Sequence[float]) -> bool:
+        """Whether maps of an environment and exponents are on disk, or came with the programs."""
+        key = cache_key(environment, exponents)
+        return _shipped_path(key).is_file() or self.path(key).is_file()
+
+    def shipped(self, environment: Environment, exponents: Sequence[float]) -> LobeMaps | None:
+        """Return the maps that came with the programs; None where none did, or they are damaged."""
+        key = cache_key(environment, exponents)
+        return self.packaged(_shipped_path(key), lambda path: read_packed_maps(path, key))
+
     def get_or_compute(
         self,
         environment: Environment,
@@ -167,8 +178,7 @@ class MapCache(DiskCache):
         Only an unsound request or a cancelled ``progress`` raises.
         """
         key = cache_key(environment, exponents)
-        shipped = resource_root() / PACKAGED / f"{key}{PACKAGED_ENDING}"
-        found = self.packaged(shipped, lambda path: read_packed_maps(path, key)) or self.get_or_make(
+        found = self.shipped(environment, exponents) or self.get_or_make(
             key,
             lambda path: read_maps(path, key),
             lambda watched: prefilter(environment, exponents, watched, ready),
@@ -177,6 +187,10 @@ class MapCache(DiskCache):
         )
         report(progress, 1.0, "the environment is filtered")
         return found
+
+
+def _shipped_path(key: str) -> Path:
+    return resource_root() / PACKAGED / f"{key}{PACKAGED_ENDING}"
 
 
 def cache_key(environment: Environment, exponents: Sequence[float]) -> str:

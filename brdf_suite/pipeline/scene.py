@@ -16,7 +16,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.environment import SMALL_COLUMNS, Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps, PartialMaps, Ready, prefilter
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
@@ -37,6 +37,7 @@ _READING_SHARE, _DRAWING_SHARE = 0.1, 0.3
 _WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
 
 
+_STUDIO, _STUDIO_EV = "photo_studio", 0.5
 _ORDER = ("photo_studio", "street", "light_tunnel", "booth", "overcast", "sunny")
 
 
@@ -63,9 +64,21 @@ def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> st
     return name or str(Path(text).absolute())
 
 
-def default_view() -> View:
-    """The view that a new user sees first."""
-    return View(glare="eye", surface_look=SurfaceLook(ground=True))
+def default_view(environment: str = View.environment) -> View:
+    """The view that a new user sees first, or sees first in another environment.
+
+    The studio is a backdrop: it is shown out of focus, and exposed for the object before it.
+    """
+    view = View(environment=environment, glare="eye", surface_look=SurfaceLook(ground=True))
+    return replace(view, background="blurred", exposure_ev=_STUDIO_EV) if environment == _STUDIO else view
+
+
+def in_environment(view: View, environment: str) -> View:
+    """Return the view in another environment: background and exposure follow where they were as one begins with."""
+    before, after = default_view(view.environment), default_view(environment)
+    background = after.background if view.background == before.background else view.background
+    ev = after.exposure_ev if view.exposure_ev == before.exposure_ev else view.exposure_ev
+    return replace(view, environment=environment, background=background, exposure_ev=ev)
 
 
 def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:
@@ -160,7 +173,8 @@ def load_environment(
         A wider light is averaged to about so many columns, for small pictures; see :func:`narrowed`.
     partial
         Called, on the same thread, as soon as there is something to show: the diffuse map, the broad lobes and the
-        background; then after each sharper map. Never where the maps come from the cache.
+        background; then after each sharper map. Where the maps of small pictures came with the programs, it is called
+        with those at once, and not again. Never where the maps come from the cache.
 
     Raises
     ------
@@ -176,10 +190,29 @@ def load_environment(
         environment = narrowed(environment, columns)
     store = cache or MapCache()
     before = len(store.notices)
+    if partial is not None:
+        small = _shipped_small(name, environment, store, map_exponents(basis))
+        if small is not None:
+            partial(small)
+            partial = None
     prepared = prepare_environment(
         name, environment, store.get_or_compute, subrange(progress, _READING_SHARE, 1.0), basis, partial
     )
     return replace(prepared, notices=tuple(store.notices[before:]))
+
+
+def _shipped_small(
+    name: str, environment: Environment, store: MapCache, exponents: tuple[float, ...]
+) -> PreparedEnvironment | None:
+    """Return an environment with the maps of small pictures that came with the programs; None where it needs none."""
+    if store.holds(environment, exponents):
+        return None
+    small = narrowed(environment, SMALL_COLUMNS)
+    maps = None if small is environment else store.shipped(small, exponents)
+    count = len(exponents)
+    if maps is None:
+        return None
+    return PreparedEnvironment(name, environment, maps, True, missing=count, wanted=count)
 
 
 def narrowed(environment: Environment, columns: int) -> Environment:

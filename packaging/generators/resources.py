@@ -68,22 +68,32 @@ def occlusion(folder: Path) -> Iterator[Path]:
 
 
 def lobe_maps(folder: Path) -> Iterator[Path]:
-    """Write the filtered maps of the light that a new user sees first, for a picture and for Designer's small one."""
-    from brdf_designer.preview.scene import LIGHT_WIDTH
+    """Write the filtered maps of the light that a new user sees first, for small pictures, and of the light booth.
 
+    Those of the whole of a traced environment would be several times as large as all else; the small ones are seen
+    while they are made.
+    """
+    from brdf_suite.lighting.environment import SMALL_COLUMNS
     from brdf_suite.lighting.filter.prefilter import prefilter
     from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key, pack_maps
     from brdf_suite.pipeline.environments import read_environment
-    from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
+    from brdf_suite.pipeline.scene import (
+        default_view,
+        find_environment,
+        map_exponents,
+        narrowed,
+    )
 
     for old in folder.glob(f"*{PACKAGED_ENDING}"):
         old.unlink()
-    name, source = find_environment(default_view().environment)
-    light = read_environment(source)
-    for environment in (light, narrowed(light, LIGHT_WIDTH)):
-        key = cache_key(environment, map_exponents())
+    first, booth = (find_environment(name) for name in (default_view().environment, "booth"))
+    whole = read_environment(booth[1])
+    lights = [(first[0], narrowed(read_environment(first[1]), SMALL_COLUMNS))]
+    lights += [(booth[0], whole), (booth[0], narrowed(whole, SMALL_COLUMNS))]
+    for name, light in lights:
+        key = cache_key(light, map_exponents())
         path = folder / f"{key}{PACKAGED_ENDING}"
-        path.write_bytes(pack_maps(prefilter(environment, map_exponents()), key, name))
+        path.write_bytes(pack_maps(prefilter(light, map_exponents()), key, name))
         yield path
 
 

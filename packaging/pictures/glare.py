@@ -22,8 +22,8 @@ from brdf_suite.pipeline.scene import load_environment, load_surface
 
 SIZE = (480, 300)
 SEEN = (
-    ("solid_black", View(Camera(35.0, 12.0), exposure_mode="automatic")),
-    ("coarse_silver", View(Camera(50.0, 36.0, 0.17, (0.0, 0.1, 0.0)), exposure_ev=-3.0)),
+    ("solid_black", View(Camera(35.0, 12.0), "booth", exposure_mode="automatic")),
+    ("coarse_silver", View(Camera(50.0, 36.0, 0.17, (0.0, 0.1, 0.0)), "booth", exposure_ev=-3.0)),
 )
 
 

@@ -1116,6 +1116,10 @@
         <translation>Rauheit des Klarlacks ändern</translation>
     </message>
     <message>
+        <source>Change Texture Targets</source>
+        <translation>Ziele der Textur ändern</translation>
+    </message>
+    <message>
         <source>Orange Peel On</source>
         <translation>Orangenhaut ein</translation>
     </message>

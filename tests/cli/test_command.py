@@ -401,7 +401,7 @@ def test_stages_are_shown_where_output_is_no_terminal(command, inside) -> None:
     words = ("render", "blue", "-o", "a.png", "--size", "64x36")
     done = command(*words)
     assert done.stderr.splitlines() == [
-        "preparing the light (booth) ...",
+        "preparing the light (photo_studio) ...",
         "computing ambient occlusion ...",
         "drawing ...",
     ]

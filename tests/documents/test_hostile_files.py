@@ -45,7 +45,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
     ("keys", "value", "place", "words"),
     [
         (("format",), "brdfview", "format", 'expected "brdfpaint"'),
-        (("version",), 6, "version", "newer than this program"),
+        (("version",), 7, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
         (("version",), 1.0, "version", "whole number"),
         (("version",), True, "version", "whole number"),
@@ -182,6 +182,14 @@ def test_a_view_is_held_to_the_same(tmp_path: Path) -> None:
     path.write_text(json.dumps(good()), encoding="utf-8")
     with pytest.raises(DocumentError, match='expected "brdfview"'):
         load_view(path)
+
+
+@pytest.mark.parametrize("version", range(1, 7))
+def test_an_older_view_that_names_no_environment_stays_in_the_booth(version: int) -> None:
+    old: dict[str, object] = {"format": "brdfview", "version": version, "camera": {}}
+    assert view_from_json(old).environment == "booth"
+    assert view_from_json({**old, "environment": "sunny"}).environment == "sunny"
+    assert view_from_json({**old, "version": VERSIONS["brdfview"]}).environment == View().environment
 
 
 def test_a_view_of_version_3_has_its_environment_as_it_was() -> None:

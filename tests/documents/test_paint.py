@@ -7,9 +7,17 @@ import math
 
 import pytest
 
-from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint, solid_paint
+from brdf_suite.documents.paint import (
+    Flakes,
+    Gloss,
+    Measurement,
+    OrangePeel,
+    Paint,
+    TextureTargets,
+    solid_paint,
+)
 from brdf_suite.documents.store import paint_from_json, paint_to_json
-from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.errors import DocumentError, SuiteError, ValueRangeError
 from brdf_suite.surface.orange_peel import height_rms_um
 
 LABS = {15.0: (62.0, -4.0, -45.0), 45.0: (25.0, 4.0, -38.0), 110.0: (9.0, 8.0, -28.0)}
@@ -100,12 +108,33 @@ def test_two_lights_at_one_aspecular_angle_are_distinguished() -> None:
         paint.lab_at(15.0, 20.0)
 
 
+@pytest.mark.parametrize("version", range(1, 6))
+def test_a_paint_of_an_older_version_has_no_targets_of_texture(version: int) -> None:
+    old = {**paint_to_json(solid_paint("Old", (50.0, 1.0, 2.0))), "version": version}
+    del old["texture"]
+    assert paint_from_json(old) == solid_paint("Old", (50.0, 1.0, 2.0))
+
+
+def test_targets_of_texture_are_checked() -> None:
+    assert TextureTargets.of((None, 0.0, None, None)) is None
+    assert TextureTargets.of((0.5, 0.0, None, 0.03)) == TextureTargets(0.5, None, None, 0.03)
+    good = paint_to_json(solid_paint("New", (50.0, 1.0, 2.0)))
+    for bad, place in (
+        ({"grade_45": -1.0}, "texture.grade_45"),
+        ({"grain": 1.0}, "texture"),
+        (0.5, "texture"),
+    ):
+        with pytest.raises(DocumentError) as refused:
+            paint_from_json({**good, "texture": bad}, "x.brdfpaint")
+        assert refused.value.place == place
+
+
 def test_a_paint_of_version_2_has_no_orange_peel() -> None:
     old = {**paint_to_json(solid_paint("Old", (50.0, 1.0, 2.0))), "version": 2}
     del old["orange_peel"]
     paint = paint_from_json(old)
     assert paint.orange_peel is None
-    assert paint_to_json(paint)["version"] == 5
+    assert paint_to_json(paint)["version"] == 6
 
 
 def test_a_paint_of_version_4_scatters_as_often_as_light_does() -> None:

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
-from brdf_suite.documents.paint import Flakes, Gloss, OrangePeel, solid_paint
+from brdf_suite.documents.paint import Flakes, Gloss, OrangePeel, TextureTargets, solid_paint
 from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
 from brdf_suite.documents.palette_store import (
     encode_palette,
@@ -213,7 +213,8 @@ _DAMAGE = [
     ("name", " "), ("name", "a\nb"), ("name", 3), ("version", 2), ("observer_deg", 2), ("observer_deg", 10.0),
     ("illuminant", "A"), ("interpolation", []), ("interpolation", "cubic"), ("near_specular", 11.0),
     ("near_specular", float("nan")), ("gloss", None), ("gloss", {"gu_20": 300.0}), ("flakes", {"size": 1.0}),
-    ("flakes", {"size_um": -1.0}), ("orange_peel", {"amplitude_um": 20.0, "wavelength_mm": 0.5}), ("extra", 1),
+    ("flakes", {"size_um": -1.0}), ("orange_peel", {"amplitude_um": 20.0, "wavelength_mm": 0.5}),
+    ("texture", {"graininess": 2.0}), ("extra", 1),
     ("measurements", []), ("measurements", [3, 4, 5]), ("source", "\x00"),
 ]  # fmt: skip
 _BAD_READINGS = [
@@ -228,13 +229,14 @@ def test_what_the_quick_reader_takes_is_what_the_usual_one_reads() -> None:
         solid_paint("Blue", (30.0, 5.0, -40.0), Gloss(85.0, 92.0)),
         flakes=Flakes(),
         orange_peel=OrangePeel(),
+        texture=TextureTargets(grade_45=0.8),
         notes="é",
     )
     for paint in (full, solid_paint("w", (95.0, 0.0, 1.0))):
         written = json.loads(json.dumps(paint_to_json(paint)))
         assert quick_paint(written) == any_paint_from_json(written) == paint
     good = json.loads(json.dumps(paint_to_json(full)))
-    for name in ("flakes", "notes", "interpolation", "orange_peel", "near_specular", "illuminant"):
+    for name in ("flakes", "notes", "interpolation", "orange_peel", "texture", "near_specular", "illuminant"):
         less = {key: value for key, value in good.items() if key != name}
         assert quick_paint(less) == any_paint_from_json(less)
     for name, value in _DAMAGE:

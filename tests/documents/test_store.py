@@ -28,6 +28,7 @@ from brdf_suite.documents.paint import (
     Measurement,
     OrangePeel,
     Paint,
+    TextureTargets,
     solid_paint,
 )
 from brdf_suite.documents.parameter import Parameter
@@ -110,6 +111,11 @@ paints = st.builds(
     # The highest waves that the steepest slope leaves at the shortest wavelength are 6.9 µm.
     orange_peel=st.none()
     | st.builds(OrangePeel, st.floats(0.0, 6.9), numbers(P["orange_peel.wavelength_mm"])),
+    texture=st.none()
+    | st.builds(
+        TextureTargets,
+        *(st.none() | numbers(P[f"texture.{n}"]) for n in ("grade_15", "grade_45", "grade_75", "graininess")),
+    ),
 )
 C = cook_torrance_module.PARAMETERS
 lobes = st.builds(
@@ -291,7 +297,7 @@ def test_the_file_is_what_the_format_says(tmp_path: Path) -> None:
     assert "Weiß" in text, "readable, not escaped"
     assert text.endswith("}\n")
     value = json.loads(text)
-    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 5, "aspecular")
+    assert (value["format"], value["version"], value["kind"]) == ("brdfpaint", 6, "aspecular")
     assert value["measurements"][2] == {
         "illumination_deg": 45.0,
         "aspecular_deg": 110.0,

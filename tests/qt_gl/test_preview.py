@@ -9,7 +9,6 @@ import pytest
 from brdf_designer.assembly import Designer
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
-from brdf_designer.preview.scene import LIGHT_WIDTH
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from brdf_qt.work import pictures
@@ -17,7 +16,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
-from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.environment import SMALL_COLUMNS, Environment
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.pipeline.scene import narrowed
 from brdf_suite.pipeline.seen_queue import SeenWeights
@@ -136,11 +135,11 @@ def test_a_slow_picture_waits_and_a_fast_one_does_not():
 
 def test_a_smaller_light_holds_the_same_light():
     radiance = np.random.default_rng(3).random((512, 1024, 3), np.float32)
-    small = narrowed(Environment("noise", radiance), LIGHT_WIDTH)
+    small = narrowed(Environment("noise", radiance), SMALL_COLUMNS)
     assert small.radiance.shape == (256, 512, 3)
     assert small.radiance.mean() == pytest.approx(float(radiance.mean()), rel=1e-5)
     odd = Environment("odd", radiance[:, :1000])
-    assert narrowed(odd, LIGHT_WIDTH) is odd
+    assert narrowed(odd, SMALL_COLUMNS) is odd
 
 
 def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, preview, qtbot, monkeypatch):

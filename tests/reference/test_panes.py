@@ -109,14 +109,65 @@ def test_two_sheets_mirror_and_pass_when_traced(azimuth: float) -> None:
 
 
 def test_light_through_a_pane_is_weaker_by_what_it_mirrors_and_keeps(variant: Variant) -> None:
+    from brdf_suite.reference.passes import trace
+
     mesh = Mesh("lit", (board("wall", "paint", (-1.0, 1.0), -0.2), board("pane", "glass", (-1.0, 0.0), 0.1)))
     lamp = Lamp("directional", azimuth_deg=0.0, elevation_deg=0.0, strength=1.0)
     view = View(camera=Camera(60.0, 0.0), background="grey", lamps=(lamp,))
     session = RaytracedSession()
-    white = Material("white", Lambertian(np.ones(3)))
-    session.show(white, view, SIZE, Quality(1, 1, 256), environment=even(0.0), mesh=mesh)
-    seen = session.frame().sums.radiance[..., 1]
+    # So dark that what it and the pane mirror to each other is next to nothing.
+    dark = Material("dark", Lambertian(np.full(3, 0.02)))
+    session.show(dark, view, SIZE, Quality(1, 1, 256), environment=even(0.0), mesh=mesh)
+    rays = session.frame().sums.radiance[..., 1]
+    made = build_reference(dark, view, SIZE, even(0.0), mesh, variant=variant)
+    path = trace(made.traced, samples=64, samples_per_pass=64).radiance[..., 1]
     # The eye looks past the edge of the pane at what lies in its shade.
-    shaded, lit = (seen[at] for at in places(view, mesh, (-0.3, 0.0, -0.2), (0.5, 0.0, -0.2)))
+    shade, open_place = places(view, mesh, (-0.3, 0.0, -0.2), (0.5, 0.0, -0.2))
     passed = GLASS * (1.0 - float(sheet_reflectance(1.0, 1.52)))
-    assert shaded / lit == pytest.approx(passed, rel=0.02)
+    for seen in (rays, path):
+        assert seen[shade] / seen[open_place] == pytest.approx(passed, rel=0.02)
+    assert path[shade] == pytest.approx(rays[shade], rel=0.02)
+
+
+def roof() -> Mesh:
+    """A sheet of glass that lies above a ground, and a small post that says where that is."""
+    corners = np.array([[-1.0, 0.6, -1.0], [-1.0, 0.6, 1.0], [1.0, 0.6, 1.0], [1.0, 0.6, -1.0]])
+    pane = PartGeometry(
+        "roof", "glass", corners, np.tile([0.0, 1.0, 0.0], (4, 1)), corners[:, :2], [[0, 1, 2], [0, 2, 3]]
+    )
+    return Mesh("roof", (pane, board("post", "paint", (-0.01, 0.01), 0.0)))
+
+
+@pytest.mark.parametrize("lamps", [(), (Lamp("directional", elevation_deg=90.0, strength=5.0),)])
+def test_the_ground_below_glass_has_the_light_that_the_glass_passes(
+    variant: Variant, tmp_path, lamps: tuple[Lamp, ...]
+) -> None:
+    from brdf_suite.pipeline.picture import OffscreenScene
+    from brdf_suite.pipeline.scene import load_environment
+    from brdf_suite.surface.occlusion.bake import bake
+
+    mesh = roof()
+    light = even(0.001 if lamps else 1.0)
+    camera = Camera(30.0, 12.0, 9.0, (0.0, 0.0, 0.0))
+    view = View(camera=camera, lamps=lamps, surface_look=SurfaceLook(ground=True))
+    black = Material("black", Lambertian(np.zeros(3)))
+    write_exr(tmp_path / "even.exr", light.radiance)
+    with OffscreenScene() as real:
+        real.set_environment(load_environment(tmp_path / "even.exr"))
+        real.set_surface(mesh, bake(mesh))
+        drawn = real.renderer.linear_image(view, SIZE)[..., 1]
+    made = build_reference(black, view, SIZE, light, mesh, variant=variant)
+    assert made.ground is not None
+    made.ground.trace(made.traced.scene, 256)
+    (row, column), (away, aside) = places(view, mesh, (0.5, -1.0, 0.5), (-4.0, -1.0, -4.0))
+    by_grid = made.ground.seen_from(np.array([0.5, 5.0, 0.5]), np.array([[0.0, -1.0, 0.0]]))[0, 1]
+    seen = drawn[row - 1 : row + 2, column - 1 : column + 2].mean() / drawn[away, aside]
+    session = RaytracedSession()
+    session.show(black, view, SIZE, Quality(64, 4, 1024), environment=light, mesh=mesh)
+    darkness = session.frame().sums.darkness[row - 1 : row + 2, column - 1 : column + 2, 1].mean()
+    if lamps:
+        passed = GLASS * (1.0 - float(sheet_reflectance(1.0, 1.52)))
+        assert by_grid == pytest.approx(passed, abs=0.01)
+    # The shadow in even light is drawn by harmonics of low degree: an edge of the roof is soft by 30°.
+    assert seen == pytest.approx(by_grid, abs=0.05 if not lamps else 0.01)
+    assert 1.0 - darkness == pytest.approx(by_grid, abs=0.03)

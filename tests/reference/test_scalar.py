@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view_settings import TRANSMITTANCE, Lamp
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.geometry.fresnel import sheet_reflectance
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reference import variant as variants
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.material import Material
+from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 SIZE = (24, 20)
 
@@ -111,3 +119,41 @@ def test_the_command_renders_the_same_picture_and_says_how(
     difference = (one - two)[inside]
     # A z-test of the means: the two are independent estimates of one picture.
     assert np.all(np.abs(difference.mean(0)) < 4.5 * difference.std(0) / np.sqrt(len(difference)) + 0.002)
+
+
+@pytest.mark.parametrize(
+    ("lamp", "off"),
+    [
+        (Lamp("directional", azimuth_deg=0.0, elevation_deg=0.0, angle_deg=2.0), 0.0),
+        (Lamp("point", (0.0, 0.0, 5.0), strength=25.0, diameter=0.3), 5.2),
+    ],
+)
+def test_lamps_with_an_extent_shine_through_panes(without_llvm, lamp: Lamp, off: float) -> None:
+    found = variants.start(scalar=True)
+    from brdf_suite.reference.passes import trace
+    from brdf_suite.tracing.reference.scene import build_reference
+
+    def board(name: str, material: str, right: float, z: float) -> PartGeometry:
+        corners = np.array([[-1.0, -1, z], [right, -1, z], [right, 1, z], [-1.0, 1, z]])
+        facing = np.tile([0.0, 0.0, 1.0], (4, 1))
+        return PartGeometry(name, material, corners, facing, corners[:, :2], [[0, 1, 2], [0, 2, 3]])
+
+    mesh = Mesh("lit", (board("wall", "paint", 1.0, -0.2), board("pane", "glass", 0.0, 0.1)))
+    view = View(Camera(60.0, 0.0, 3.0, (0.0, 0.0, -0.2)), background="grey", lamps=(lamp,))
+    # So dark that what it and the pane mirror to each other is next to nothing.
+    dark = Material("dark", Lambertian(np.full(3, 0.02)))
+    night = Environment("night", np.zeros((8, 16, 3), np.float32))
+    made = build_reference(dark, view, (48, 32), night, mesh, variant=found)
+    seen = trace(made.traced, samples=64, samples_per_pass=64).radiance[16, :, 1]
+    # In the middle row: the pane's shade is seen past its edge, left of the middle of the wall; right of it is none.
+    columns = {x: round(24 + 48 * _across(x) / (36.0 / 50.0)) for x in (-0.15, 0.3)}
+    passed = TRANSMITTANCE["glass"] * (1.0 - float(sheet_reflectance(1.0, 1.52)))
+    distance = 1.0 if off == 0.0 else off**2 / 25.0
+    assert seen[columns[0.3]] == pytest.approx(0.02 / distance, rel=0.02)
+    assert seen[columns[-0.15]] / seen[columns[0.3]] == pytest.approx(passed, rel=0.03)
+
+
+def _across(x: float) -> float:
+    """Return where a place of the wall is seen from 60° aside, at 3 m: the tangent to the right."""
+    turn = math.radians(60.0)
+    return x * math.cos(turn) / (3.0 - x * math.sin(turn))

@@ -17,13 +17,14 @@ from PIL import Image
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.texture import NO_TEXTURE
-from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.documents.paint import Gloss, Measurement, Paint, TextureTargets
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, SuiteError, UnreachableError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
 from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.paint_design.standard import standard_of
+from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import load_shipped_paint, material_of
 from brdf_suite.reports.handover import (
     export,
@@ -255,13 +256,13 @@ def test_readings_without_a_sample_near_them_are_marked_in_reports(shared_data: 
 def test_cxf_and_json_carry_the_texture(blue: Paint, tmp_path: Path) -> None:
     expected = texture_of(material_of(blue))
     export(format_named("cxf"), [item_of_paint(blue)], tmp_path / "blue.cxf")
-    assert read_cxf(tmp_path / "blue.cxf").samples[0].texture == expected
+    assert read_cxf(tmp_path / "blue.cxf").samples[0].texture == expected.by_name()
     export(format_named("json"), [item_of_paint(blue)], tmp_path / "blue.json")
     kept = json.loads((tmp_path / "blue.json").read_text())["paints"][0]["texture"]
     assert kept == expected.to_json()
     plain = replace(blue, flakes=None)
     export(format_named("cxf"), [item_of_paint(plain)], tmp_path / "plain.cxf")
-    assert read_cxf(tmp_path / "plain.cxf").samples[0].texture == NO_TEXTURE
+    assert read_cxf(tmp_path / "plain.cxf").samples[0].texture == NO_TEXTURE.by_name()
 
 
 def test_a_report_says_the_texture(blue: Paint) -> None:
@@ -273,17 +274,46 @@ def test_a_report_says_the_texture(blue: Paint) -> None:
     assert dict(dict(plain.figures)["Flakes"])["Sparkle, graininess"] == "none"
 
 
-def test_a_texture_of_another_scale_or_with_a_gap_is_no_texture(blue: Paint, tmp_path: Path) -> None:
+def test_a_texture_is_read_with_what_is_there_and_wrong_values_are_refused(
+    blue: Paint, tmp_path: Path
+) -> None:
     path = tmp_path / "blue.cxf"
     export(format_named("cxf"), [item_of_paint(blue)], path)
     whole = path.read_text()
     path.write_text(whole.replace("BRDF Suite texture 1", "Another texture 2"))
     found = read_cxf(path)
-    assert found.samples[0].texture is None
+    assert found.samples[0].texture == {}
     assert any("Another texture 2" in text for text in found.refused)
-    path.write_text(re.sub(r'<cc:Tag Name="texture.graininess"[^>]*/>', "", whole))
-    with pytest.raises(FileError, match=r"texture\.graininess is missing"):
-        read_cxf(path)
+    every = texture_of(material_of(blue)).by_name()
+    for gone in every:
+        path.write_text(re.sub(rf'<cc:Tag Name="texture\.{re.escape(gone)}"[^>]*/>', "", whole))
+        found = read_cxf(path)
+        assert found.samples[0].texture == {name: value for name, value in every.items() if name != gone}
+        assert found.refused == ()
+    path.write_text(re.sub(r'<cc:Tag Name="texture.scale"[^>]*/>', "", whole))
+    found = read_cxf(path)
+    assert found.samples[0].texture == {}
+    assert any("scale that is not named" in text for text in found.refused)
+    line = next(k for k, text in enumerate(whole.splitlines(), 1) if "texture.graininess" in text)
     path.write_text(re.sub(r'(Name="texture.graininess" Value=")', r"\1-", whole))
-    with pytest.raises(FileError, match="must not be negative"):
+    with pytest.raises(FileError, match=rf"(?s)blue\.cxf.*line {line}.*must not be negative"):
         read_cxf(path)
+    path.write_text(re.sub(r'(Name="texture.graininess" Value=")', r"\1about ", whole))
+    with pytest.raises(FileError, match=rf"(?s)blue\.cxf.*line {line}.*texture.graininess"):
+        read_cxf(path)
+
+
+def test_targets_of_texture_go_through_files_and_into_the_report(blue: Paint, tmp_path: Path) -> None:
+    paint = replace(blue, texture=TextureTargets(grade_45=0.8, graininess=0.035))
+    for name in ("cxf", "csv", "json"):
+        path = tmp_path / f"blue.{name}"
+        export(format_named(name), [item_of_paint(paint)], path)
+        (standard,) = load_standards(path)[0:1]
+        assert standard.paint is not None
+        assert standard.paint.texture == paint.texture, name
+    figures = dict(dict(build_report(item_of_paint(paint), PLAIN).figures)["Flakes"])
+    assert figures["Sparkle 45°"].endswith(", target 80 %")
+    assert figures["Graininess"].endswith(", target 3.50 %")
+    assert "target" not in figures["Sparkle 15°"]
+    none = build_report(item_of_paint(replace(paint, flakes=None)), PLAIN)
+    assert dict(dict(none.figures)["Flakes"])["Sparkle, graininess"] == "none, but the paint has targets"

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication, QScrollArea
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.pipeline.scene import default_view
 
 
 def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -94,7 +95,7 @@ def test_an_unknown_start_falls_back_to_what_is_shipped(start, tmp_path) -> None
     viewer = start(view=view, paint=str(tmp_path / "gone.brdfpaint"))
     messages = viewer.messages()
     assert all("gone" in messages[kind] for kind in ("environment", "surface", "paint"))
-    assert (viewer.view.environment, viewer.view.surface) == ("booth", "speed_form")
+    assert (viewer.view.environment, viewer.view.surface) == ("photo_studio", "speed_form")
     assert np.ptp(viewer.pixels()) > 50
 
 
@@ -140,10 +141,13 @@ def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp)
     remember(settings(), view)
     assert recall(settings()) == view
     file.unlink()
-    assert recall(settings()) == View(surface="sphere", tone_curve="linear", background="grey", fresnel="off")
+    ev = default_view().exposure_ev  # it starts afresh
+    assert recall(settings()) == View(
+        surface="sphere", exposure_ev=ev, tone_curve="linear", background="grey", fresnel="off"
+    )
     settings().setValue("view/tone_curve", "sepia")
     settings().setValue("view/surface", "../../etc")
-    assert recall(settings()) == View(background="grey", fresnel="off")
+    assert recall(settings()) == View(exposure_ev=ev, background="grey", fresnel="off")
 
 
 def test_closing_remembers_the_view(start, lights) -> None:

@@ -124,10 +124,10 @@ class PreviewControl(Feature, QObject):
     def _show_scene(self, scene: PreviewScene) -> None:
         old = self._contents.scene
         if old is not None:
-            scene = dataclasses.replace(scene, surface=old.surface)
+            scene = dataclasses.replace(scene, surface=old.surface, baked=old.baked)
         self._contents.scene = scene
         self._window.dismiss_message("preview")
-        first = scene.view()
+        first = scene.view
         self._set_view(
             dataclasses.replace(
                 first,

@@ -81,7 +81,7 @@ class PreviewDrawer:
         uploads = scene is not self._scene
         if uploads:
             if self._scene is None or scene.surface is not self._scene.surface:
-                self._renderer.set_surface(scene.surface)
+                self._renderer.set_surface(scene.surface, scene.baked)
             self._renderer.set_environment(scene.light)
             self._scene, self._fit = scene, None
         if fit is not self._fit:

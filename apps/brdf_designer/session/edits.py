@@ -23,7 +23,7 @@ from brdf_suite.appearance.flop.edits import (
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint
+from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint, TextureTargets
 from brdf_suite.errors import UnreachableError
 from brdf_suite.paint_design.angle_sets import at_geometries, with_angle, without_angle
 from brdf_suite.reflectance.designed.build import DarkerThanCoatError, gloss_of_coat
@@ -266,10 +266,10 @@ class TooRoughError(UnreachableError):
 
 @dataclass(frozen=True)
 class SetField(Edit):
-    """A whole field by its name in :class:`Paint`: a text, the interpolation, or flakes or orange peel (or None)."""
+    """A whole field by its name in :class:`Paint`: a text, the interpolation, or a part (or None)."""
 
-    field: Literal["name", "source", "notes", "interpolation", "flakes", "orange_peel"]
-    value: str | Flakes | OrangePeel | None
+    field: Literal["name", "source", "notes", "interpolation", "flakes", "orange_peel", "texture"]
+    value: str | Flakes | OrangePeel | TextureTargets | None
     is_dragged = False
 
     def apply(self, paint: Paint) -> Paint:
@@ -287,6 +287,7 @@ _FIELD_STEPS = {
     "interpolation": mark("Change Interpolation"),
     "flakes": mark("Flakes On"),
     "orange_peel": mark("Orange Peel On"),
+    "texture": mark("Change Texture Targets"),
 }
 
 

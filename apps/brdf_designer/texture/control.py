@@ -12,11 +12,12 @@ from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject
 
-from brdf_designer.session.edits import DEFAULT_FLAKES
+from brdf_designer.session.edits import DEFAULT_FLAKES, SetField
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.texture.section import USUAL_TOLERANCE, Judged, TextureSection
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, PaintLight, TextureReadings
+from brdf_suite.documents.paint import Paint, TextureTargets
 from brdf_suite.errors import SuiteError
 from brdf_suite.inspection.texture.camera import measure_texture
 from brdf_suite.inspection.texture.inverse import LEAST, REACHED, FoundFlakes, find_flakes
@@ -41,13 +42,12 @@ class _Request(NamedTuple):
 
 
 class TextureControl(Feature, QObject):
-    """Readings of the paint in front, and targets of each document."""
+    """Readings of the paint in front, and its targets."""
 
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._session = session
         self._tasks = TaskRunner(self, threads=1)
-        self._targets: dict[int, Wanted] = {}
         self._of: _Request | None = None
         self.readings: TextureReadings | None = None
         """Those that are shown."""
@@ -63,7 +63,8 @@ class TextureControl(Feature, QObject):
         session.fit_changed.connect(lambda _fit: self._later())
         session.refused.connect(lambda _error: self._forget())
         session.document_switched.connect(self._switched)
-        session.document_closed.connect(lambda key: self._targets.pop(key, None))
+        session.paint_changed.connect(lambda _paint: self._show_targets())
+        self._show_targets()
 
     @property
     def is_idle(self) -> bool:
@@ -93,6 +94,9 @@ class TextureControl(Feature, QObject):
             return
         fit = self._session.fit
         if fit is None or (self._of is not None and self._of.fit is fit):
+            return
+        if self._of is not None and _looks_the_same(self._of.fit.paint, fit.paint):
+            self._of = self._of._replace(fit=fit)
             return
         if fit.flakes is None:
             self._tasks.cancel(KEY)
@@ -131,15 +135,20 @@ class TextureControl(Feature, QObject):
 
     def _switched(self) -> None:
         self._end_search()
-        self.section.show_wanted(self._targets.get(self._session.document_key, _OPEN))
+        self._show_targets()
         self._forget()
 
+    def _show_targets(self) -> None:
+        targets = self._session.paint.texture
+        wanted = _OPEN if targets is None else targets.wanted
+        if wanted != self.section.wanted():
+            self._end_search()
+            self.section.show_wanted(wanted)
+            self._judge()
+
     def _take_targets(self) -> None:
-        self._targets[self._session.document_key] = wanted = self.section.wanted()
-        if any(value is not None for value in wanted):
-            # What is opened next may not take the place of a tab that has targets.
-            self._session.documents.front.pristine = False
         self._end_search()
+        self._session.edit(SetField("texture", TextureTargets.of(self.section.wanted())))
         self._judge()
 
     def _take_tolerance(self) -> None:
@@ -187,6 +196,11 @@ class TextureControl(Feature, QObject):
         self._judge()
         if not isinstance(error, SuiteError):
             _raise(error)
+
+
+def _looks_the_same(one: Paint, other: Paint) -> bool:
+    """Whether two paints differ in their targets at most."""
+    return replace(one, texture=None) == replace(other, texture=None)
 
 
 def _read(request: _Request, progress: Progress) -> TextureReadings:

@@ -15,7 +15,7 @@ from PySide6.QtCore import QSettings
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
+from brdf_suite.pipeline.scene import default_view, environment_names, in_environment, surface_names
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -56,6 +56,7 @@ def recall(store: QSettings) -> View:
         found = str(store.value(f"view/{field}", ""))
         if found in names or Path(found).is_file():
             view = _with(view, store, "view", (field,))
+    view = in_environment(dataclasses.replace(view, environment=default.environment), view.environment)
     view = _with(view, store, "view", (*_FIELDS, "background_colour"))
     for group, parts in _PARTS.items():
         view = dataclasses.replace(view, **{group: _with(getattr(view, group), store, group, parts)})

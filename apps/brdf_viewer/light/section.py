@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton,
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
+from brdf_suite.pipeline.scene import in_environment
 from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 from brdf_viewer.light.studio import places
 
@@ -62,14 +63,13 @@ PRESETS: Mapping[str, Preset] = MappingProxyType(
 
 
 def with_preset(view: View, key: str) -> View:
-    """Return the view in a preset's light; adaptation, exposure and rotation stay.
+    """Return the view in a preset's light; adaptation and rotation stay, and exposure where it was chosen.
 
     The environment is named; who shows the view loads it.
     """
     preset = PRESETS[key]
     return replace(
-        view,
-        environment=preset.environment,
+        in_environment(view, preset.environment),
         environment_layout="auto",
         light_colour=replace(view.light_colour, illuminant=preset.illuminant, brightness=preset.brightness),
         lamps=preset.lamps,
@@ -79,7 +79,7 @@ def with_preset(view: View, key: str) -> View:
 def preset_of(view: View) -> str:
     """Return the preset that the view's light is, wherever its lamps stand; empty where it is another.
 
-    >>> preset_of(View())
+    >>> preset_of(View(environment="booth"))
     'd65'
     """
     illuminant = view.light_colour.illuminant

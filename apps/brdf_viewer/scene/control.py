@@ -16,7 +16,13 @@ from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics
 from brdf_suite.pipeline.environments import AUTOMATIC
-from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
+from brdf_suite.pipeline.scene import (
+    PreparedEnvironment,
+    default_view,
+    environment_names,
+    in_environment,
+    surface_names,
+)
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
@@ -142,7 +148,13 @@ class SceneControl(ViewerFeature):
             self._state.edited_light = ""
             self._state.set_environment(key, value)
             change = self._state.follow_view if first else self._state.step_view
-            change(environment=key, environment_layout=self._layout)
+            new = in_environment(self._state.view, key)
+            change(
+                environment=key,
+                environment_layout=self._layout,
+                background=new.background,
+                exposure_ev=new.exposure_ev,
+            )
             self._show_facts()
             self._forget_figures()
             self._count_again()

@@ -8,7 +8,7 @@ from brdf_suite.cli.output import add_arguments, print_json, print_notes, progre
 from brdf_suite.inspection.representations import Comparison, compare_representations
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.material import load_material
-from brdf_suite.pipeline.scene import default_view, find_environment
+from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.progress import report, subrange
 
 
@@ -33,7 +33,7 @@ def add(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Compare and print; open the window where that was asked for."""
-    _, path = find_environment(options.environment or default_view().environment)
+    _, path = find_environment(options.environment or "booth")
     with progress_bar("representing", quiet=options.json) as progress:
         report(progress, 0.0, "reading")
         material = load_material(options.reflectance)

@@ -10,7 +10,7 @@ from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.texture import LIGHTS_DEG
 from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
 from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.documents.paint import SCATTERINGS, Paint
+from brdf_suite.documents.paint import SCATTERINGS, Paint, TextureTargets
 from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.inspection.texture.inverse import SCALES, find_flakes
@@ -112,13 +112,18 @@ def run_start(options: argparse.Namespace) -> int:
             f"{start.mean_delta_e:.2f}, at most {start.worst.delta_e_2000:.2f} ({start.worst.aspecular_deg:g}°, light "
             f"{start.worst.illumination_deg:g}°)"
         )
-    return _done(start.paint, options, facts, [*lines, *(f"note: {notice}" for notice in start.notices)])
+    return _done(
+        _scattering(start.paint, options),
+        options,
+        facts,
+        [*lines, *(f"note: {notice}" for notice in start.notices)],
+    )
 
 
 def run_step(options: argparse.Namespace) -> int:
     """Take a step, write, and print."""
     _check_output(options.output)
-    found = {one.direction: one for one in variations(_design(options.what), options.step)}
+    found = {one.direction: one for one in variations(_design(options.what, options), options.step)}
     fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
     try:
         one = examined(found[options.direction], fitter)
@@ -135,7 +140,7 @@ def run_step(options: argparse.Namespace) -> int:
 def run_between(options: argparse.Namespace) -> int:
     """Mix, write, and print."""
     _check_output(options.output)
-    first = _design(options.first)
+    first = _design(options.first, options)
     second = second_end(first, load_standards(options.second)[0])
     return _done(mixed(first, second, options.share), options, {"share": options.share}, [])
 
@@ -148,9 +153,13 @@ def run_flakes(options: argparse.Namespace) -> int:
         raise SuiteError("--sparkle: each light can be named once.")
     wanted = [grades.get(light) for light in LIGHTS_DEG]
     wanted.append(None if options.graininess is None else options.graininess / 100.0)
+    paint = _design(options.what, options)
     if all(value is None for value in wanted):
-        raise SuiteError("Name at least one reading: --sparkle LIGHT=PERCENT or --graininess PERCENT.")
-    paint = _design(options.what)
+        if paint.texture is None:
+            raise SuiteError(
+                "Name at least one reading: --sparkle LIGHT=PERCENT or --graininess PERCENT; the paint has no targets."
+            )
+        wanted = list(paint.texture.wanted)
     fit = fit_material(material_of(paint, options.what))
     with progress_bar("flakes", quiet=options.json) as progress:
         found = find_flakes(paint_light(fit.weights), wanted, paint.flakes, progress)
@@ -169,7 +178,7 @@ def run_flakes(options: argparse.Namespace) -> int:
         "expected": dict(zip(SCALES, found.scales, strict=True)),
         "relative_errors": dict(zip(SCALES, found.errors, strict=True)),
     }
-    return _done(replace(paint, flakes=flakes), options, facts, lines)
+    return _done(replace(paint, flakes=flakes, texture=TextureTargets.of(wanted)), options, facts, lines)
 
 
 def _grade(text: str) -> tuple[float, float]:
@@ -184,10 +193,17 @@ def _grade(text: str) -> tuple[float, float]:
     return found
 
 
-def _design(name_or_path: str) -> Paint:
-    """Return the designed paint of a name or file; of anything else the design that is started from its readings."""
+def _design(name_or_path: str, options: argparse.Namespace) -> Paint:
+    """Return the designed paint of a name or file, its coat scattering as the options ask for.
+
+    Of anything else it is the design that is started from its readings.
+    """
     found = load_paint_or_start(name_or_path)
-    return found if isinstance(found, Paint) else load_start(name_or_path).paint
+    return _scattering(found if isinstance(found, Paint) else load_start(name_or_path).paint, options)
+
+
+def _scattering(paint: Paint, options: argparse.Namespace) -> Paint:
+    return paint if options.scattering is None else replace(paint, scattering=options.scattering)
 
 
 def _check_output(path: Path | None) -> None:
@@ -196,8 +212,6 @@ def _check_output(path: Path | None) -> None:
 
 
 def _done(paint: Paint, options: argparse.Namespace, facts: dict[str, object], lines: list[str]) -> int:
-    if options.scattering is not None:
-        paint = replace(paint, scattering=options.scattering)
     if options.output is not None:
         save_paint(paint, options.output)
     if options.json:

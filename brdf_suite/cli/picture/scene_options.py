@@ -36,14 +36,14 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         {
             "--view FILE": "a .brdfview file; other options change it",
             "--environment FILE|NAME": "an .exr or .hdr map, a .brdfstudio file, or photo_studio, street, "
-            "light_tunnel, booth, overcast, sunny (default: booth)",
+            "light_tunnel, booth, overcast, sunny (default: photo_studio)",
             **_LAYOUT,
             "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
             "(default: speed_form)",
             "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
             "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
             f"--size WxH={width}x{height}": f"pixels (default: {width}x{height})",
-            "--exposure EV": "exposure in EV; +1 doubles the light (default: 0)",
+            "--exposure EV": "exposure in EV; +1 doubles the light (default: 0.5 in photo_studio, else 0)",
             "--automatic-exposure": "bring the object's median luminance to 0.18; --exposure counts from there",
             "--lamp": "take the environment's white for that of a light booth's lamp (default: environment, as it is)",
             "--unadapted": "show the lamp's tint, as an eye used to daylight sees it at first",
@@ -70,7 +70,7 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
             "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
             "--glare": "spread light above white as an eye scatters it (default: eye); never in an EXR",
             "--fresnel": f"the coat's rise towards grazing (default: {View().fresnel})",
-            "--background": "what is seen behind the object (default: environment)",
+            "--background": "what is seen behind the object (default: blurred in photo_studio, else environment)",
             "--sparkle": f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/method/sparkle.md)",
         },
         tone=TONE_CURVES,
@@ -132,11 +132,15 @@ def parse_view(options: argparse.Namespace) -> View:
         environment_names,
         find_environment,
         find_surface,
+        in_environment,
         name_in_view,
         surface_names,
     )
 
     view = default_view() if options.view is None else load_view(options.view)
+    if options.environment is not None:
+        find_environment(options.environment)
+        view = in_environment(view, name_in_view(options.environment, environment_names()))
 
     def given(**values: Any) -> dict[str, Any]:
         return {name: value for name, value in values.items() if value is not None}
@@ -163,11 +167,7 @@ def parse_view(options: argparse.Namespace) -> View:
     changed["sparkle"] = replace(view.sparkle, **given(mode=options.sparkle))
     look = given(ground=options.ground, occlusion=options.occlusion)
     changed["surface_look"] = replace(view.surface_look, **look)
-    if options.environment is not None:
-        find_environment(options.environment)
-        changed["environment"] = name_in_view(options.environment, environment_names())
-        changed["environment_layout"] = options.layout
-    elif options.layout != "auto":
+    if options.environment is not None or options.layout != "auto":
         changed["environment_layout"] = options.layout
     if options.mesh is not None:
         find_surface(options.mesh)

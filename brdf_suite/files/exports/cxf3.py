@@ -10,7 +10,6 @@ which only this suite reads.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
 from datetime import UTC, datetime
 from importlib.metadata import version
 from types import MappingProxyType
@@ -143,12 +142,8 @@ def texture_tags(texture: TextureReadings | None) -> dict[str, str]:
     """Return the texture instrument's readings as tags, which :func:`brdf_suite.files.cxf.read_cxf` reads."""
     if texture is None:
         return {}
-    tags = {TEXTURE + "scale": SCALE}
-    for one in texture.sparkle:
-        for part, value in asdict(one).items():
-            if part != "light_deg":
-                tags[f"{TEXTURE}sparkle_{one.light_deg:g}.{part}"] = repr(value)
-    return tags | {TEXTURE + "graininess": repr(texture.graininess)}
+    numbers = {TEXTURE + name: repr(value) for name, value in texture.by_name().items()}
+    return {TEXTURE + "scale": SCALE, **numbers}
 
 
 def tag_collection(tags: Mapping[str, str]) -> str:

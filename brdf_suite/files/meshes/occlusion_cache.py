@@ -17,7 +17,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from brdf_suite.arrays import AnyArray
-from brdf_suite.documents.view_settings import TRANSMITTANCE
+from brdf_suite.documents.view_settings import PANE_IOR, TRANSMITTANCE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.array_file import Layout, encode_arrays, read_arrays
 from brdf_suite.files.cache.disk_cache import DiskCache
@@ -107,7 +107,8 @@ def occlusion_key(mesh: Mesh) -> str:
     """Return the name of what is baked for a mesh: 64 hexadecimal digits of its shape and its panes."""
     content = hashlib.sha256(f"{ALGORITHM_VERSION} {LAYOUT.version} {len(mesh.parts)}".encode())
     for part in mesh.parts:
-        content.update(str(TRANSMITTANCE.get(part.material, "")).encode())
+        if part.material in TRANSMITTANCE:
+            content.update(f"{TRANSMITTANCE[part.material]} {PANE_IOR[part.material]}".encode())
         for array in (part.positions, part.normals, part.uvs, part.triangles):
             content.update(str(array.shape).encode())
             content.update(np.ascontiguousarray(array).data)

@@ -45,10 +45,10 @@ GROUND = (0.46, 0.46, 0.46)
 
 Content: TypeAlias = Paint | CookTorrancePaint | FactoredPaint | FlatColour
 
-_DRAWING_VERSION = 1
+_DRAWING_VERSION = 2
 """To be raised where the fit, the ramp or the flat forms give other pictures; shaders are marked by themselves."""
 _SHADERS = Path(__file__).resolve().parents[2] / "realtime" / "shaders"
-_UNSEEN = frozenset({"name", "notes", "source"})
+_UNSEEN = frozenset({"name", "notes", "source", "texture"})
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,7 @@ from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import GraphicsError, SuiteError
+from brdf_suite.lighting.environment import SMALL_COLUMNS
 from brdf_suite.palettes.swatches.look import Content, SwatchLook, flat_picture, swatch_key
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter, fit_material
 from brdf_suite.pipeline.material import material_of
@@ -189,7 +190,9 @@ class SwatchPainter:
             from brdf_suite.output.still import loaded_scene
 
             self._forget_scene()
-            self._loaded = self._stack.enter_context(loaded_scene(look.view(), largest_face=enough))
+            self._loaded = self._stack.enter_context(
+                loaded_scene(look.view(), columns=SMALL_COLUMNS, largest_face=enough)
+            )
             self._scene, self._largest_face = wanted, enough
         return self._loaded
 

@@ -125,6 +125,8 @@ class GroundShadow:
         words = {"SUN": "1"} if sun is not None else {}
         if lamps:
             words["LAMP_SHADOWS"] = "1"
+        if "pane_map" in cast:
+            words["PANE_SHADOWS"] = "1"
         program, corners = self._objects.screen("ground.frag.glsl", words, vertex="ground.vert.glsl")
         texture.use(GROUND_UNIT)
         block = program.get("Lights", None)

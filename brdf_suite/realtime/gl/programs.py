@@ -24,7 +24,7 @@ MATERIAL_BINDING = 0
 LIGHTS_BINDING = 3
 _BLOCKS = {"Material": MATERIAL_BINDING, "Lights": LIGHTS_BINDING}
 LIGHT_LOBES_UNIT = 15
-SHADOW_UNIT = 30
+SHADOW_UNIT, PANE_UNIT = 30, 35
 MOSAIC_UNIT, TILT_LIGHT_UNIT = 33, 34
 PLACES_UNIT = 12
 """Of a captured form's list; a form is captured without a normal map, whose unit it is otherwise."""
@@ -148,6 +148,7 @@ class Programs:
             "kept_light": KEPT_UNIT,
             "lamp_ball": BALL_UNIT,
             "shadow_map": SHADOW_UNIT,
+            "pane_map": PANE_UNIT,
             "flake_mosaic": MOSAIC_UNIT,
             "tilt_light": TILT_LIGHT_UNIT,
         }
@@ -164,11 +165,12 @@ class Programs:
             )
         return self._surfaces[key]
 
-    def shadow_map(self) -> moderngl.Program:
-        """Return the program that draws the depth of a mesh as a light sees it."""
-        key = (LookUps(0, 0), frozenset({"SHADOW_MAP"}))
+    def shadow_map(self, *, panes: bool = False) -> moderngl.Program:
+        """Return the program that draws how far a light sees, or what ``panes`` leave of it."""
+        name = "pane_map" if panes else "shadow_map"
+        key = (LookUps(0, 0), frozenset({name}))
         if key not in self._surfaces:
-            vertex, fragment = compose("shadow_map.vert.glsl"), compose("shadow_map.frag.glsl")
+            vertex, fragment = compose(f"{name}.vert.glsl"), compose(f"{name}.frag.glsl")
             self._surfaces[key] = self._objects.program(vertex, fragment)
         return self._surfaces[key]
 

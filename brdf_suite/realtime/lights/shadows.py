@@ -1,7 +1,8 @@
 """Shadows of single lights: of the environment's sun and of lamps, in the tiles of one shadow map.
 
-Each light has a square tile with the depth of what it sees of the mesh (``shadows.glsl``). A tile is drawn again only
-where its light or the mesh has changed.
+Each light has a square tile with the depth of what it sees of the mesh (``shadows.glsl``), and where there are panes a
+second one, with the share of its light that those pass. A tile is drawn again only where its light or the mesh has
+changed.
 """
 
 from __future__ import annotations
@@ -16,13 +17,13 @@ import numpy as np
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import MOST_LAMPS, TRANSMITTANCE, Lamp
+from brdf_suite.documents.view_settings import MOST_LAMPS, PANE_IOR, TRANSMITTANCE, Lamp
 from brdf_suite.geometry.directions import about_y, from_horizon
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.programs import SHADOW_UNIT, Features, Programs, assign, columns
+from brdf_suite.realtime.gl.programs import PANE_UNIT, SHADOW_UNIT, Features, Programs, assign, columns
 from brdf_suite.realtime.lights.single_lights import FindLights, no_lights
 from brdf_suite.realtime.lights.sun import Sun, find_sun
 
@@ -152,7 +153,8 @@ class Shadows:
     def __init__(self, objects: GpuObjects, programs: Programs, mesh: MeshBuffers) -> None:
         self._objects, self._programs, self._mesh = objects, programs, mesh
         self._map: tuple[moderngl.Framebuffer, moderngl.Texture] | None = None
-        self._drawn: dict[_Tile, tuple[int, bytes, tuple[bool, ...]]] = {}
+        self._pane_map: tuple[moderngl.Framebuffer, moderngl.Texture] | None = None
+        self._drawn: dict[_Tile, tuple[int, bytes, tuple[str, ...]]] = {}
         self._find: FindLights = no_lights
         self._mean: Floats = np.zeros(3)
         self._found: tuple[Sun | None] | None = None
@@ -177,7 +179,18 @@ class Shadows:
                 words.add("SUN")
             if view.lamps and (view.surface_look.ground or not self._mesh.hides_nothing):
                 words.add("LAMP_SHADOWS")
+        if words and any(self._panes(view)):
+            words.add("PANE_SHADOWS")
         return frozenset(words)
+
+    def _panes(self, view: View) -> tuple[str, ...]:
+        """Return the material of each part that is a pane, "" of the others."""
+        chosen = view.surface_look.chosen
+        materials = zip(self._mesh.names, self._mesh.materials, strict=True)
+        return tuple(
+            name if name in TRANSMITTANCE else ""
+            for name in (chosen.get(part, own) for part, own in materials)
+        )
 
     def on_mesh(self, features: Features) -> Features:
         """Return the words for the mesh itself, which of an open place needs no look-up for lamps."""
@@ -204,11 +217,13 @@ class Shadows:
         if not frames:
             return {}
         tiles = _tiles([size for _, size in frames])
-        chosen = view.surface_look.chosen
-        materials = zip(self._mesh.names, self._mesh.materials, strict=True)
-        hides = tuple(chosen.get(part, own) not in TRANSMITTANCE for part, own in materials)
-        texture = self._draw(self._frames, tiles, hides)
+        texture, passed = self._draw(
+            self._frames, tiles, self._panes(view), glazed="PANE_SHADOWS" in features
+        )
         texture.use(SHADOW_UNIT)
+        if passed is not None:
+            passed.use(PANE_UNIT)
+            values["pane_map"] = PANE_UNIT
         each = list(zip(self._frames, tiles, strict=True))
         # A whole array is written: a part of one is none to moderngl.
         each += [each[-1]] * (MOST_SHADOWS - len(each))
@@ -227,26 +242,37 @@ class Shadows:
         return met.min(axis=0), met.max(axis=0)
 
     def _draw(
-        self, frames: Sequence[ShadowFrame], tiles: Sequence[_Tile], hides: tuple[bool, ...]
-    ) -> moderngl.Texture:
-        """Return the map with these frames of what hides light in its tiles; drawn is what is not there yet."""
+        self, frames: Sequence[ShadowFrame], tiles: Sequence[_Tile], panes: tuple[str, ...], *, glazed: bool
+    ) -> tuple[moderngl.Texture, moderngl.Texture | None]:
+        """Return the maps with these frames of what hides light, and of panes; drawn is what is not there yet.
+
+        ``panes`` has the material of each part that is one, "" of the others. There is no map of panes unless
+        ``glazed``.
+        """
         size = max(x + edge for x, _, edge in tiles), max(y + edge for _, y, edge in tiles)
         if self._map is None or self._map[1].size != size:
-            if self._map is not None:
-                for made in self._map:
-                    self._objects.release(made)
+            for made in (*(self._map or ()), *(self._pane_map or ())):
+                self._objects.release(made)
             texture = self._objects.depth_texture(size)
             self._map = self._objects.framebuffer(depth=texture), texture
+            self._pane_map = None
             self._drawn = {}
-        framebuffer, texture = self._map
+        if glazed and self._pane_map is None:
+            passed = self._objects.texture(size, "f2")
+            passed.filter = (moderngl.LINEAR, moderngl.LINEAR)
+            passed.repeat_x = passed.repeat_y = False
+            self._pane_map = self._objects.framebuffer(passed, depth=self._map[1]), passed
+            self._drawn = {}
         for frame, tile in zip(frames, tiles, strict=True):
-            wanted = (self._mesh.generation, frame.to_clip.tobytes(), hides)
+            wanted = (self._mesh.generation, frame.to_clip.tobytes(), panes)
             if self._drawn.get(tile) == wanted:
                 continue
             with graphics_errors(self._objects.context, "drawing the shadow of a light"):
-                self._draw_tile(framebuffer, size, frame, tile, hides)
+                self._draw_tile(self._map[0], size, frame, tile, panes)
+                if glazed and self._pane_map is not None:
+                    self._draw_panes(self._pane_map[0], size, frame, tile, panes)
             self._drawn[tile] = wanted
-        return texture
+        return self._map[1], self._pane_map[1] if glazed and self._pane_map is not None else None
 
     def _draw_tile(
         self,
@@ -254,7 +280,7 @@ class Shadows:
         size: tuple[int, int],
         frame: ShadowFrame,
         tile: _Tile,
-        hides: tuple[bool, ...],
+        panes: tuple[str, ...],
     ) -> None:
         program = self._programs.shadow_map()
         self._objects.bind(framebuffer, size, depth=True)
@@ -262,9 +288,38 @@ class Shadows:
         framebuffer.clear(depth=1.0, viewport=viewport)
         self._objects.context.viewport = viewport
         assign(program, {"light_to_clip": columns(frame.to_clip)})
-        for array, hiding in zip(self._mesh.arrays(program), hides, strict=True):
-            if hiding:
+        for array, pane in zip(self._mesh.arrays(program), panes, strict=True):
+            if not pane:
                 array.render(moderngl.TRIANGLES)
+
+    def _draw_panes(
+        self,
+        framebuffer: moderngl.Framebuffer,
+        size: tuple[int, int],
+        frame: ShadowFrame,
+        tile: _Tile,
+        panes: tuple[str, ...],
+    ) -> None:
+        """Draw what panes in front of all else leave of the light, over the depths that are drawn already."""
+        context, program = self._objects.context, self._programs.shadow_map(panes=True)
+        self._objects.bind(framebuffer, size, depth=True)
+        viewport = (tile[0], tile[1], tile[2], tile[2])
+        framebuffer.depth_mask = False
+        framebuffer.clear(1.0, 1.0, 1.0, 1.0, viewport=viewport)
+        context.viewport = viewport
+        context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
+        context.blend_func = moderngl.ZERO, moderngl.SRC_COLOR
+        context.blend_equation = moderngl.FUNC_ADD, moderngl.MIN
+        source = (*triple(frame.source), float(frame.near))
+        for array, pane in zip(self._mesh.arrays(program), panes, strict=True):
+            if pane:
+                own = {"ior": PANE_IOR[pane], "transmittance": TRANSMITTANCE[pane]}
+                assign(program, {"light_to_clip": columns(frame.to_clip), "light_from": source, **own})
+                array.render(moderngl.TRIANGLES)
+        context.blend_equation = moderngl.FUNC_ADD, moderngl.FUNC_ADD
+        context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
+        context.enable_only(moderngl.DEPTH_TEST)
+        framebuffer.depth_mask = True
 
 
 def _tiles(edges: Sequence[int]) -> list[_Tile]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_suite.documents.view_settings import TRANSMITTANCE
+from brdf_suite.documents.view_settings import PANE_IOR, TRANSMITTANCE
 from brdf_suite.geometry.fresnel import fresnel_dielectric, sheet_reflectance
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.values import MaterialWeights, check_exponents
@@ -34,8 +34,8 @@ def stock_materials(exponents: ArrayLike) -> dict[str, MaterialWeights]:
     reach = max((e for e in given if e <= BROADEST_SHARP), default=0.0)
     e = tuple(sorted({*given, *(own for own in _BROAD if own <= reach)}))
     return {
-        "glass": _pane(e, ior=1.52, transmittance=TRANSMITTANCE["glass"]),
-        "lens": _pane(e, ior=1.59, transmittance=TRANSMITTANCE["lens"]),
+        "glass": _pane(e, ior=PANE_IOR["glass"], transmittance=TRANSMITTANCE["glass"]),
+        "lens": _pane(e, ior=PANE_IOR["lens"], transmittance=TRANSMITTANCE["lens"]),
         "rubber": _coated(e, base=0.03, ior=1.5, coat_exponent=12.0, coat_share=0.35),
         "chrome": _metal(e, reflectance=(0.56, 0.57, 0.58)),
         "lamp": _coated(e, base=0.16, ior=1.59, coat_exponent=np.inf, metallic=0.42, metallic_exponent=60.0),

@@ -1,12 +1,27 @@
 // Provides: float light_seen(int which, vec3 position, vec3 normal, bool wanted); with SUN: SUN_SHADOW, sun_direction,
 //           sun_irradiance; FIRST_LAMP_SHADOW
-// Needs:    SUN, LAMP_SHADOWS or both. Written by lights/shadows.py
+// Needs:    SUN, LAMP_SHADOWS or both; PANE_SHADOWS where there are panes. Written by lights/shadows.py
 //
 // The share of a light that a place sees past the mesh, 0 to 1: of its disc, as far as what is in the way is away.
 // Every light has a tile of one map, with the depth of what it sees first: a distant light in parallel, a near one in
-// perspective from its middle.
+// perspective from its middle. Panes have another map: what all of them pass that are nearer than that, and how near the
+// first of them is.
 const int MOST_SHADOWS = 9;                  // the sun and eight lamps
 uniform sampler2D shadow_map;
+#ifdef PANE_SHADOWS
+uniform sampler2D pane_map;
+const float BEHIND_PANE = 2e-3;      // of the depth, so that a pane does not shade itself
+
+// What panes leave of a light at a place of a tile, of a depth 0 to 1.
+float passed_by_panes(vec4 tile, vec2 place, float depth)
+{
+    vec2 at = tile.xy + clamp(place * tile.z, vec2(0.5), vec2(tile.z - 0.5));
+    vec4 pane = texture(pane_map, at / vec2(textureSize(pane_map, 0)));
+    return depth > pane.a + BEHIND_PANE ? pane.r : 1.0;
+}
+#else
+#define passed_by_panes(tile, place, depth) 1.0
+#endif
 // World to the tile: place 0 to 1 times w; distance along the axis, metres; w, which is 1 for a distant light, that
 // distance for a near one.
 uniform mat4 shadow_to_tile[MOST_SHADOWS];
@@ -115,7 +130,9 @@ float light_seen(int which, vec3 position, vec3 normal, bool wanted)
                                                 texelFetch(shadow_map, first + ivec2(1, 1), 0).r),
                                            vec4(min(here.z + dot(slope, off), 1.0))));
         vec2 rows = mix(clear.xz, clear.yw, part.x);
-        open += mix(rows.x, rows.y, part.y);
+        open += mix(rows.x, rows.y, part.y) * passed_by_panes(tile, place + off, here.z + dot(slope, off));
     }
-    return taken > 0 ? open / float(taps) : 1.0;
+    if (taken > 0)
+        return open / float(taps);
+    return within ? passed_by_panes(tile, place, here.z) : 1.0;
 }

@@ -44,10 +44,16 @@ def _pane_plug_in() -> Any:
             self.m_flags = mi.BSDFFlags.DeltaReflection | mi.BSDFFlags.Null | both
             self.ior, self.transmittance = 1.5, 1.0
 
-        def sample(self, _context: Any, si: Any, choice: Any, _u: Any, active: Any = True) -> tuple[Any, Any]:
+        def _shares(self, si: Any) -> tuple[Any, Any]:
             f = directions.fresnel(dr.abs(si.wi.z), self.ior)
             mirrored = 2.0 * f / (1.0 + f)
-            passed = self.transmittance * (1.0 - mirrored)
+            return mirrored, self.transmittance * (1.0 - mirrored)
+
+        def eval_null_transmission(self, si: Any, active: Any = True) -> Any:
+            return mi.Color3f(dr.select(active, self._shares(si)[1], 0.0))
+
+        def sample(self, _context: Any, si: Any, choice: Any, _u: Any, active: Any = True) -> tuple[Any, Any]:
+            mirrored, passed = self._shares(si)
             through = choice < passed
             found: Any = mi.BSDFSample3f(dr.select(through, -si.wi, mi.Vector3f(-si.wi.x, -si.wi.y, si.wi.z)))
             found.pdf = dr.select(active, dr.select(through, passed, 1.0 - passed), 0.0)

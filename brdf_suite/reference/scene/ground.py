@@ -32,6 +32,9 @@ _RIM = 0.1
 _LIFT = 1e-4
 
 
+MOST_PANES = 8
+
+
 @dataclass(eq=False)
 class GroundGrid:
     """A grid of places on the ground, with their known irradiance.
@@ -114,15 +117,15 @@ class GroundGrid:
         at.n = mi.Normal3f(0.0, 1.0, 0.0)
         ds, weight = scene.environment().sample_direction(at, sampler.next_2d())
         light = weight * dr.maximum(ds.d.y, 0.0)
-        free = ~scene.ray_test(mi.Ray3f(at.p, ds.d), ds.d.y > 0.0)
+        passed = _passing(scene, mi.Ray3f(at.p, ds.d), ds.d.y > 0.0)
 
         def sees(towards: Any, distance: Any, asked: Any) -> Any:
             ray: Any = mi.Ray3f(at.p, towards)
             ray.maxt = mi.Float(distance)
-            return ~scene.ray_test(ray, asked)
+            return _passing(scene, ray, asked)
 
         arrived, sent = lamp_light(self.lamps, at.p, sampler.next_2d, sees)
-        found = np.array(dr.select(free, light, mi.Color3f(0.0)) + arrived, np.float64).T
+        found = np.array(light * passed + arrived, np.float64).T
         everywhere = np.array(light, np.float64).T.mean(axis=0)
         before, after = self.samples, self.samples + samples
         mean = found.reshape(rows, columns, samples, 3).mean(axis=2)
@@ -132,6 +135,25 @@ class GroundGrid:
         self.arriving = (self.arriving * before + mean * samples) / after
         self.open_light = (self.open_light * before + everywhere * samples) / after
         self.samples, self.passes = after, self.passes + 1
+
+
+def _passing(scene: Any, ray: Any, active: Any) -> Any:
+    """Return which share of the light comes along rays: 0 where it is hidden, less than 1 through panes."""
+
+    def one_more(k: Any, going: Any, share: Any, ray: Any) -> tuple[Any, ...]:
+        si = scene.ray_intersect(ray, going)
+        met = going & si.is_valid()
+        share = dr.select(met, share * si.bsdf().eval_null_transmission(si, met).y, share)
+        going = met & (share > 0.0)
+        return (
+            k + 1,
+            going,
+            share,
+            dr.select(going, si.spawn_ray_to(ray.o + ray.d * dr.minimum(ray.maxt, 1e5)), ray),
+        )
+
+    state = (mi.UInt32(0), mi.Bool(active), mi.Float(1.0), ray)
+    return dr.while_loop(state, lambda k, going, *_: going & (k < MOST_PANES), one_more, label="panes")[2]
 
 
 def ground_mesh(ground: GroundGrid, environment: Any) -> tuple[Any, Any]:

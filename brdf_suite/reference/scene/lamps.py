@@ -72,7 +72,7 @@ class LampAim:
         The last is of the lamp's middle, and 1 of a distant lamp, whose irradiance is the same everywhere.
         """
         middle = mi.Vector3f(*self.place)
-        way = middle - mi.Vector3f(point) if self.near else middle + dr.zeros(mi.Vector3f, dr.width(point))
+        way = middle - mi.Vector3f(point) if self.near else middle
         squared = dr.maximum(dr.squared_norm(way), 1e-8)
         frame = mi.Frame3f(dr.normalize(way))
         disc = mi.warp.square_to_uniform_disk_concentric(sample) * self.radius
@@ -86,15 +86,14 @@ def lamp_light(
 ) -> tuple[Any, Any]:
     """Return what lamps send to level places ``point``: what arrives, and what would if nothing were in the way.
 
-    ``draw`` gives squares of random numbers; ``sees`` returns whether the way is free, from directions,
+    ``draw`` gives squares of random numbers; ``sees`` returns which share comes along the way, from directions,
     distances, and which places ask.
     """
     arrived, sent = mi.Color3f(0.0), mi.Color3f(0.0)
     for lamp in lamps:
         towards, distance, nearness = LampAim.of(lamp).draw(point, draw())
         light = mi.Color3f(*lamp_power(lamp).tolist()) * (nearness * dr.maximum(towards.y, 0.0))
-        free = sees(towards, distance, towards.y > 0.0)
-        arrived = arrived + dr.select(free, light, 0.0)
+        arrived = arrived + light * sees(towards, distance, towards.y > 0.0)
         sent = sent + light
     return arrived, sent
 
@@ -112,13 +111,14 @@ def _plug_in() -> Any:
 
         def sample_direction(self, it: Any, sample: Any, active: Any = True) -> tuple[Any, Any]:
             towards, distance, nearness = self.aim.draw(it.p, sample)
-            ds: Any = dr.zeros(mi.DirectionSample3f, dr.width(it.p))
+            # By hand: the scalar variant has no zeros of it.
+            ds: Any = mi.DirectionSample3f()
+            ds.uv = mi.Point2f(0.0)
             ds.p = it.p + towards * distance
             ds.n = mi.Normal3f(-towards)
             ds.d, ds.dist, ds.time = towards, distance, it.time
-            ds.pdf = dr.ones(mi.Float, dr.width(it.p))
-            ds.delta = dr.full(mi.Bool, True, dr.width(it.p))
-            ds.emitter = mi.EmitterPtr(self)
+            ds.pdf, ds.delta = mi.Float(1.0), mi.Bool(True)
+            ds.emitter = mi.EmitterPtr(self) if dr.is_jit_v(mi.Float) else self
             light = mi.Color3f(self.power) * nearness
             return ds, dr.select(active, light, mi.Color3f(0.0))
 

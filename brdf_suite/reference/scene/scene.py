@@ -102,10 +102,14 @@ def build_scene(
     ground: GroundGrid | None = None,
 ) -> TracedScene:
     """Return the scene: ``parts`` with the terms, or BSDFs, of their materials, in the light of a map (h, w, 3)."""
+    # In the scalar variant materials are Mitsuba's own plug-ins already.
+    bsdfs = {name: term if isinstance(term, mi.BSDF) else make_bsdf(term) for name, term in terms.items()}
+    glazed = any(mi.has_flag(bsdfs[part.material].flags(), mi.BSDFFlags.Null) for part in parts)
     described: dict[str, Any] = {
         "type": "scene",
         "integrator": {
-            "type": "path",
+            # Light is looked for through panes.
+            "type": "volpath" if glazed else "path",
             "max_depth": depth + 1,
             "rr_depth": 5,
             # What is behind the object is added without noise, by coverage; see backdrop.py.
@@ -118,8 +122,6 @@ def build_scene(
             "to_world": _turned(view.rotation_deg),
         },
     }
-    # In the scalar variant materials are Mitsuba's own plug-ins already.
-    bsdfs = {name: term if isinstance(term, mi.BSDF) else make_bsdf(term) for name, term in terms.items()}
     _set_viewpoint(bsdfs, eye, size)
     for index, lamp in enumerate(view.lamps):
         described[f"lamp_{index}"] = lamp_emitter(lamp)

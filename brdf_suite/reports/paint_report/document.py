@@ -20,7 +20,7 @@ from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.appearance.texture import TextureReadings
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.documents.paint import Lab
+from brdf_suite.documents.paint import Lab, TextureTargets
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportItem
@@ -32,6 +32,7 @@ from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, ju
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material, refit_under
 from brdf_suite.pipeline.material import material_of
+from brdf_suite.pipeline.scene import default_view
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -62,7 +63,7 @@ def draw_pictures(
 
     Errors as :func:`brdf_suite.output.still.render_to_file`.
     """
-    scenes = ((view or View(), _HERO), (SECOND, _SMALL))
+    scenes = ((view or default_view(), _HERO), (SECOND, _SMALL))
     pictures = []
     for index, (scene, (width, height)) in enumerate(scenes):
         size = (max(16, round(width * scale)), max(16, round(height * scale)))
@@ -304,14 +305,18 @@ def _figures(
     if peel is not None:
         coat.append(("Orange peel", f"{peel.amplitude_um:.2g} µm, {peel.wavelength_mm:.2g} mm"))
     groups = [("Colour over the angle", tuple(shape)), ("Coat", tuple(coat))]
-    groups.append(("Flakes", _flake_figures(fit, item.texture)))
+    groups.append(("Flakes", _flake_figures(fit, item.texture, paint.texture or TextureTargets())))
     return tuple(groups)
 
 
-def _flake_figures(fit: LobeFit, texture: TextureReadings | None) -> tuple[tuple[str, str], ...]:
+def _flake_figures(
+    fit: LobeFit, texture: TextureReadings | None, targets: TextureTargets
+) -> tuple[tuple[str, str], ...]:
+    *wanted, wanted_graininess = targets.wanted
     flakes = fit.flakes
     if flakes is None:
-        return (("Flakes", "none that can be seen"), ("Sparkle, graininess", "none"))
+        none = "none" if targets == TextureTargets() else "none, but the paint has targets"
+        return (("Flakes", "none that can be seen"), ("Sparkle, graininess", none))
 
     rows = [
         ("Density", f"{flakes.density_per_mm2:.0f} /mm²"),
@@ -320,11 +325,15 @@ def _flake_figures(fit: LobeFit, texture: TextureReadings | None) -> tuple[tuple
         ("Colour spread", f"{flakes.colour_spread:.2f}"),
     ]
     if texture is not None:
-        for one in texture.sparkle:
+        for one, target in zip(texture.sparkle, wanted, strict=True):
             value = f"{100.0 * one.grade:.0f} %, area {100.0 * one.area:.1f} %"
-            rows.append((f"Sparkle {one.light_deg:g}°", value))
-        rows.append(("Graininess", f"{100.0 * texture.graininess:.2f} %"))
+            rows.append((f"Sparkle {one.light_deg:g}°", value + _target(target, 0)))
+        rows.append(("Graininess", f"{100.0 * texture.graininess:.2f} %{_target(wanted_graininess, 2)}"))
     return tuple(rows)
+
+
+def _target(wanted: float | None, digits: int) -> str:
+    return "" if wanted is None else f", target {100.0 * wanted:.{digits}f} %"
 
 
 def _remarks(item: ExportItem, fit: LobeFit) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Integers, Singles
-from brdf_suite.documents.view_settings import TRANSMITTANCE
+from brdf_suite.documents.view_settings import PANE_IOR, TRANSMITTANCE
 from brdf_suite.errors import SuiteError
 from brdf_suite.geometry.closed_surface import is_closed_outward
 from brdf_suite.progress import Progress, report, subrange
@@ -80,7 +80,8 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     report(progress, 0.0, "occlusion: sorting the triangles")
     try:
         passing = np.array([TRANSMITTANCE.get(part.material, 0.0) for part in mesh.parts])
-        scene = RayScene(surface.positions[surface.triangles], passing[surface.part])
+        iors = np.array([PANE_IOR.get(part.material, 1.0) for part in mesh.parts])
+        scene = RayScene(surface.positions[surface.triangles], passing[surface.part], iors[surface.part])
     except ImportError as error:
         raise SuiteError(
             f"Occlusion cannot be baked: the ray tracer Embree is not there for this machine ({error})."

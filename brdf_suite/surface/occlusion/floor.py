@@ -51,7 +51,7 @@ def bake_floor(scene: RayScene, low: Floats, high: Floats, progress: Progress | 
     seen = scene.leaves(points.reshape(-1, 3), directions, turns, progress, "occlusion of the floor")
     harmonics = low_harmonics(directions, DEGREE) * (np.pi / _RAYS)
     # What is taken from an open floor: exactly nothing where nothing is in the way.
-    hidden = (1 - seen).astype(np.float32) @ harmonics.astype(np.float32)
+    hidden = ((255 - seen) / np.float32(255.0)).astype(np.float32) @ harmonics.astype(np.float32)
     lost = rotate_harmonics(hidden.astype(np.float64), turns)
     lost = _smooth(lost.reshape(rows, columns, -1)) * _window(rows, columns)[..., None]
     transfer = open_floor(DEGREE) - lost

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Singles
+from brdf_suite.geometry.fresnel import sheet_reflectance
 from brdf_suite.progress import Progress, report
 
 _PLACES_AT_ONCE = 1024
@@ -25,6 +26,8 @@ _PLACES_AT_ONCE = 1024
 _BELOW = 1e-3
 """A direction whose cosine to the triangle's plane is less looks into the body and is not counted."""
 _GOLDEN = 0.6180339887498949
+_MOST_PANES = 8
+"""On the way of a ray; what comes through more is nothing."""
 
 
 class RayScene:
@@ -34,8 +37,9 @@ class RayScene:
     ----------
     triangles
         Corners (k, 3, 3), metres, k ≥ 1.
-    passing
-        (k,): which share of the light each triangle lets pass; 0 for all but panes. Left out, 0.
+    passing, iors
+        (k,): of a pane's triangles which share passes of the light that they do not mirror, and their index; 0 and
+        any number of the others. Left out, there are no panes.
 
     Raises
     ------
@@ -43,14 +47,24 @@ class RayScene:
         There is no Embree for this machine.
     """
 
-    def __init__(self, triangles: NDArray[Any], passing: NDArray[Any] | None = None) -> None:
+    def __init__(
+        self,
+        triangles: NDArray[Any],
+        passing: NDArray[Any] | None = None,
+        iors: NDArray[Any] | None = None,
+    ) -> None:
         # Embree's library takes 40 ms to load, and only baking needs it.
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene
 
         passing = np.zeros(len(triangles)) if passing is None else passing
         panes = passing > 0.0
-        self._passing = np.append(passing[panes], 1.0).astype(np.float32)
+        self._passing = passing[panes]
+        self._iors = np.ones(0) if iors is None else iors[panes]
+        a, b, c = np.moveaxis(np.asarray(triangles, float)[panes], 1, 0)
+        across = np.cross(b - a, c - a)
+        self._facing = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-30)
+        self._step = 1e-5 * float(np.ptp(np.asarray(triangles).reshape(-1, 3), axis=0).max())
         self._scenes = []
         for kept in (~panes, panes):
             # Robust: a ray through the edge between two triangles hits one of them.
@@ -65,12 +79,26 @@ class RayScene:
     def free(self, origins: Singles, directions: Singles) -> Singles:
         """Return (n,): which share of the light comes along each ray (n, 3), (n, 3) to its origin.
 
-        0 where it hits what is no pane, else what the first pane lets pass, or 1.
+        0 where it hits what is no pane, else what the panes on its way let pass, or 1.
         """
         (opaque, _), (panes, _) = self._scenes
         share = np.ones(len(origins), np.float32)
-        if panes is not None:
-            share = self._passing[panes.run(origins, directions, query="INTERSECT")]
+        going, starts = np.arange(len(origins)), origins
+        for _ in range(_MOST_PANES):
+            if panes is None:
+                break
+            found = panes.run(starts, directions[going], query="INTERSECT", output=True)
+            met = found["primID"] >= 0
+            if not met.any():
+                break
+            pane, going = found["primID"][met], going[met]
+            cosine = np.abs(np.einsum("nk,nk->n", self._facing[pane], directions[going]))
+            for ior in np.unique(self._iors[pane]):
+                of_it = self._iors[pane] == ior
+                clear = 1.0 - sheet_reflectance(cosine[of_it], float(ior))
+                share[going[of_it]] *= (self._passing[pane[of_it]] * clear).astype(np.float32)
+            beyond = (found["tfar"][met] + self._step)[:, None] * directions[going]
+            starts = (starts[met] + beyond).astype(np.float32)
         if opaque is not None:
             share = np.where(opaque.run(origins, directions, query="OCCLUDED") < 0, share, np.float32(0.0))
         return share
@@ -139,7 +167,7 @@ class RayScene:
         progress: Progress | None = None,
         what: str = "occlusion",
     ) -> NDArray[np.uint8]:
-        """Return (n, m): 1 where a ray from a point along a direction, turned for that point, hits panes at most.
+        """Return (n, m): which share of the light comes along a direction, turned for a point, to that; 255 is all.
 
         ``points`` (n, 3); ``directions`` (m, 3), turned about y by ``turns`` (n,), radians.
         """
@@ -153,7 +181,8 @@ class RayScene:
             turned[..., 0], turned[..., 1] = cosine * x + sine * z, y
             turned[..., 2] = cosine * z - sine * x
             origins = np.repeat(points[part], len(directions), axis=0)
-            result[part] = self.free(origins, turned.reshape(-1, 3)).reshape(result[part].shape) > 0.0
+            free = self.free(origins, turned.reshape(-1, 3)).reshape(result[part].shape)
+            result[part] = np.rint(255.0 * free)
             return part.stop - first
 
         _in_threads(step, len(points), progress, what)

@@ -111,7 +111,7 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
                 pictures: list[tuple[Floats, Floats, Floats, Floats]] = []
                 for population in range(POPULATIONS):
                     part = subrange(step, population / POPULATIONS, (population + 1) / POPULATIONS)
-                    moved, moved_light = _moved(mesh, baked, population)
+                    moved, moved_light = with_population(mesh, baked, population)
                     traced = _traces(order, view, paint, fit, prepared, moved, population, part)
                     scene.set_surface(moved, moved_light)
                     scene.set_material(fit, view=traced[0])
@@ -195,8 +195,11 @@ def block_means(light: Floats, inside: NDArray[np.bool_]) -> Floats:
     return np.asarray(total[enough] / count[enough][:, None])
 
 
-def _moved(mesh: Mesh, baked: BakedMesh | None, population: int) -> tuple[Mesh, BakedMesh | None]:
-    """Return the mesh, and what is baked for it, with their texture coordinates moved: with other flakes."""
+def with_population(mesh: Mesh, baked: BakedMesh | None, population: int) -> tuple[Mesh, BakedMesh | None]:
+    """Return the mesh, and what is baked for it, with other flakes: with their texture coordinates moved.
+
+    ``population`` is a number from 0, which leaves both as they are.
+    """
     by = population * _APART_MM
     moved = replace(mesh, parts=tuple(replace(part, uvs=part.uvs + by) for part in mesh.parts))
     if baked is None:

@@ -23,6 +23,7 @@ from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import report
 from brdf_suite.reference.passes import trace
+from brdf_suite.tracing.agreement.flakes import with_population
 from brdf_suite.tracing.reference.scene import build_reference
 
 PAINT = "coarse_silver"
@@ -126,12 +127,6 @@ def _relative(known: _Scene, view: View, size: int) -> np.ndarray:
     return np.asarray(one, np.float64) / np.asarray(other, np.float64) - 1.0
 
 
-def _moved(mesh: Any, population: int) -> Any:
-    """Return the mesh with other flakes."""
-    by = population * np.array([1013.0, 677.0], np.float32)
-    return replace(mesh, parts=tuple(replace(part, uvs=part.uvs + by) for part in mesh.parts))
-
-
 def _focal(distance: float, pixel_mm: float, size: int) -> float:
     return SENSOR_WIDTH_MM * 1e3 * distance / (pixel_mm * size)
 
@@ -148,7 +143,7 @@ def _means(known: _Scene, notes: dict[str, str], progress) -> dict[str, float]:
             view = _view(known, light, 0, distance, _focal(distance, pixel, size))
             means = []
             for seed in range(_SEEDS):
-                known.scene.set_surface(_moved(known.mesh, seed), None)
+                known.scene.set_surface(*with_population(known.mesh, None, seed))
                 means.append(float(_relative(known, view, size).mean()))
             errors[f"{light} at {distance:g} m"] = (
                 abs(float(np.mean(means))),
@@ -222,7 +217,7 @@ def _against_traced(known: _Scene, notes: dict[str, str], progress) -> dict[str,
             report(progress, 0.6 + 0.13 * i + 0.03 * place, f"{light}, traced")
             view = _view(known, light, place, 0.06, _focal(0.06, _TRACED_MM, size))
             for population in range(_POPULATIONS):
-                mesh = _moved(known.mesh, population)
+                mesh, _ = with_population(known.mesh, None, population)
                 known.scene.set_surface(mesh, None)
                 drawn = _relative(known, view, size)
                 one, other = (traced - 1.0 for traced in _traced(known, mesh, light, view))

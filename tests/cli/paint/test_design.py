@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from brdf_suite.cli.main import main
+from brdf_suite.documents.paint import TextureTargets
 from brdf_suite.documents.store import load_paint, save_paint
-from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.inspection.texture.expectation import expected_scales
+from brdf_suite.inspection.texture.readings import paint_light
+from brdf_suite.pipeline.lobe_fit import fit_material
+from brdf_suite.pipeline.material import load_shipped_paint, material_of
 
 
 @pytest.fixture
@@ -115,6 +120,26 @@ def test_flakes_are_found_by_wanted_readings(asked, tmp_path: Path) -> None:
     written, blue = load_paint(path), load_shipped_paint("blue")
     assert written.flakes != blue.flakes
     assert written.measurements == blue.measurements
+
+
+def test_flakes_are_looked_for_with_the_scattering_that_is_written(asked, tmp_path: Path) -> None:
+    path = tmp_path / "mine.brdfpaint"
+    words = ("design", "flakes", "matte_grey", "--sparkle", "45=100", "--scattering", "single", "-o", path)
+    answer = json.loads(asked(*words, "--json")[1])
+    written = load_paint(path)
+    assert written.scattering == "single"
+    found = expected_scales(paint_light(fit_material(material_of(written)).weights), written.flakes)
+    assert list(answer["expected"].values()) == pytest.approx(found.tolist(), rel=1e-6)
+
+
+def test_wanted_readings_are_kept_as_targets_and_met_again(asked, tmp_path: Path) -> None:
+    path, again = tmp_path / "mine.brdfpaint", tmp_path / "again.brdfpaint"
+    assert asked("design", "flakes", "blue", "--sparkle", "45=100", "-o", path)[0] == 0
+    assert load_paint(path).texture == TextureTargets(grade_45=1.0)
+    save_paint(replace(load_paint(path), flakes=None), path)
+    answer = json.loads(asked("design", "flakes", path, "-o", again, "--json")[1])
+    assert answer["reached"]
+    assert answer["expected"]["sparkle grade 45°"] == pytest.approx(1.0, rel=0.05)
 
 
 def test_readings_that_no_flakes_have_are_said(asked) -> None:

@@ -1,18 +1,23 @@
-"""The Texture section by mouse and keyboard: readings after edits, targets of each document, flakes with undo."""
+"""The Texture section by mouse and keyboard: readings after edits, targets of the paint, flakes with undo."""
 
 from __future__ import annotations
 
+import json
+
 import pytest
+from brdf_designer.standard_comparison.records import Record, record_from_json
 from brdf_designer.texture.control import TextureControl
 from brdf_qt.program.settings import settings
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from brdf_suite.appearance.texture import NO_TEXTURE
-from brdf_suite.documents.paint import Flakes
+from brdf_suite.documents.paint import Flakes, TextureTargets
+from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.inspection.texture.camera import measure_texture
 from brdf_suite.inspection.texture.expectation import expected_scales
 from brdf_suite.inspection.texture.readings import paint_light
+from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.material import load_shipped_paint
 
 
@@ -69,11 +74,11 @@ def test_a_reading_beyond_its_tolerance_is_told_from_one_within(control, qtbot) 
 
 
 def test_flakes_are_found_by_targets_and_undone(designer, control, qtbot) -> None:
-    before = designer.store.value
     light = paint_light(designer.session.fit.weights)
     wanted = expected_scales(light, Flakes(1500.0, 22.0, 0.165))
     for field, value in zip(control.section.targets.values(), wanted.tolist(), strict=True):
         type_in(field, f"{100 * value:.2f}")
+    before = designer.store.value
     QTest.mouseClick(control.section.search, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: designer.store.value != before, timeout=120_000)
     assert designer.store.stack.undoText() == "Find Flakes"
@@ -100,4 +105,27 @@ def test_each_document_has_targets_of_its_own(designer, control, qtbot) -> None:
     assert not control.section.search.isEnabled()
     designer.documents.step(-1)
     assert control.section.wanted()[0] == pytest.approx(0.33)
+    settle(control, qtbot)
+
+
+def test_targets_are_edits_of_the_paint_and_saved_with_it(designer, control, qtbot, tmp_path) -> None:
+    readings = control.readings
+    type_in(control.section.targets["grade_45"], "80")
+    type_in(control.section.targets["graininess"], "3.5")
+    wanted = TextureTargets(grade_45=0.8, graininess=0.035)
+    assert designer.session.paint.texture == wanted
+    assert designer.store.stack.undoText() == "Change Texture Targets"
+    # Nothing is seen of them: the same readings stand.
+    assert control.readings is readings
+    path = tmp_path / "aimed.brdfpaint"
+    save_paint(designer.session.paint, path)
+    designer.session.undo()
+    assert control.section.wanted() == (None, 0.8, None, None)
+    designer.session.undo()
+    assert control.section.wanted() == (None,) * 4
+    designer.documents.add(load_paint(path))
+    assert control.section.wanted() == wanted.wanted
+    record = record_from_json(json.loads(json.dumps(Record(standard_of(load_paint(path))).to_json())))
+    assert record is not None
+    assert record.standard.paint.texture == wanted
     settle(control, qtbot)

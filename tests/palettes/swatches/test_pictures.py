@@ -20,6 +20,7 @@ from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import entry_to_json
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.lighting.environment import SMALL_COLUMNS
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.palettes.swatches.look import Form, SwatchLook, swatch_key
 from brdf_suite.palettes.swatches.pictures import SwatchPainter
@@ -55,7 +56,7 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path, fo
     assert pictures[2].pixels is None
     assert pictures[2].problem
     size = (SIZE, SIZE)
-    with loaded_scene(look.view()) as loaded:
+    with loaded_scene(look.view(), columns=SMALL_COLUMNS) as loaded:
         view = loaded.composed(look.view(), size)
         for place in (0, 1):
             picture, content = pictures[place].pixels, contents[place]
