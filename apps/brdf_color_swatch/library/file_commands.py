@@ -46,6 +46,10 @@ class FileCommands(SwatchFeature):
         opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
         window.add_recent_menu()
         add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
+        self._copy = add(
+            "file", mark("Editable Cop&y"), None, self.copy, "copy_palette",
+            tip=mark("Copy this palette to a new one that has no file yet"),
+        )  # fmt: skip
         window.menus["file"].addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         self._save_as = add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
@@ -86,14 +90,23 @@ class FileCommands(SwatchFeature):
             session.show_scope(Scope(key))
 
     def open_shipped(self) -> None:
-        """Open the shipped paints as a palette without a file."""
+        """Open the shipped paints as a palette without a file, which is read-only; show it where it is open."""
+        for item in self._session.library.items:
+            if item.read_only:
+                self._session.show_scope(Scope(item.key))
+                return
         try:
             entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
         except SuiteError as error:
             self._session.library.fails(error, "open")
             return
         palette = Palette(tr("Sample Paints"), tuple(entries))
-        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
+        self._session.show_scope(Scope(self._session.library.add_palette(palette, read_only=True)))
+
+    def copy(self) -> None:
+        """Show a copy of the palette in front that can be changed."""
+        self._finish_typing()
+        self._session.copy_palette(self._session.state.scope.palette)
 
     def save(self) -> None:
         self._finish_typing()
@@ -146,7 +159,7 @@ class FileCommands(SwatchFeature):
         )
 
     def _add_paint(self, paint: AnyPaint) -> None:
-        if self._session.palette is None:
+        if self._session.palette is None or self._session.is_read_only:
             self.new()
         add_entries(self._session, tr("Add paint"), [Entry(paint, id=new_id())])
 
@@ -183,13 +196,13 @@ class FileCommands(SwatchFeature):
             self._session.show_scope(scope)
         keys = ["new", "open", "shipped"]
         if scope.palette:
-            keys = ["save", "save_as", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
+            keys = ["save", "save_as", "copy_palette", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
         self._window.open_menu(keys, point)
 
     def _enable(self) -> None:
         item = self._session.item
         there = item is not None and item.palette is not None
-        for action in (self._save, self._save_as):
+        for action in (self._save, self._save_as, self._copy):
             action.setEnabled(there)
         self._close.setEnabled(item is not None)
 
