@@ -395,7 +395,9 @@ def test_a_cancelled_sheet_leaves_nothing(lit: View, tmp_path: Path) -> None:
 
 def test_captions() -> None:
     paint = load_shipped_paint("silver_metallic")
-    text = cell_text(SheetItem(paint.name, "", paint, code="S1"), fit_material(load_material("silver_metallic")))
+    text = cell_text(
+        SheetItem(paint.name, "", paint, code="S1"), fit_material(load_material("silver_metallic"))
+    )
     assert (text.name, text.code) == (paint.name, "S1")
     assert text.lines[:2] == [f"flop 18.3, {paint.gloss.gu_20:g} GU at 20°", "15°: L* 108.6  a* 0.3  b* 1.5"]
     solid = SheetItem("White", "", None)

@@ -36,7 +36,9 @@ def measure(text: str, size: float, bold: bool) -> float:
 def test_every_item_is_on_the_paper_and_on_no_other(
     counts: list[int], page: str, landscape: bool, columns: int, fields: set[str], aspect: float
 ) -> None:
-    groups = [f"Group {number}" if number else "" for number, count in enumerate(counts) for _ in range(count)]
+    groups = [
+        f"Group {number}" if number else "" for number, count in enumerate(counts) for _ in range(count)
+    ]
     style = PageStyle(page, landscape, columns, tuple(name for name in FIELDS if name in fields))
     layout = PageLayout.of("A title that is long " * 9, "how " * 60, "1 May", groups, style, aspect)
     assert len(layout.slots) == len(groups)

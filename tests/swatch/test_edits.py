@@ -290,9 +290,7 @@ def test_the_sample_paints_are_copied_from_and_not_changed(swatch, names, select
     assert len(swatch.library.items) == 3
 
 
-def test_sample_paints_that_are_saved_under_a_name_can_be_changed(
-    swatch, dialogs, command, tmp_path
-) -> None:
+def test_sample_paints_that_are_saved_under_a_name_can_be_changed(swatch, dialogs, command, tmp_path) -> None:
     command(swatch, "shipped")
     assert swatch.session.is_read_only
     dialogs.path = tmp_path / "own.brdfpalette"

@@ -14,6 +14,7 @@ from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.library.library import Item
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
@@ -34,6 +35,8 @@ class _Request:
     path: Path
     form: PaletteFormat | None = None
     write: bool = False
+    split: bool = False
+    """Whether each paint becomes three colours, at 15, 45 and 110°."""
 
 
 class PaletteExport(SwatchFeature):
@@ -102,6 +105,11 @@ class PaletteExport(SwatchFeature):
             self._write(request)
             return
         more = len(lost) - _MOST_LISTED
+        anyway = (tr("Export Anyway"), lambda: self._write(request))
+        another = (tr("Another Format…"), lambda: self.export(request.palette))
+        three = (tr("Three Swatches per Paint"), lambda: self._split(request))
+        offers_three = not request.split and self._is_flat(request) and _paints(request.palette) > 0
+        actions = (anyway, three, another) if offers_three else (anyway, another)
         lines = [*lost[:_MOST_LISTED], *([tr("{count} more").format(count=more)] if more > 0 else [])]
         self._window.show_message(
             Message(
@@ -110,12 +118,20 @@ class PaletteExport(SwatchFeature):
                 where=str(request.path),
                 todo="\n".join(lines),
                 severity="warning",
-                actions=(
-                    (tr("Export Anyway"), lambda: self._write(request)),
-                    (tr("Another Format…"), lambda: self.export(request.palette)),
-                ),
+                actions=actions,
             )
         )
+
+    def _is_flat(self, request: _Request) -> bool:
+        """Whether the format holds one colour of a paint."""
+        from brdf_suite.files.palettes import format_for
+
+        return not (request.form or format_for(request.path)).paints
+
+    def _split(self, request: _Request) -> None:
+        """Look what is lost where the colours at 15°, 45° and 110° are written."""
+        split = replace(request, split=True)
+        self._submit(split, lambda lost: self._on_losses(split, lost))
 
     def _write(self, request: _Request) -> None:
         writing = replace(request, write=True)
@@ -137,13 +153,25 @@ def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
 
     progress(0.0, request.path.name)
     known = request.form or format_for(request.path)
+    palette = request.palette
+    lost: tuple[str, ...] = ()
+    if request.split:
+        from brdf_suite.files.palettes.conversions import split_angles
+
+        palette = split_angles(palette)
+        text = tr("Paints written as three colours each, without gloss and flakes: {count}.")
+        lost = (text.format(count=_paints(request.palette)),)
     if request.write:
-        return write_palette(request.palette, request.path, known).losses
+        return (*lost, *write_palette(palette, request.path, known).losses)
     if known.write is None:
         raise SuiteError(
             tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
         )
-    return losses(request.palette, known, request.path)
+    return (*lost, *losses(palette, known, request.path))
+
+
+def _paints(palette: Palette) -> int:
+    return sum(not isinstance(entry.content, FlatColour) for entry in palette)
 
 
 def suggested_file(item: Item | None, name: str, ending: str) -> Path:

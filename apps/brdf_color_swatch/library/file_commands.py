@@ -196,7 +196,18 @@ class FileCommands(SwatchFeature):
             self._session.show_scope(scope)
         keys = ["new", "open", "shipped"]
         if scope.palette:
-            keys = ["save", "save_as", "copy_palette", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
+            keys = [
+                "save",
+                "save_as",
+                "copy_palette",
+                "export",
+                "",
+                "new_group",
+                "rename_group",
+                "remove_group",
+                "",
+                "close",
+            ]
         self._window.open_menu(keys, point)
 
     def _enable(self) -> None:

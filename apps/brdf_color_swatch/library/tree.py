@@ -236,7 +236,9 @@ def _line_of(item: Item) -> _Line:
     signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
     tip = str(item.path) if item.path is not None else tr("Not saved to a file")
     if item.read_only:
-        tip = tr("Comes with the suite: read-only. Save As or drag swatches to another palette to change them.")
+        tip = tr(
+            "Comes with the suite: read-only. Save As or drag swatches to another palette to change them."
+        )
     if item.state == "wrong":
         tip = item.problem
     elif item.state == "closed":

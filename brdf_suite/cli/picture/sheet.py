@@ -30,8 +30,8 @@ def add(command: argparse.ArgumentParser) -> None:
             "15, 45 and 110°, or the strip of its flop (default: surface)",
             "--page {a4,a3,letter}=a4": "the paper of a PDF (default: a4)",
             "--landscape": "lay the paper on its side",
-            "--show FIELDS": "what stands below the pictures of a PDF, by commas: code, colours (chips at 15, 45 and 110°), "
-            "figures (flop index and gloss), lab (default: all)",
+            "--show FIELDS": "what stands below the pictures of a PDF, by commas: code, colours (chips at 15, 45 and "
+            "110°), figures (flop index and gloss), lab (default: all)",
         },
         source=Path,
     )

@@ -140,9 +140,10 @@ def write_sheet_of(
     """Draw paints and write the sheet: as PNG, row by row, or where ``path`` ends in .pdf as pages of paper.
 
     ``cell`` is the size of one picture in pixels; ``columns`` stand in a row, and ``style`` says the paper of a PDF
-    and what stands below its pictures. Each has its name, the flop index and L*a*b* at 15, 45 and 110° below it: of a designed paint its readings, of any other what its reflectance gives. Automatic exposure is
-    measured for the first paint, so that all stand in the same light. A paint that cannot be drawn has its reason in
-    the picture's place. ``form``, ``chips`` or ``flop_strip``, shows the colours themselves instead of the surface.
+    and what stands below its pictures. Each has its name, the flop index and L*a*b* at 15, 45 and 110° below it: of a
+    designed paint its readings, of any other what its reflectance gives. Automatic exposure is measured for the first
+    paint, so that all stand in the same light. A paint that cannot be drawn has its reason in the picture's place.
+    ``form``, ``chips`` or ``flop_strip``, shows the colours themselves instead of the surface.
     Errors as :func:`write_sheet`.
     """
     settings = settings or PictureSettings()

@@ -6,7 +6,7 @@ It draws nothing: the PDF and the preview of a program put the same marks on the
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from brdf_suite.appearance.colour.flat_colours import lab_to_hex
 from brdf_suite.errors import ValueRangeError
@@ -22,7 +22,7 @@ MARGIN = 36.0
 INK, SOFT, HAIR = "#101010", "#5a5a5a", "#c8c8c8"
 _GAP, _LINE = 12.0, 1.28
 _TITLE, _HEADING, _NAME, _TEXT = 20.0, 11.0, 8.0, 6.6
-_CHIPS = 7.0
+_CHIPS, _EDGE = 7.0, 0.4
 _HEAD_FIRST, _HEAD_NEXT, _FOOT = 46.0, 22.0, 16.0
 _HEADING_ROOM = 22.0
 _CUT = "…"
@@ -52,6 +52,12 @@ class PageStyle:
             raise ValueRangeError("show", f"{', '.join(FIELDS)} are known, not {unknown[0]!r}")
         if not 1 <= self.columns <= MOST_COLUMNS:
             raise ValueRangeError("columns", f"1 to {MOST_COLUMNS} stand in a row, not {self.columns}")
+
+    def for_codes(self, codes: Sequence[str]) -> PageStyle:
+        """Return the style without the line of codes where none of the items has one."""
+        if any(codes):
+            return self
+        return replace(self, fields=tuple(name for name in self.fields if name != "code"))
 
     @property
     def size(self) -> tuple[float, float]:
@@ -220,8 +226,13 @@ class PageLayout:
                 labels.append(Label(slot.x, at, _shortened(line, _TEXT, width, measure), _TEXT, SOFT))
         if "colours" in fields:
             each = slot.width / max(1, len(text.labs))
+            if text.labs:
+                # An edge, without which white is not seen on paper.
+                patches.append(Patch(slot.x, y, slot.width, _CHIPS + _EDGE, HAIR))
             for number, (_, lab) in enumerate(text.labs):
-                patches.append(Patch(slot.x + number * each, y, each, _CHIPS, lab_to_hex(lab)))
+                left = slot.x + number * each + (_EDGE if number == 0 else 0.0)
+                right = slot.x + (number + 1) * each - (_EDGE if number + 1 == len(text.labs) else 0.0)
+                patches.append(Patch(left, y, right - left, _CHIPS, lab_to_hex(lab)))
             y += _CHIPS
         y += 3.0 + _NAME
         name = _shortened(text.name, _NAME, width, measure, bold=True)

@@ -37,6 +37,7 @@ def pdf_sheet(
     """
     groups = list(dict.fromkeys(item.group for item in items))
     items = sorted(items, key=lambda item: groups.index(item.group))
+    style = style.for_codes([item.code for item in items])
     today = f"{date.today():%d %B %Y}"
     layout = PageLayout.of(title, subtitle, today, [i.group for i in items], style, cell[1] / cell[0])
     width, height = style.size
@@ -74,5 +75,11 @@ def _put(pen: Pen, marks: Marks) -> None:
         pen.rectangle(patch.x, patch.y, patch.width, patch.height, patch.colour)
     for label in marks.labels:
         pen.text(
-            label.x, label.y, label.text, label.size, anchor=label.anchor, colour=label.colour, bold=label.bold
+            label.x,
+            label.y,
+            label.text,
+            label.size,
+            anchor=label.anchor,
+            colour=label.colour,
+            bold=label.bold,
         )
