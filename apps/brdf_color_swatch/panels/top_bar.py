@@ -137,15 +137,18 @@ class TopBar(QWidget):
         self.size_slider.setMaximumWidth(140)
         self.size_slider.valueChanged.connect(self.size_chosen)
         self._paint_grey()
-        self._box.addLayout(row_of(self.search, self.sort, self.way, grows=self.search), 3)
         buttons = (*self.forms.buttons(), self.list_button)
-        self._box.addLayout(row_of(*buttons, self.size_slider, self.light, grows=self.size_slider), 1)
+        self._rows = (
+            row_of(self.search, self.sort, self.way, grows=self.search),
+            row_of(*buttons, self.size_slider, self.light, grows=self.size_slider),
+        )
+        for row, share in zip(self._rows, (3, 1), strict=True):
+            self._box.addLayout(row, share)
 
     def minimumSizeHint(self) -> QSize:
         """Return the room of two lines, also while there is one: a neighbour may take what is not needed."""
-        first, second = (self._box.itemAt(place).minimumSize() for place in (0, 1))
         margins = self._box.contentsMargins()
-        wide = max(first.width(), second.width()) + margins.left() + margins.right()
+        wide = max(row.minimumSize().width() for row in self._rows) + margins.left() + margins.right()
         return QSize(wide, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
