@@ -7,6 +7,7 @@ from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
+from brdf_qt.documents.open_tabs import TabsLeft
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
@@ -147,17 +148,44 @@ class Designer(Program):
         self.offer_recovery()
 
     def offer_recovery(self) -> None:
-        """Show a message with the unsaved work of earlier runs; nothing where there is none."""
+        """Show a message with the unsaved work and the tabs of earlier runs; nothing where there are none."""
+        found, tabs = self.documents.front.recovery.found(), self.documents.record.left()
+        if not found and tabs is not None:
+            self._offer_tabs(tabs)
         offer_recovery(
             self.window.show_message,
-            self.documents.front.recovery.found(),
+            found,
             self.documents.recover,
             lambda item: self.documents.front.recovery.drop(item),
             tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
             tr(
                 "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
             ),
+            lambda taken: self._end_recovery(tabs, taken=taken),
         )
+
+    def _end_recovery(self, tabs: TabsLeft | None, *, taken: bool) -> None:
+        """Bring the other tabs back too, where unsaved work was recovered."""
+        if tabs is None:
+            return
+        if taken:
+            self.documents.restore_tabs(tabs)
+        else:
+            self.documents.record.drop(tabs)
+
+    def _offer_tabs(self, tabs: TabsLeft) -> None:
+        """Offer the saved paints that were open when a run was ended."""
+        names = [tab.path.name for tab in tabs.tabs if tab.path is not None and tab.path.is_file()]
+        if not names:
+            self.documents.record.drop(tabs)
+            return
+        text = tr("Designer closed unexpectedly. Reopen the paints that were open: {names}?")
+        actions = (
+            (tr("Reopen"), lambda: self.documents.restore_tabs(tabs)),
+            (tr("Discard"), lambda: self.documents.record.drop(tabs)),
+        )
+        what = text.format(names=", ".join(tr("“{name}”").format(name=name) for name in names[:8]))
+        self.window.show_message(Message("recovery", what, actions=actions))
 
     def open(self, name_or_path: str) -> None:
         """Open a paint by name or file; from any other material, named or in a file, a design is started."""

@@ -87,7 +87,7 @@ class SpaceMap(SpaceView):
         known = np.isfinite(points.lab).all(axis=1)
         side = _SIZE if known.sum() < _MANY else 0.55 * _SIZE
         self._cloud.setData(pos=_at(points.lab[known]), color=_colours(points.codes[known]), size=side)
-        ring = np.tile(np.float32(outline_colour(self.palette()).getRgbF()), (int(known.sum()), 1))
+        ring = np.tile(np.array(outline_colour(self.palette()).getRgbF(), np.float32), (int(known.sum()), 1))
         self._outline.setVisible(0 < known.sum() < _MANY)
         if known.any():
             self._outline.setData(pos=_at(points.lab[known]), color=ring, size=side + 2.0)

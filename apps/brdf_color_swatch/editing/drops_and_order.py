@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.program.translation import mark, tr
@@ -44,9 +45,7 @@ class DropsAndOrder(SwatchFeature):
         for pane in window.panes:
             number = pane.number
             pane.dropped.connect(lambda event, row, number=number: self.drop_on_pane(number, event, row))
-            pane.grid.drop_action = lambda event, number=number: self._action_on(
-                event, session.states[number].scope.palette
-            )
+            pane.grid.drop_action = partial(self._action_on_pane, number)
         window.tree.drop_action = lambda event, scope: self._action_on(event, scope.palette)
         self._enable_always()
 
@@ -177,6 +176,9 @@ class DropsAndOrder(SwatchFeature):
         if source == target:
             return not event.modifiers() & keys.ControlModifier
         return bool(event.modifiers() & keys.ShiftModifier)
+
+    def _action_on_pane(self, number: int, event: QDropEvent) -> Qt.DropAction:
+        return self._action_on(event, self._session.states[number].scope.palette)
 
     def _action_on(self, event: QDropEvent, target: str) -> Qt.DropAction:
         """Return what the pointer shows over a palette: that it would move, copy, or take nothing."""

@@ -140,8 +140,8 @@ class SheetDialog(QDialog):
         self.title.textEdited.connect(lambda _text: self._renew())
         for button in (self.shown, self.selected, *self.fields.values()):
             button.toggled.connect(lambda _on: self._renew())
-        for box in (self.form, self.page, self.way):
-            box.currentIndexChanged.connect(lambda _place: self._renew())
+        for choice in (self.form, self.page, self.way):
+            choice.currentIndexChanged.connect(lambda _place: self._renew())
         self.columns.valueChanged.connect(lambda _value: self._renew())
 
     def open_for(self, source: SheetSource, form: str) -> None:

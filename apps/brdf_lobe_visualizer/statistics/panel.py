@@ -89,8 +89,9 @@ class FiguresModel(QAbstractTableModel):
             return self.text(index.row(), index.column())
         if role == Qt.ItemDataRole.DecorationRole and index.column() > 0:
             value = row.values[index.column() - 1]
-            judged = value is not None and row.name.startswith("ΔE00")
-            return verdict_icon(verdict_of(value, DELTA_E_LIMITS), 2.0) if judged else None
+            if value is None or not row.name.startswith("ΔE00"):
+                return None
+            return verdict_icon(verdict_of(value, DELTA_E_LIMITS), 2.0)
         if role == Qt.ItemDataRole.TextAlignmentRole and index.column() > 0:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.AccessibleTextRole and index.column() > 0:

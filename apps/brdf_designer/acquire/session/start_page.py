@@ -131,8 +131,10 @@ class StartPage(QWidget):
             wordWrap=True,
             alignment=centred,
         )
-        self.open = described(QPushButton(tr("Open Folder…")), name="start_open")
-        self.new = described(QPushButton(tr("New Folder…")), name="start_new")
+        tip = tr("Open a folder with a session.json")
+        self.open = described(QPushButton(tr("Open Folder…")), name="start_open", tip=tip)
+        tip = tr("Create a folder with a session.json template for new photographs")
+        self.new = described(QPushButton(tr("New Folder…")), name="start_new", tip=tip)
         tip = tr(
             "Simulate photographs of a blue metallic sphere and open them; made once, in about ten seconds"
         )
