@@ -39,6 +39,14 @@ class _Request:
     """Whether each paint becomes three colours, at 15, 45 and 110°."""
 
 
+@dataclass(frozen=True)
+class _Losses:
+    """What a format cannot hold, sentences; ``can_split``: three swatches of each paint would hold more."""
+
+    sentences: tuple[str, ...]
+    can_split: bool = False
+
+
 class PaletteExport(SwatchFeature):
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
@@ -100,7 +108,8 @@ class PaletteExport(SwatchFeature):
             lambda error: self._window.show_message(message_of(error, _KEY, todo=todo)),
         )
 
-    def _on_losses(self, request: _Request, lost: tuple[str, ...]) -> None:
+    def _on_losses(self, request: _Request, found: _Losses) -> None:
+        lost = found.sentences
         if not lost:
             self._write(request)
             return
@@ -108,8 +117,7 @@ class PaletteExport(SwatchFeature):
         anyway = (tr("Export Anyway"), lambda: self._write(request))
         another = (tr("Another Format…"), lambda: self.export(request.palette))
         three = (tr("Three Swatches per Paint"), lambda: self._split(request))
-        offers_three = not request.split and self._is_flat(request) and _paints(request.palette) > 0
-        actions = (anyway, three, another) if offers_three else (anyway, another)
+        actions = (anyway, three, another) if found.can_split else (anyway, another)
         lines = [*lost[:_MOST_LISTED], *([tr("{count} more").format(count=more)] if more > 0 else [])]
         self._window.show_message(
             Message(
@@ -121,12 +129,6 @@ class PaletteExport(SwatchFeature):
                 actions=actions,
             )
         )
-
-    def _is_flat(self, request: _Request) -> bool:
-        """Whether the format holds one colour of a paint."""
-        from brdf_suite.files.palettes import format_for
-
-        return not (request.form or format_for(request.path)).paints
 
     def _split(self, request: _Request) -> None:
         """Look what is lost where the colours at 15°, 45° and 110° are written."""
@@ -147,27 +149,26 @@ class PaletteExport(SwatchFeature):
         self._some.setEnabled(bool(self._session.selected))
 
 
-def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
+def _export_palette(request: _Request, progress: Progress) -> _Losses:
     """Return what is lost; where it is asked for, write as well."""
-    from brdf_suite.files.palettes import format_for, losses, write_palette
+    from brdf_suite.files.palettes import format_for, losses, split_angles, write_palette
 
     progress(0.0, request.path.name)
     known = request.form or format_for(request.path)
     palette = request.palette
     lost: tuple[str, ...] = ()
+    can_split = not (request.split or known.paints) and _paints(palette) > 0
     if request.split:
-        from brdf_suite.files.palettes.conversions import split_angles
-
         palette = split_angles(palette)
         text = tr("Paints written as three colours each, without gloss and flakes: {count}.")
         lost = (text.format(count=_paints(request.palette)),)
     if request.write:
-        return (*lost, *write_palette(palette, request.path, known).losses)
+        return _Losses((*lost, *write_palette(palette, request.path, known).losses))
     if known.write is None:
         raise SuiteError(
             tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
         )
-    return (*lost, *losses(palette, known, request.path))
+    return _Losses((*lost, *losses(palette, known, request.path)), can_split)
 
 
 def _paints(palette: Palette) -> int:

@@ -38,7 +38,7 @@ def offer_recovery(
     ``take`` opens one and returns False where the user kept the open document instead; ``drop`` gives one up. ``one``
     and ``several`` are the questions in the language of the program, with the places ``{name}``, ``{when}`` and
     ``{count}``, ``{when}``, ``{names}``; without ``several`` the documents are always offered one by one. ``finish`` is
-    called once each is taken or given up, and told whether one was taken.
+    called once each is taken or given up, with whether one was taken.
     """
 
     def take_all() -> None:

@@ -16,8 +16,16 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import flat_to_json
-from brdf_suite.files.palettes import FORMATS, find_format, format_for, losses, read_palette, write_palette
-from brdf_suite.files.palettes.conversions import face_lab, split_angles
+from brdf_suite.files.palettes import (
+    FORMATS,
+    find_format,
+    format_for,
+    losses,
+    read_palette,
+    split_angles,
+    write_palette,
+)
+from brdf_suite.files.palettes.conversions import face_lab
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, labs_of
 from brdf_suite.palettes.search import nearest
 from brdf_suite.palettes.swatches.look import colours_at
