@@ -8,6 +8,7 @@ from pathlib import Path
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import TabsLeft
+from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
@@ -28,7 +29,7 @@ from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.export.control import HandoverControl
-from brdf_designer.from_measurement.control import MeasuredControl
+from brdf_designer.from_measurement.control import MOST_TABS, MeasuredControl
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
@@ -46,6 +47,7 @@ from brdf_suite.documents.store import (
     save_paint,
 )
 from brdf_suite.errors import SuiteError
+from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 from brdf_suite.processes import child_command
@@ -117,6 +119,8 @@ class Designer(Program):
         self._has_closed_documents = False
         self._join()
         self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
+        measured = self.feature(MeasuredControl)
+        self.documents.foreign = lambda path: self._open_project(path) or measured.open_foreign(path)
         self.fit.add_to_menu()
         self.window.complete()
         self.controller.start()
@@ -186,6 +190,27 @@ class Designer(Program):
         )
         what = text.format(names=", ".join(tr("“{name}”").format(name=name) for name in names[:8]))
         self.window.show_message(Message("recovery", what, actions=actions))
+
+    def _open_project(self, path: Path) -> bool:
+        """Open the paints of a project in tabs, the main one in front, beside its standard; False for other files."""
+        if not is_project(path):
+            return False
+        try:
+            project = open_project(path).project
+        except SuiteError as error:
+            todo = tr("The open paints are unchanged.")
+            self.window.show_message(message_of(error, "open", todo=todo))
+            return True
+        standard = project.standard
+        for paint in [one for one in project.paints if isinstance(one, Paint)][:MOST_TABS]:
+            self.session.open_paint(paint, clean=True)
+            if isinstance(standard, Paint):
+                self.feature(StandardControl).set_standards([standard_of(standard, project.name)])
+        row = self.documents.row
+        opened = [one for one in row if one.store.value == project.paints[0]] if project.paints else []
+        if opened:
+            self.documents.show(opened[-1])
+        return True
 
     def open(self, name_or_path: str) -> None:
         """Open a paint by name or file; from any other material, named or in a file, a design is started."""

@@ -358,7 +358,7 @@ def _part_names(paths: tuple[str, ...]) -> dict[str, str]:
             raise FileError(path, "is named in the project and is not there; it cannot be collected")
         clean = re.sub(r"[^A-Za-z0-9._\-]", "_", Path(path).name).lstrip(".")[-100:] or "file"
         name, number = clean, 1
-        # Systems that do not tell upper case from lower would make one file of two.
+        # Where upper and lower case are one, two files would become one.
         while name.casefold() in {other.casefold() for other in names.values()}:
             number += 1
             name = f"{Path(clean).stem}-{number}{Path(clean).suffix}"

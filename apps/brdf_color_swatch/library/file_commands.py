@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
@@ -82,12 +83,26 @@ class FileCommands(SwatchFeature):
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
         session = self._session
+        if path is not None and is_project(path):
+            self._open_project(path)
+            return
         if path is not None and _names_material(path):
             self._add_material(str(path))
             return
         key = session.loader.ask_open(path)
         if key is not None:
             session.show_scope(Scope(key))
+
+    def _open_project(self, path: Path) -> None:
+        """Open the paints of a project as a palette without a file."""
+        try:
+            project = open_project(path).project
+        except SuiteError as error:
+            self._session.library.fails(error, "open")
+            return
+        entries = tuple(Entry(paint, id=new_id()) for paint in project.paints)
+        palette = Palette(project.name, entries, notes=project.notes)
+        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
 
     def open_shipped(self) -> None:
         """Open the shipped paints as a palette without a file, which is read-only; show it where it is open."""

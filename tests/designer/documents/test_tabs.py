@@ -6,6 +6,7 @@ import shutil
 import time
 
 import pytest
+from brdf_designer.standard_comparison.control import StandardControl
 from brdf_qt.link.messages import OFFER
 from brdf_qt.window.command_palette import commands
 from brdf_qt.window.dialogs import Answer
@@ -13,6 +14,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
+from brdf_suite.documents.project import Project, save_project
 from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
 from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -340,3 +342,15 @@ def test_saved_tabs_alone_are_offered_too(three, dialogs, own_session, tmp_path,
     answer_message(three, qtbot, "Reopen")
     assert titles(three) == ["first.brdfpaint", "second.brdfpaint"]
     assert three.documents.front.title == "second.brdfpaint"
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_a_project_opens_its_paints_beside_its_standard(designer, tmp_path, folder):
+    paints = tuple(load_shipped_paint(name) for name in ("red", "copper"))
+    path = tmp_path / "spring.brdfproject"
+    save_project(Project("Spring", paints, load_shipped_paint("champagne")), path, folder=folder)
+    assert designer.documents.open(path)
+    assert titles(designer)[-2:] == ["Red", "Copper"]
+    assert designer.store.value == paints[0]
+    assert designer.store.path is None
+    assert designer.feature(StandardControl).standard.name == "Champagne"
