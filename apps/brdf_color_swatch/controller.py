@@ -154,6 +154,9 @@ class PaletteController(QObject):
             count = ""
         if self._session.is_working(pane.number):
             count = tr("({count}, working)").format(count=count)
+        pane.model.read_only = item is not None and item.read_only
+        if pane.model.read_only:
+            title = tr("{palette} (read-only)").format(palette=title)
         front = pane.number == self._session.front
         pane.show_title(title, count, front=front, two=self._window.has_two_panes)
 
@@ -203,7 +206,8 @@ class PaletteController(QObject):
     def _show_selection(self, number: int) -> None:
         if number == self._session.front:
             entries = self._session.selected_entries
-            self._window.swatch.show_entries(entries, figures_of(entries[0]) if len(entries) == 1 else "")
+            figures = figures_of(entries[0]) if len(entries) == 1 else ""
+            self._window.swatch.show_entries(entries, figures, read_only=self._session.is_read_only)
             self._show_palette_fields()
             self._show_counts()
 
@@ -214,7 +218,8 @@ class PaletteController(QObject):
         group = next((one for one in groups if one.path == scope.group), None)
         shown = group or palette
         if shown is not None:
-            panel.show_palette(shown.name, shown.colour, shown.notes, there=True)
+            there = not self._session.is_read_only
+            panel.show_palette(shown.name, shown.colour, shown.notes, there=there)
         else:
             panel.show_palette("", "", "", there=False)
 

@@ -104,7 +104,7 @@ class PaintExchange(SwatchFeature):
         if self.edited is None:
             self._report_no_paint()
             return
-        if self._session.palette is None:
+        if self._session.palette is None or self._session.is_read_only:
             self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
         entry = Entry(self.edited, id=new_id())
         add_entries(self._session, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])

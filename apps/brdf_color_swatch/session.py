@@ -9,6 +9,7 @@ from typing import Any
 
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.grid.filtering import filter_and_sort, is_slow
@@ -72,6 +73,11 @@ class PaletteSession(QObject):
     @property
     def palette(self) -> Palette | None:
         return self.library.palette(self.state.scope.palette)
+
+    @property
+    def is_read_only(self) -> bool:
+        """Whether the palette in front comes with the suite and cannot be changed."""
+        return self.library.is_read_only(self.state.scope.palette)
 
     def set_front(self, pane: int) -> None:
         if pane != self.front:
@@ -196,6 +202,10 @@ class PaletteSession(QObject):
 
     def edit_many(self, name: str, changes: dict[str, Edit]) -> bool:
         """Change some palettes, all of it one step; where one is refused, none changes."""
+        locked = next((key for key in changes if self.library.is_read_only(key)), None)
+        if locked is not None:
+            self._refuse(locked)
+            return False
         edits = []
         try:
             for key, change in changes.items():
@@ -208,6 +218,20 @@ class PaletteSession(QObject):
             return False
         self.library.settled.emit("edit")
         return self.library.edit(name, *edits)
+
+    def copy_palette(self, key: str) -> None:
+        """Show a copy of a palette that has no file yet and can be changed."""
+        palette = self.library.palette(key)
+        if palette is not None:
+            name = tr("{name} (copy)").format(name=palette.name[:180])
+            self.show_scope(Scope(self.library.add_palette(replace(palette, name=name), clean=False)))
+
+    def _refuse(self, key: str) -> None:
+        item = self.library.item(key)
+        text = tr("“{name}” comes with the suite and cannot be changed.")
+        copy = (tr("Make an Editable Copy"), partial(self.copy_palette, key))
+        name = "" if item is None else item.title[:80]
+        self.library.message.emit(Message("edit", text.format(name=name), actions=(copy,)))
 
     def remember(self) -> None:
         """Keep the look for the next start."""

@@ -8,6 +8,7 @@ from pathlib import Path
 from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QSplitter, QToolButton, QWidget
@@ -31,6 +32,7 @@ class SwatchWindow(SuiteWindow):
         self.bar = TopBar(lights)
         self.picture_of: Callable[[int, int], object] = lambda _pane, _row: None
         """Set by what draws pictures: a QPixmap or None for a row of a pane."""
+        self.pictures = Pictures(self)
         self.panes = tuple(Pane(number, lambda pane, row: self.picture_of(pane, row)) for number in (0, 1))
         self.swatch, self.palette_panel, self.filters = SwatchPanel(), PalettePanel(), FiltersPanel()
         self.pane_split = described(QSplitter(Qt.Orientation.Horizontal), name="pane_split")

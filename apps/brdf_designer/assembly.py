@@ -7,6 +7,8 @@ from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
+from brdf_qt.documents.open_tabs import TabsLeft
+from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
@@ -27,7 +29,7 @@ from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.export.control import HandoverControl
-from brdf_designer.from_measurement.control import MeasuredControl
+from brdf_designer.from_measurement.control import MOST_TABS, MeasuredControl
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
@@ -45,6 +47,7 @@ from brdf_suite.documents.store import (
     save_paint,
 )
 from brdf_suite.errors import SuiteError
+from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 from brdf_suite.processes import child_command
@@ -116,6 +119,8 @@ class Designer(Program):
         self._has_closed_documents = False
         self._join()
         self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
+        measured = self.feature(MeasuredControl)
+        self.documents.foreign = lambda path: self._open_project(path) or measured.open_foreign(path)
         self.fit.add_to_menu()
         self.window.complete()
         self.controller.start()
@@ -147,17 +152,65 @@ class Designer(Program):
         self.offer_recovery()
 
     def offer_recovery(self) -> None:
-        """Show a message with the unsaved work of earlier runs; nothing where there is none."""
+        """Show a message with the unsaved work and the tabs of earlier runs; nothing where there are none."""
+        found, tabs = self.documents.front.recovery.found(), self.documents.record.left()
+        if not found and tabs is not None:
+            self._offer_tabs(tabs)
         offer_recovery(
             self.window.show_message,
-            self.documents.front.recovery.found(),
+            found,
             self.documents.recover,
             lambda item: self.documents.front.recovery.drop(item),
             tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
             tr(
                 "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
             ),
+            lambda taken: self._end_recovery(tabs, taken=taken),
         )
+
+    def _end_recovery(self, tabs: TabsLeft | None, *, taken: bool) -> None:
+        """Bring the other tabs back too, where unsaved work was recovered."""
+        if tabs is None:
+            return
+        if taken:
+            self.documents.restore_tabs(tabs)
+        else:
+            self.documents.record.drop(tabs)
+
+    def _offer_tabs(self, tabs: TabsLeft) -> None:
+        """Offer the saved paints that were open when a run was ended."""
+        names = [tab.path.name for tab in tabs.tabs if tab.path is not None and tab.path.is_file()]
+        if not names:
+            self.documents.record.drop(tabs)
+            return
+        text = tr("Designer closed unexpectedly. Reopen the paints that were open: {names}?")
+        actions = (
+            (tr("Reopen"), lambda: self.documents.restore_tabs(tabs)),
+            (tr("Discard"), lambda: self.documents.record.drop(tabs)),
+        )
+        what = text.format(names=", ".join(tr("“{name}”").format(name=name) for name in names[:8]))
+        self.window.show_message(Message("recovery", what, actions=actions))
+
+    def _open_project(self, path: Path) -> bool:
+        """Open the paints of a project in tabs, the main one in front, beside its standard; False for other files."""
+        if not is_project(path):
+            return False
+        try:
+            project = open_project(path).project
+        except SuiteError as error:
+            todo = tr("The open paints are unchanged.")
+            self.window.show_message(message_of(error, "open", todo=todo))
+            return True
+        standard = project.standard
+        for paint in [one for one in project.paints if isinstance(one, Paint)][:MOST_TABS]:
+            self.session.open_paint(paint, clean=True)
+            if isinstance(standard, Paint):
+                self.feature(StandardControl).set_standards([standard_of(standard, project.name)])
+        row = self.documents.row
+        opened = [one for one in row if one.store.value == project.paints[0]] if project.paints else []
+        if opened:
+            self.documents.show(opened[-1])
+        return True
 
     def open(self, name_or_path: str) -> None:
         """Open a paint by name or file; from any other material, named or in a file, a design is started."""

@@ -151,7 +151,9 @@ class LobeVisualizer(Program):
 
     def _join(self) -> None:
         window, sources = self.window, self.sources
-        window.open_requested.connect(lambda path: self.ask_files() if path is None else sources.open(path))
+        window.open_requested.connect(
+            lambda path: self.ask_files() if path is None else sources.open_many([path])
+        )
         window.files_dropped.connect(sources.open_many)
         window.recent_cleared.connect(sources.clear_recent)
         window.close_requested.connect(lambda _question: remembered.remember(self.session, window))

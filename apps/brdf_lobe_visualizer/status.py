@@ -9,6 +9,7 @@ from brdf_qt.window.status_line import State, StatusLine
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.session import LobeSession
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, SIGNS, Verdict, verdict_of, words_of
 from brdf_lobe_visualizer.window import LobeWindow
 
 _ROLES = {
@@ -53,14 +54,20 @@ class Status(QObject):
         if fit is None:
             self._fit.set(tr("no fit yet"), state="stale")
             return
+        verdict: Verdict = "good"
+        notes = list(fit.notices)
         parts = [tr("fit {ms} ms").format(ms=f"{1e3 * fit.fit_seconds:.3g}")]
         if fit.worst_delta_e is not None:
-            parts.append(tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}"))
+            verdict = verdict_of(fit.worst_delta_e, DELTA_E_LIMITS)
+            text = tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}")
+            parts.append(f"{SIGNS[verdict]} {text}")
+            notes = [f"{text}: {words_of(verdict)}", *notes]
         if fit.time_limited:
             follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
-        state: State = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
-        self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)
+        limited = fit.time_limited and not fit.exact_follows
+        state: State = "warning" if limited or verdict == "bad" else "fresh"
+        self._fit.set(" · ".join(parts), "\n".join(notes), state)
 
     def _show_light(self) -> None:
         theta, phi = self._session.incidence

@@ -6,13 +6,14 @@ import math
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.fit_choice import FitCommand
-from brdf_qt.window.message_bar import Message
+from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QProcess, QTimer, Signal
@@ -165,6 +166,9 @@ class ViewerController(Program):
 
     def open_file(self, path: str) -> None:
         """Open a file of any kind that the Viewer knows."""
+        if is_project(path):
+            self._open_project(path)
+            return
         kind = kind_of(path)
         if kind is None:
             known = ", ".join(ending for endings in ENDINGS.values() for ending in endings)
@@ -174,6 +178,19 @@ class ViewerController(Program):
             self.window.messages.show_message(message)
         else:
             self._open(kind, path)
+
+    def _open_project(self, path: str) -> None:
+        """Show the first view and the main paint of a project."""
+        try:
+            opened = open_project(path)
+        except SuiteError as error:
+            todo = tr("The picture is unchanged.")
+            self.window.messages.show_message(message_of(error, "dropped", todo=todo))
+            return
+        for named in opened.project.views[:1]:
+            self.views.show(named.view)
+        for paint in opened.paints[:1]:
+            self.paint.open(str(paint))
 
     def _open_files(self, paths: list[Path]) -> None:
         for path in paths:

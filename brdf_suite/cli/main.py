@@ -43,6 +43,7 @@ COMMANDS = {
         "convert a measured file, or a paint, to a format of measured reflectance",
     ),
     "export": ("paint.export", "hand paints over to other programs, or make a one-page report"),
+    "project": ("paint.project", "pack paints, views, lights and what they name; list and collect"),
     "palette": ("palette.palette", "convert a palette, describe one, or find paints in it"),
     "check": ("measured.check", "check a paint, a measured file or a model: reciprocity, sign, energy"),
     "acquire": ("measured.acquire", "make a reflectance table from photographs of a painted sphere"),

@@ -209,6 +209,7 @@ VERSIONS: dict[str, int] = {
     "brdfview": 7,
     "brdfstudio": 1,
     "brdfpalette": 2,
+    "brdfproject": 1,
     "brdf-suite acquisition session": 1,
 }
 """The present version of each format."""

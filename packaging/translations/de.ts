@@ -740,6 +740,14 @@
         <translation>Gilt in Viewer und Designer ab deren nächstem Start, in Lobe Visualizer sofort.</translation>
     </message>
     <message>
+        <source>Designer closed unexpectedly. Reopen the paints that were open: {names}?</source>
+        <translation>Designer wurde unerwartet beendet. Die geöffneten Lacke wieder öffnen: {names}?</translation>
+    </message>
+    <message>
+        <source>Reopen</source>
+        <translation>Wieder öffnen</translation>
+    </message>
+    <message>
         <source>The open paint is unchanged.</source>
         <translation>Der offene Lack ist unverändert.</translation>
     </message>
@@ -1220,8 +1228,16 @@
         <translation>Den Lack für andere Programme oder als Bericht exportieren</translation>
     </message>
     <message>
-        <source>Session (session.json)</source>
-        <translation>Sitzung (session.json)</translation>
+        <source>Open a Folder of Photographs</source>
+        <translation>Ordner mit Fotos öffnen</translation>
+    </message>
+    <message>
+        <source>Choose or Make a Folder for Photographs</source>
+        <translation>Ordner für Fotos wählen oder anlegen</translation>
+    </message>
+    <message>
+        <source>No session was opened.</source>
+        <translation>Es wurde keine Sitzung geöffnet.</translation>
     </message>
     <message>
         <source>No file was written.</source>
@@ -1250,6 +1266,10 @@
     <message>
         <source>Click Check Again to read it, then repeat the edit.</source>
         <translation>„Erneut prüfen“ liest sie; danach die Änderung wiederholen.</translation>
+    </message>
+    <message>
+        <source>Simulating photographs</source>
+        <translation>Fotos werden simuliert</translation>
     </message>
     <message>
         <source>With dark frames</source>
@@ -1782,10 +1802,6 @@
     <message>
         <source>No folder is open.</source>
         <translation>Kein Ordner ist geöffnet.</translation>
-    </message>
-    <message>
-        <source>Open a folder of photographs, or create a new one. Its session.json lists the photographs to take.</source>
-        <translation>Öffnen Sie einen Ordner mit Fotos oder legen Sie einen neuen an. Seine session.json listet die nötigen Fotos auf.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -3368,10 +3384,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Fasst alle Fotos zu einer Tabelle der Reflexion zusammen. Anhalten und Fortsetzen ist jederzeit möglich; fertige Stellungen bleiben erhalten.</translation>
     </message>
     <message>
-        <source>Progress of the reconstruction</source>
-        <translation>Fortschritt der Rekonstruktion</translation>
-    </message>
-    <message>
         <source>Coverage so far</source>
         <translation>Bisherige Abdeckung</translation>
     </message>
@@ -3390,10 +3402,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>Stop. Finished positions are kept; you can resume later.</source>
-        <translation>Anhalten. Fertige Stellungen bleiben erhalten; Fortsetzen ist später möglich.</translation>
     </message>
     <message>
         <source>Start Over</source>
@@ -5424,10 +5432,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Umfang des logarithmischen Radius unter seinem Maximum</translation>
     </message>
     <message>
-        <source>Value at the hemisphere; larger values are cut off. Automatic: the maximum, or less if the body would be shorter than half a radius. Away from R: more than 5° from the mirror direction.</source>
-        <translation>Wert an der Halbkugel; größere Werte werden abgeschnitten. Automatisch: das Maximum, oder weniger, falls der Körper sonst kürzer als ein halber Radius wäre. Abseits R: mehr als 5° von der Spiegelrichtung.</translation>
-    </message>
-    <message>
         <source>Value of radius 1</source>
         <translation>Wert des Radius 1</translation>
     </message>
@@ -5446,6 +5450,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo</source>
         <translation>Größe in allen Ansichten: f_r, reflektierte Strahldichte f_r·cosθi oder Strahlstärke f_r·cosθi·cosθo</translation>
+    </message>
+    <message>
+        <source>Value at the hemisphere; larger values are cut off. Automatic: the maximum, or less if all but 2 % of the directions would be shorter than half a radius. Away from R: more than 5° from the mirror direction.</source>
+        <translation>Wert an der Halbkugel; größere Werte werden abgeschnitten. Automatisch: das Maximum, oder weniger, wenn alle bis auf 2 % der Richtungen kürzer als ein halber Radius wären. Abseits von R: mehr als 5° von der Spiegelrichtung entfernt.</translation>
     </message>
     <message>
         <source>Channel that the radius shows (linear Rec. 2020)</source>
@@ -5554,6 +5562,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>({count}, working)</source>
         <translation>({count}, in Arbeit)</translation>
+    </message>
+    <message>
+        <source>{palette} (read-only)</source>
+        <translation>{palette} (schreibgeschützt)</translation>
     </message>
     <message>
         <source>New Palette</source>
@@ -5684,8 +5696,16 @@ Die Datei reparieren oder aus einer Sicherungskopie wiederherstellen, dann neu l
         <translation>Nichts wurde geschrieben. Einen anderen Namen oder ein anderes Format wählen.</translation>
     </message>
     <message>
+        <source>Three Swatches per Paint</source>
+        <translation>Drei Muster je Lack</translation>
+    </message>
+    <message>
         <source>“{name}” cannot store everything in the palette:</source>
         <translation>„{name}“ kann nicht alles aus der Palette speichern:</translation>
+    </message>
+    <message>
+        <source>Paints written as three colours each, without gloss and flakes: {count}.</source>
+        <translation>Lacke, die als je drei Farben ohne Glanz und Flakes geschrieben werden: {count}.</translation>
     </message>
     <message>
         <source>Export Anyway</source>
@@ -5708,12 +5728,8 @@ Die Datei reparieren oder aus einer Sicherungskopie wiederherstellen, dann neu l
         <translation>&amp;Kontaktbogen …</translation>
     </message>
     <message>
-        <source>Save the visible or selected swatches with figures as PDF or PNG</source>
-        <translation>Die sichtbaren oder gewählten Muster mit Zahlen als PDF oder PNG speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Print Contact Sheet…</source>
-        <translation>Kontaktbogen &amp;drucken …</translation>
+        <source>Save or print the visible or selected swatches with their figures</source>
+        <translation>Sichtbare oder ausgewählte Muster mit ihren Kennzahlen speichern oder drucken</translation>
     </message>
     <message>
         <source>Sheets (*.pdf *.png)</source>
@@ -6010,6 +6026,10 @@ Unten: {second}</translation>
         <translation>Gruppe „{name}“ verschieben</translation>
     </message>
     <message>
+        <source>Copy group “{name}”</source>
+        <translation>Gruppe „{name}“ kopieren</translation>
+    </message>
+    <message>
         <source>Send to &amp;Designer</source>
         <translation>An &amp;Designer senden</translation>
     </message>
@@ -6202,8 +6222,92 @@ Unten: {second}</translation>
         <translation>CIE {axis}* (D65, 10°) am Aspekularwinkel {angle}°</translation>
     </message>
     <message>
+        <source>Colour chips</source>
+        <translation>Farbfelder</translation>
+    </message>
+    <message>
+        <source>Colours at 15°, 45° and 110°</source>
+        <translation>Farben bei 15°, 45° und 110°</translation>
+    </message>
+    <message>
+        <source>Flop index and gloss</source>
+        <translation>Flop-Index und Glanz</translation>
+    </message>
+    <message>
+        <source>L*a*b* at 15°, 45° and 110°</source>
+        <translation>L*a*b* bei 15°, 45° und 110°</translation>
+    </message>
+    <message>
+        <source>Contact Sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>Preview of the page</source>
+        <translation>Vorschau der Seite</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Portrait</source>
+        <translation>Hochformat</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
         <source>Swatches</source>
         <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Previous page</source>
+        <translation>Vorherige Seite</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Print…</source>
+        <translation>Drucken …</translation>
+    </message>
+    <message>
+        <source>All {count} shown</source>
+        <translation>Alle {count} angezeigten</translation>
+    </message>
+    <message>
+        <source>{count} selected</source>
+        <translation>{count} ausgewählte</translation>
+    </message>
+    <message>
+        <source>L*a*b*: D65, 10°, light at 45°</source>
+        <translation>L*a*b*: D65, 10°, Licht bei 45°</translation>
+    </message>
+    <message>
+        <source>{form}, {light}; L*a*b*: D65, 10°, light at 45°</source>
+        <translation>{form}, {light}; L*a*b*: D65, 10°, Licht bei 45°</translation>
+    </message>
+    <message>
+        <source>Page {page} of {count}</source>
+        <translation>Seite {page} von {count}</translation>
+    </message>
+    <message>
+        <source>Preparing pictures: {count} to go</source>
+        <translation>Bilder werden vorbereitet: noch {count}</translation>
     </message>
     <message>
         <source>Swatches, second pane</source>
@@ -6256,6 +6360,14 @@ Unten: {second}</translation>
     <message>
         <source>Open S&amp;ample Paints</source>
         <translation>&amp;Beispiellacke öffnen</translation>
+    </message>
+    <message>
+        <source>Editable Cop&amp;y</source>
+        <translation>Bearbeitbare Kop&amp;ie</translation>
+    </message>
+    <message>
+        <source>Copy this palette to a new one that has no file yet</source>
+        <translation>Diese Palette in eine neue kopieren, die noch keine Datei hat</translation>
     </message>
     <message>
         <source>Save A&amp;ll</source>
@@ -6332,6 +6444,10 @@ Unten: {second}</translation>
     <message>
         <source>Not saved to a file</source>
         <translation>Nicht in einer Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>Comes with the suite: read-only. Save As or drag swatches to another palette to change them.</source>
+        <translation>Gehört zur Suite: schreibgeschützt. Zum Ändern unter anderem Namen speichern oder Muster in eine andere Palette ziehen.</translation>
     </message>
     <message>
         <source>{file}
@@ -6524,6 +6640,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>{count} swatches selected. Edits apply to all.</source>
         <translation>{count} Muster gewählt. Änderungen gelten für alle.</translation>
+    </message>
+    <message>
+        <source>{count} swatches selected.</source>
+        <translation>{count} Muster ausgewählt.</translation>
     </message>
     <message>
         <source>Palette order</source>
@@ -9292,6 +9412,54 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Not reachable with flakes in a paint of this colour. The nearest are set.</source>
         <translation>Mit Flakes in einem Lack dieser Farbe nicht erreichbar. Die nächstliegenden sind gesetzt.</translation>
+    </message>
+    <message>
+        <source>Sketch of the rig from above: a painted sphere in the middle, a fixed camera, and a lamp that moves around the sphere from 0° at the camera to 180°</source>
+        <translation>Skizze des Messaufbaus von oben: eine lackierte Kugel in der Mitte, eine feste Kamera und eine Lampe, die sich von 0° bei der Kamera bis 180° um die Kugel bewegt</translation>
+    </message>
+    <message>
+        <source>Lamp, moved in steps</source>
+        <translation>Lampe, schrittweise bewegt</translation>
+    </message>
+    <message>
+        <source>Camera, fixed</source>
+        <translation>Kamera, fest</translation>
+    </message>
+    <message>
+        <source>Painted sphere</source>
+        <translation>Lackierte Kugel</translation>
+    </message>
+    <message>
+        <source>Photograph a painted sphere under a lamp that moves around it, several exposures at each position. Open the folder of the photographs, or try the steps with simulated ones.</source>
+        <translation>Eine lackierte Kugel unter einer Lampe fotografieren, die sich um sie bewegt, mit mehreren Belichtungen je Position. Den Ordner der Fotos öffnen oder die Schritte mit simulierten Fotos ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Simulate photographs of a blue metallic sphere and open them; made once, in about ten seconds</source>
+        <translation>Fotos einer blaumetallischen Kugel simulieren und öffnen; einmalig, in etwa zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>Try a Simulated Session</source>
+        <translation>Simulierte Sitzung ausprobieren</translation>
+    </message>
+    <message>
+        <source>visible difference</source>
+        <translation>sichtbarer Unterschied</translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation>außerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>{name} (copy)</source>
+        <translation>{name} (Kopie)</translation>
+    </message>
+    <message>
+        <source>“{name}” comes with the suite and cannot be changed.</source>
+        <translation>„{name}“ gehört zur Suite und kann nicht geändert werden.</translation>
+    </message>
+    <message>
+        <source>Make an Editable Copy</source>
+        <translation>Bearbeitbare Kopie anlegen</translation>
     </message>
 </context>
 </TS>

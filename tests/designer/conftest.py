@@ -39,6 +39,13 @@ class ScriptedDialogs:
     def open_path(self, folder: Path, filters: str) -> Path | None:
         return self.path
 
+    def folder_path(self, title: str, folder: Path) -> Path | None:
+        self.asked.append(title)
+        return self.path
+
+    def over(self, window: object) -> ScriptedDialogs:
+        return self
+
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         return self.path
 

@@ -119,6 +119,8 @@ def test_errors_against_the_reference_stand_beside_the_others(three, qtbot) -> N
     three.session.set_reference(first.key)
     qtbot.waitUntil(lambda: item(three, 2).text(ERROR) not in ("", "(300 %)"))
     assert [item(three, k).text(ERROR) for k in range(3)] == ["", "100 %", "300 %"]
+    assert [item(three, k).icon(ERROR).isNull() for k in range(3)] == [True, False, False]
+    assert "out of tolerance" in item(three, 2).toolTip(ERROR)
     found = three.legend.errors.error(third.key)
     assert found.errors == errors_between(first.reflectance, third.reflectance)
     assert found.delta_e > 10.0

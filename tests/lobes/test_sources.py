@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
+from brdf_suite.documents.project import Project, save_project
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.measured import write_measured
 from brdf_suite.geometry.directions import illumination, mirror
@@ -320,3 +321,12 @@ def test_a_reflectance_that_cannot_be_represented_is_named(opened, qtbot, tmp_pa
     qtbot.waitUntil(lambda: program.is_idle, timeout=60_000)
     assert len(program.session.subjects) == 1
     assert any("12 samples" in str(message) for message in program.window.messages.shown().values())
+
+
+def test_a_project_is_opened_by_its_paints_and_its_source(program, holed_table, tmp_path, qtbot) -> None:
+    path = tmp_path / "spring.brdfproject"
+    save_project(Project("Spring", (solid_paint("Sea", (30.0, 0.0, -30.0)),), source=str(holed_table)), path)
+    with qtbot.waitSignal(program.sources.idle, timeout=60_000):
+        program.window.open_requested.emit(path)
+    qtbot.waitUntil(lambda: len(program.session.subjects) == 2, timeout=60_000)
+    assert program.session.subjects[0].title == "Sea"

@@ -31,14 +31,14 @@ from brdf_suite.output.turning import turned
 from brdf_suite.output.turntable import Turn, framed_all_round, write_turntable
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.lobe_fit import fit_material
-from brdf_suite.pipeline.material import load_material
+from brdf_suite.pipeline.material import load_material, load_shipped_paint
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reports import sheet_text
 from brdf_suite.reports.contact_sheet.document import sheet_items, write_sheet
-from brdf_suite.reports.contact_sheet.pictures import SheetItem, caption, item_pictures
+from brdf_suite.reports.contact_sheet.pictures import SheetItem, cell_text, item_pictures
 
 VIEW = View(
     Camera(azimuth_deg=30.0, elevation_deg=15.0), surface="sphere", background="grey", sparkle=Sparkle("off")
@@ -394,11 +394,14 @@ def test_a_cancelled_sheet_leaves_nothing(lit: View, tmp_path: Path) -> None:
 
 
 def test_captions() -> None:
-    assert caption(fit_material(load_material("silver_metallic")))[:2] == [
-        "flop 18.3",
-        "15°: L* 108.6  a* 0.3  b* 1.5",
-    ]
-    assert len(caption(fit_material(load_material("table1_white")))) == 4
+    paint = load_shipped_paint("silver_metallic")
+    text = cell_text(
+        SheetItem(paint.name, "", paint, code="S1"), fit_material(load_material("silver_metallic"))
+    )
+    assert (text.name, text.code) == (paint.name, "S1")
+    assert text.lines[:2] == [f"flop 18.3, {paint.gloss.gu_20:g} GU at 20°", "15°: L* 108.6  a* 0.3  b* 1.5"]
+    solid = SheetItem("White", "", None)
+    assert len(cell_text(solid, fit_material(load_material("table1_white"))).lines) == 4
 
 
 def test_text_fits_and_letters_that_no_font_has_are_reported() -> None:

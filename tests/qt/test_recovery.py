@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery import Recovery
+from brdf_qt.documents.open_tabs import OpenTab, TabsRecord
+from brdf_qt.documents.recovery import MOST_STATES, Recovery
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -97,3 +99,125 @@ def test_what_was_written_last_is_offered_first_also_within_a_second(qapp, own_s
     other = Recovery(DocumentStore(0), NUMBERS, fail)
     assert [item.value for item in other.found()] == [3, 2, 1]
     other.close(keep=False)
+
+
+@given(
+    edits=st.lists(st.integers(0, 9), max_size=30),
+    back=st.integers(0, 30),
+    saved_after=st.none() | st.integers(0, 30),
+)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_the_history_comes_back_with_its_place_and_what_was_saved(
+    qapp, own_settings, tmp_path, edits, back, saved_after
+):
+    store = DocumentStore(-1)
+    store.replace(-1, tmp_path / "a.number", clean=saved_after is not None)
+    recovery = Recovery(store, NUMBERS, fail, keeps_history=True)
+    for number, value in enumerate(edits):
+        store.set(value, f"Step {number}")
+        if number == saved_after:
+            store.mark_clean(tmp_path / "a.number")
+    for _ in range(back):
+        store.undo()
+    assert recovery.write()
+    states, place, clean = store.states(), store.stack.index(), store.is_clean
+    left = recovery.file.with_name(f"left_{recovery.file.name}")
+    if clean:
+        assert not recovery.file.exists()
+        recovery.close(keep=False)
+        return
+    recovery.file.replace(left)
+    recovery.close(keep=False)
+    again = DocumentStore(0)
+    other = Recovery(again, NUMBERS, fail, keeps_history=True)
+    (item,) = [one for one in other.found() if one.file == left]
+    heard = []
+    again.changed.connect(lambda old, new: heard.append((old, new)))
+    other.take(item)
+    assert again.states() == states
+    assert (again.stack.index(), again.value) == (place, states[place][1])
+    assert not again.is_clean
+    assert not left.exists()
+    # What the file holds is clean again, where the history goes through it.
+    seen = []
+    while again.stack.canUndo():
+        again.undo()
+    for at in range(again.stack.count() + 1):
+        again.go_to(at)
+        seen.append(again.is_clean)
+    store_seen = []
+    for at in range(store.stack.count() + 1):
+        store.go_to(at)
+        store_seen.append(store.is_clean)
+    assert seen == store_seen
+    other.close(keep=False)
+
+
+def test_a_damaged_history_leaves_the_work(qapp, own_settings):
+    store = DocumentStore(0)
+    recovery = Recovery(store, NUMBERS, fail, keeps_history=True)
+    store.set(7, "Seven")
+    recovery.write()
+    whole = json.loads(recovery.file.read_text())
+    recovery.close(keep=False)
+    other = Recovery(DocumentStore(0), NUMBERS, fail, keeps_history=True)
+    wrong = [
+        None, 3, {}, {"states": [], "place": 0, "saved": -1}, {**whole["history"], "place": 9},
+        {**whole["history"], "saved": -7}, {**whole["history"], "place": 0},
+        {**whole["history"], "states": [["a", {}]]}, {**whole["history"], "place": "x"},
+    ]  # fmt: skip
+    for number, history in enumerate(wrong):
+        file = other.folder / f"{number}.recovery.json"
+        file.write_text(json.dumps({**whole, "history": history}))
+        (item,) = other.found()
+        assert item.history is None
+        assert item.value == 7
+        file.unlink()
+    other.close(keep=False)
+
+
+def test_a_long_history_is_kept_around_its_place(qapp, own_settings):
+    store = DocumentStore(0)
+    recovery = Recovery(store, NUMBERS, fail, keeps_history=True)
+    for value in range(1, 2 * MOST_STATES):
+        store.set(value, f"Step {value}")
+    store.go_to(MOST_STATES)
+    recovery.write()
+    left = recovery.file.with_name(f"left_{recovery.file.name}")
+    recovery.file.replace(left)
+    recovery.close(keep=False)
+    again = DocumentStore(0)
+    other = Recovery(again, NUMBERS, fail, keeps_history=True)
+    (item,) = other.found()
+    other.take(item)
+    assert again.value == MOST_STATES
+    assert len(again.states()) == MOST_STATES
+    again.undo()
+    assert again.value == MOST_STATES - 1
+    again.go_to(again.stack.count())
+    assert again.value > MOST_STATES
+    other.close(keep=False)
+
+
+def test_the_tabs_of_an_ended_run_are_found_by_the_newest_record_alone(qapp, own_settings, tmp_path):
+    def record(tabs, front):
+        return TabsRecord(lambda: (tabs, front))
+
+    mine = record([OpenTab(tmp_path / "now.number", "")], 0)
+    mine.write()
+    assert mine.left() is None
+    tabs = [OpenTab(tmp_path / "a.number", "x.recovery.json"), OpenTab(None, "y.recovery.json")]
+    older, newer = record([], 0), record(tabs, 1)
+    for number, one in enumerate((older, newer)):
+        one.close(keep=True)
+        os.utime(one.file, (1000 + number, 1000 + number))
+    damaged = mine.file.with_name("zz.tabs.json")
+    damaged.write_text('{"front": 0, "tabs": [{"path": 3}]}')
+    left = mine.left()
+    assert (left.tabs, left.front) == (tuple(tabs), 1)
+    assert not older.file.exists()
+    assert not damaged.exists()
+    mine.drop(left)
+    assert mine.left() is None
+    mine.close(keep=False)
+    assert not mine.file.exists()

@@ -181,8 +181,7 @@ def select():
 def drop():
     """Drop data on a viewport at a point, as Qt delivers it."""
 
-    def it(target, point, data: QMimeData, *, copies: bool = False) -> QDropEvent:
-        keys = Qt.KeyboardModifier.ControlModifier if copies else Qt.KeyboardModifier.NoModifier
+    def it(target, point, data: QMimeData, keys=Qt.KeyboardModifier.NoModifier) -> QDropEvent:
         actions, button = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
         # Qt delivers a drop only to the widget that it has entered.
         QCoreApplication.sendEvent(target, QDragEnterEvent(point, actions, data, button, keys))

@@ -97,7 +97,7 @@ def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> N
     key = swatch.session.state.scope.palette
     swatch.window.tree.renamed.emit(Scope(key, ("New group",)), "Greys")
     assert swatch.session.palette.entry("black").group == ("Greys",)
-    swatch.window.tree.group_dropped.emit(Scope(key, ("Greys",)), Scope(key, ("Cold",)))
+    swatch.window.tree.group_dropped.emit(Scope(key, ("Greys",)), Scope(key, ("Cold",)), False)
     assert swatch.session.palette.entry("black").group == ("Cold", "Greys")
     swatch.session.show_scope(Scope(key, ("Cold", "Greys")))
     command(swatch, "dissolve_group")
@@ -110,16 +110,17 @@ def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> N
     assert swatch.session.palette == before
 
 
-def test_a_group_goes_to_another_palette_with_all_that_is_in_it(swatch, command) -> None:
+@pytest.mark.parametrize("moves", [False, True])
+def test_a_group_goes_to_another_palette_with_all_that_is_in_it(swatch, command, moves: bool) -> None:
     before, key = swatch.session.palette, swatch.session.state.scope.palette
     swatch.session.show_scope(Scope(key, ("Warm",)))
     swatch.window.palette_panel.edited.emit("colour", "#ff0000")
     other = swatch.library.add_palette(Palette("Other"))
-    swatch.window.tree.group_dropped.emit(Scope(key, ("Warm",)), Scope(other))
+    swatch.window.tree.group_dropped.emit(Scope(key, ("Warm",)), Scope(other), moves)
     arrived = swatch.library.palette(other)
     assert [(entry.name, entry.group) for entry in arrived] == [("Red", ("Warm",)), ("Orange", ("Warm",))]
     assert arrived.groups[0].colour == "#ff0000"
-    assert len(swatch.library.palette(key)) == 4
+    assert len(swatch.library.palette(key)) == (4 if moves else 6)
     swatch.library.history.undo()
     swatch.library.history.undo()
     assert swatch.library.palette(key) == before
@@ -163,8 +164,17 @@ def test_a_drag_within_a_pane_puts_swatches_elsewhere(swatch, names, drop) -> No
     assert swatch.session.selected == ("blue",)
 
 
-@pytest.mark.parametrize("copies", [False, True])
-def test_a_drag_from_pane_to_pane_is_one_step_of_both_palettes(swatch, names, drop, command, copies) -> None:
+def test_a_drag_into_the_room_below_the_last_swatch_puts_behind_it(swatch, names, drop) -> None:
+    grid = swatch.window.panes[0].grid
+    grid.resize(grid.width(), grid.layout_.height + 200)
+    drop(grid.viewport(), QPoint(12, grid.layout_.height + 60), grid.model().mime_of(["silver"]))
+    assert names(swatch)[-1] == "Silver"
+
+
+@pytest.mark.parametrize("key", ["NoModifier", "ControlModifier", "ShiftModifier"])
+def test_a_drag_to_another_palette_copies_and_with_shift_moves_in_one_step(
+    swatch, names, drop, command, key
+) -> None:
     first = swatch.session.palette
     command(swatch, "two_panes")
     other = swatch.library.add_palette(Palette("Other"))
@@ -172,9 +182,9 @@ def test_a_drag_from_pane_to_pane_is_one_step_of_both_palettes(swatch, names, dr
     data = swatch.window.panes[0].grid.model().mime_of(["red", "ice"])
     page = swatch.window.panes[1].stack.currentWidget()
     assert swatch.window.panes[1].note
-    drop(page, QPoint(20, 20), data, copies=copies)
+    drop(page, QPoint(20, 20), data, Qt.KeyboardModifier[key])
     assert names(swatch, 1) == ["Red", "Ice"]
-    assert ("Red" in names(swatch, 0)) is copies
+    assert ("Red" in names(swatch, 0)) is (key != "ShiftModifier")
     swatch.library.history.undo()
     assert swatch.library.palette(other) == Palette("Other")
     assert swatch.library.palette(swatch.session.states[0].scope.palette) == first
@@ -242,3 +252,51 @@ def test_a_screen_reader_gets_the_current_swatch(swatch, select) -> None:
         if widget.isVisible() and not widget.accessibleName() and widget.objectName() != "qt_spinbox_lineedit"
     ]
     assert unnamed == []
+
+
+def test_the_sample_paints_are_copied_from_and_not_changed(swatch, names, select, drop, command) -> None:
+    mine = swatch.session.state.scope.palette
+    command(swatch, "two_panes")
+    command(swatch, "shipped")
+    shipped = swatch.session.state.scope.palette
+    before = swatch.library.palette(shipped)
+    swatch.session.show_scope(Scope(mine), 0)
+    model = swatch.window.panes[1].model
+    first = model.id_at(0)
+    grid = swatch.window.panes[0].grid
+    drop(grid.viewport(), QPoint(12, 60), model.mime_of([first]), Qt.KeyboardModifier.ShiftModifier)
+    assert before.entry(first).name in names(swatch, 0)
+    assert swatch.library.palette(shipped) is before
+    # Nothing is taken by it: the pointer shows that while the drag is over it.
+    back = swatch.window.panes[1].grid.viewport()
+    drop(back, QPoint(12, 60), swatch.window.panes[0].model.mime_of(["red"]))
+    select(swatch, before.entry(first).name, pane=1)
+    for key in ("cut", "paste", "delete", "rename", "new_group"):
+        assert not swatch.window.command(key).isEnabled()
+    assert swatch.window.swatch.fields["name"].isReadOnly()
+    swatch.window.swatch.edited.emit("code", "X1")
+    assert swatch.library.palette(shipped) is before
+    message = swatch.window.messages.shown()["edit"]
+    assert "cannot be changed" in message.what
+    ((text, act),) = message.actions
+    assert text == "Make an Editable Copy"
+    act()
+    assert not swatch.session.is_read_only
+    swatch.window.command("select_all").trigger()
+    swatch.window.swatch.edited.emit("code", "X1")
+    assert {entry.code for entry in swatch.session.palette} == {"X1"}
+    assert len(swatch.library.items) == 3
+    swatch.window.command("shipped").trigger()
+    assert len(swatch.library.items) == 3
+
+
+def test_sample_paints_that_are_saved_under_a_name_can_be_changed(swatch, dialogs, command, tmp_path) -> None:
+    command(swatch, "shipped")
+    assert swatch.session.is_read_only
+    dialogs.path = tmp_path / "own.brdfpalette"
+    command(swatch, "save_as")
+    assert dialogs.path.exists()
+    assert not swatch.session.is_read_only
+    command(swatch, "select_all")
+    command(swatch, "delete")
+    assert len(swatch.session.palette) == 0

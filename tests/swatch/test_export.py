@@ -9,7 +9,8 @@ from brdf_color_swatch.export.dialog import QtExportDialogs, choices_of, with_en
 from brdf_color_swatch.export.palette_export import suggested_file
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from brdf_suite.files.palettes import FORMATS, find_format, sniff
+from brdf_suite.appearance.colour.flat_colours import flat_labs
+from brdf_suite.files.palettes import FORMATS, find_format, read_palette, sniff
 
 CHOICES = choices_of(FORMATS, ".ase")
 
@@ -100,3 +101,37 @@ def test_another_format_of_the_same_ending_keeps_the_name() -> None:
 )
 def test_a_name_makes_no_folder(name: str, wanted: str) -> None:
     assert suggested_file(None, name, ".pdf") == Path.home() / f"{wanted}.pdf"
+
+
+@pytest.mark.parametrize("format_name", ["ase", "gpl"])
+def test_a_flat_format_can_have_three_swatches_of_each_paint(
+    swatch, dialogs, tmp_path, qtbot, command, format_name: str
+) -> None:
+    path = tmp_path / f"out.{format_name}"
+    dialogs.path, dialogs.format = path, format_name
+    command(swatch, "export")
+    qtbot.waitUntil(lambda: "export" in swatch.window.messages.shown())
+    offered = dict(swatch.window.messages.shown()["export"].actions)
+    offered["Three Swatches per Paint"]()
+    qtbot.waitUntil(lambda: "6." in swatch.window.messages.shown()["export"].todo)
+    message = swatch.window.messages.shown()["export"]
+    assert "without gloss and flakes" in message.todo
+    assert "Three Swatches per Paint" not in dict(message.actions)
+    dict(message.actions)["Export Anyway"]()
+    qtbot.waitUntil(path.exists)
+    back = read_palette(path).palette
+    three = [entry for entry in back if entry.name.startswith("Silver")]
+    assert [entry.name for entry in three] == ["Silver 15°", "Silver 45°", "Silver 110°"]
+    lightness = [flat_labs([entry.content])[0][0] for entry in three]
+    assert lightness == pytest.approx([75.0, 65.0, 55.0], abs=0.6)
+    assert len(back) == 18
+
+
+def test_a_format_that_holds_paints_offers_no_three_swatches(
+    swatch, dialogs, tmp_path, qtbot, command
+) -> None:
+    dialogs.path, dialogs.format = tmp_path / "out.csv", "csv"
+    assert find_format("csv").paints
+    command(swatch, "export")
+    qtbot.waitUntil(lambda: "export" in swatch.window.messages.shown())
+    assert "Three Swatches per Paint" not in dict(swatch.window.messages.shown()["export"].actions)

@@ -14,8 +14,10 @@ from brdf_qt.window.dialogs import Answer
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import load_palette, save_palette
+from brdf_suite.documents.project import Project, save_project
 from brdf_suite.files.palettes import read_palette
 
 
@@ -213,3 +215,15 @@ def test_every_kind_of_material_is_added_or_opened(swatch, materials, qtbot) -> 
     palettes = len(swatch.library.items)
     swatch.open(materials["palette of one"])
     qtbot.waitUntil(lambda: len(swatch.library.items) > palettes)
+
+
+def test_the_paints_of_a_project_come_as_a_palette(swatch, names, tmp_path) -> None:
+    path = tmp_path / "spring.brdfproject"
+    reds = tuple(solid_paint(name, (50.0, 40.0, 20.0)) for name in ("Red A", "Red B"))
+    save_project(Project("Spring", reds), path)
+    swatch.window.open_requested.emit(path)
+    assert swatch.session.palette.name == "Spring"
+    assert names(swatch) == ["Red A", "Red B"]
+    path.write_bytes(b"PK")
+    swatch.window.open_requested.emit(path)
+    assert "damaged" in swatch.window.messages.shown()["open"].what

@@ -1,100 +1,154 @@
-"""Contact sheets from the window: what is shown goes in, page by page on paper, and failures are reported."""
+"""Contact sheets from the window: what is shown or selected goes in, as the preview has it; failures are reported."""
 
 from __future__ import annotations
 
-import tempfile
 from dataclasses import replace
 from pathlib import Path
-from time import sleep
 
 import pytest
 from brdf_color_swatch.export import contact_sheet
-from brdf_color_swatch.export.contact_sheet import ContactSheets, SheetRequest, run_sheets
-from PySide6.QtGui import QImage
+from brdf_color_swatch.export.contact_sheet import ContactSheets, SheetRequest, run_sheet
+from brdf_color_swatch.export.sheet_dialog import SheetDialog
+from brdf_qt.work.pictures import Pictures
+from pypdf import PdfReader
+from PySide6.QtCore import Qt
 from PySide6.QtPrintSupport import QPrinter
+from PySide6.QtTest import QTest
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
+from brdf_suite.reports.contact_sheet.page_layout import PageStyle
 
 
 @pytest.fixture
 def part(swatch):
-    return swatch.feature(ContactSheets)
+    made = swatch.feature(ContactSheets)
+    for box in made.dialog.fields.values():
+        box.setChecked(True)
+    yield made
+    made.dialog.reject()
 
 
-def test_what_is_shown_goes_in_in_its_order_or_the_several_selected(swatch, part, select) -> None:
+def names_of(palette: Palette) -> list[str]:
+    return [entry.name for entry in palette]
+
+
+def test_what_is_shown_goes_in_in_its_order_or_what_is_selected(swatch, part, select, command) -> None:
     swatch.window.bar.sort_chosen.emit("lightness")
-    whole = part.shown_palette()
-    assert [entry.name for entry in whole] == ["Black", "Blue", "Red", "Silver", "Orange", "Ice"]
+    command(swatch, "sheet")
+    dialog = part.dialog
+    assert dialog.shown.isChecked()
+    assert dialog.shown.text() == "All 6 shown"
+    assert not dialog.selected.isEnabled()
+    assert names_of(part.palette()) == ["Black", "Blue", "Red", "Silver", "Orange", "Ice"]
+    dialog.reject()
     select(swatch, "Red", "Ice")
-    assert [entry.name for entry in part.shown_palette()] == ["Red", "Ice"]
+    command(swatch, "sheet")
+    assert dialog.selected.isChecked()
+    assert dialog.selected.text() == "2 selected"
+    assert names_of(part.palette()) == ["Red", "Ice"]
+    dialog.shown.click()
+    assert len(part.palette()) == 6
 
 
-def test_pages_are_printed_one_after_the_other(swatch, part, tmp_path, monkeypatch, qtbot) -> None:
-    asked: list[SheetRequest] = []
+def test_the_preview_shows_what_is_chosen(swatch, part, command) -> None:
+    command(swatch, "sheet")
+    dialog = part.dialog
+    seen = []
 
-    def draw(request: SheetRequest, _progress) -> tuple[Path, ...]:
-        asked.append(request)
-        for _, path in request.pages:
-            image = QImage(40, 30, QImage.Format.Format_RGB32)
-            image.fill(0xFF336699)
-            image.save(str(path))
-        return tuple(path for _, path in request.pages)
+    def changed() -> bool:
+        seen.append(dialog.preview.grab().toImage())
+        return len(seen) == 1 or seen[-1] != seen[-2]
 
-    # The drawing itself is the command's, and tested with it.
-    monkeypatch.setattr(contact_sheet, "run_sheets", draw)
-    monkeypatch.setattr(contact_sheet, "_PRINTED_ROWS", 1)
-    printer = QPrinter(QPrinter.PrinterMode.ScreenResolution)
+    assert changed()
+    dialog.columns.setFocus()
+    dialog.columns.selectAll()
+    QTest.keyClicks(dialog.columns, "1")
+    assert changed()
+    assert dialog.layout_.pages > 1
+    assert dialog.count.text() == f"Page 1 of {dialog.layout_.pages}"
+    dialog.forward.click()
+    assert changed()
+    QTest.keyClick(dialog.fields["lab"], Qt.Key.Key_Space)
+    assert "lab" not in dialog.style_.fields
+    assert changed()
+    QTest.keyClicks(dialog.title, " of spring")
+    dialog.back.click()
+    assert changed()
+    assert dialog.layout_.title.endswith("of spring")
+    place = dialog.way.findData("landscape")
+    dialog.way.setCurrentIndex(place)
+    assert changed()
+
+
+def test_paper_and_content_are_those_of_the_last_sheet(swatch, part, command, qtbot) -> None:
+    command(swatch, "sheet")
+    part.dialog.page.setCurrentIndex(part.dialog.page.findData("letter"))
+    part.dialog.columns.setValue(3)
+    part.dialog.fields["figures"].setChecked(False)
+    again = SheetDialog(Pictures(part.dialog), part.dialog)
+    assert again.style_ == PageStyle("letter", part.dialog.style_.landscape, 3, ("code", "colours", "lab"))
+    part.dialog.fields["figures"].setChecked(True)
+
+
+def test_the_pages_of_the_preview_are_printed(swatch, part, command, tmp_path) -> None:
+    command(swatch, "sheet")
+    part.dialog.columns.setValue(1)
+    pages = part.dialog.layout_.pages
+    assert pages > 1
+    printer = QPrinter(QPrinter.PrinterMode.HighResolution)
     printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
     printer.setOutputFileName(str(tmp_path / "out.pdf"))
-    part.print_on(swatch.session.palette, printer)
-    assert swatch.window.progress.jobs == ("sheet",)
-    qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
-    assert "2 pages" in swatch.window.messages.shown()["sheet"].what
-    assert swatch.window.progress.jobs == ()
-    assert [len(palette) for palette, _ in asked[0].pages] == [4, 2]
-    assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF")
-    assert not any(path.exists() for _, path in asked[0].pages)
+    part.print_on(printer)
+    assert f"{pages} pages" in swatch.window.messages.shown()["sheet"].what
+    assert len(PdfReader(tmp_path / "out.pdf").pages) == pages
 
 
-@pytest.mark.parametrize("cancelled", [False, True])
-def test_nothing_of_the_pages_stays_where_they_are_not_printed(
-    swatch, part, tmp_path, monkeypatch, qtbot, cancelled: bool
+def test_a_sheet_is_saved_as_it_was_chosen(
+    swatch, part, dialogs, command, tmp_path, monkeypatch, qtbot
 ) -> None:
-    made: list[Path] = []
+    asked: list[SheetRequest] = []
 
-    def draw(request: SheetRequest, progress) -> tuple[Path, ...]:
-        path = request.pages[0][1]
-        path.write_bytes(b"half")
-        made.append(path)
-        while cancelled:
-            progress(0.5, "")
-            sleep(0.005)
-        raise SuiteError("no ink")
+    def draw(request: SheetRequest, _progress) -> Path:
+        asked.append(request)
+        return request.path
 
-    monkeypatch.setattr(contact_sheet, "run_sheets", draw)
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    part.print_on(swatch.session.palette, QPrinter(QPrinter.PrinterMode.ScreenResolution))
-    qtbot.waitUntil(lambda: bool(made))
-    if cancelled:
-        swatch.library.tasks.cancel("sheet")
-        swatch.window.progress.end_job("sheet")
-    else:
-        qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
-    qtbot.waitUntil(lambda: not made[0].parent.exists())
-    assert list(tmp_path.glob("brdf-print-*")) == []
+    # The drawing itself is the command's, and tested with it.
+    monkeypatch.setattr(contact_sheet, "run_sheet", draw)
+    command(swatch, "sheet")
+    part.dialog.form.setCurrentIndex(part.dialog.form.findData("panel"))
+    dialogs.path = tmp_path / "spring.pdf"
+    part.dialog.save.click()
+    qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
+    (request,) = asked
+    assert (request.form, request.path, request.style) == ("panel", dialogs.path, part.dialog.style_)
+    assert sorted(names_of(request.palette)) == sorted(names_of(swatch.session.palette))
+    assert not part.dialog.isVisible()
 
 
-def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(swatch, part, dialogs, monkeypatch) -> None:
+def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(
+    swatch, part, dialogs, command, monkeypatch
+) -> None:
     swatch.session.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
     suggested: list[Path] = []
     monkeypatch.setattr(dialogs, "save_path", lambda path, _filters: suggested.append(path), raising=False)
-    part.export()
+    command(swatch, "sheet")
+    part.dialog.save.click()
     assert suggested == [Path.home() / "Cars_Trucks.pdf"]
 
 
+def test_the_command_draws_what_the_window_asks_for(swatch, tmp_path: Path) -> None:
+    path, style = tmp_path / "out.pdf", PageStyle("letter", True, 6, ("code", "lab"))
+    run_sheet(SheetRequest(swatch.session.palette, path, "booth", "chips", style), lambda _share, _what: None)
+    pages = PdfReader(path).pages
+    assert (float(pages[0].mediabox.width), float(pages[0].mediabox.height)) == (792.0, 612.0)
+    text = "".join(page.extract_text() for page in pages)
+    assert "C2" in text
+    assert "flop" not in text
+
+
 def test_what_the_command_refuses_is_said(tmp_path: Path, qapp) -> None:
-    request = SheetRequest(((Palette("Empty"), tmp_path / "out.png"),), "nowhere", "sphere")
+    request = SheetRequest(Palette("Empty"), tmp_path / "out.png", "nowhere", "sphere", PageStyle())
     with pytest.raises(SuiteError, match="nowhere"):
-        run_sheets(request, lambda _share, _what: None)
+        run_sheet(request, lambda _share, _what: None)
     assert not (tmp_path / "out.png").exists()

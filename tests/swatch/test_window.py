@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.colour_map.panel import ColourMap
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.paint_exchange import PaintExchange
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPointF, Qt
+from PySide6.QtGui import QColor, QMouseEvent, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
@@ -113,3 +115,72 @@ def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
     assert -1.0 < low <= 0.0
     assert 5.0 <= high < 6.0
     map_part.chosen_kind = ""
+
+
+@pytest.mark.parametrize("width", [1000, 1280, 1600])
+def test_the_search_field_keeps_room_for_what_is_typed(
+    swatch: ColorSwatch, map_part: ColourMap, qtbot, width: int
+) -> None:
+    swatch.window.resize(width, 900)
+    map_part.toggle()
+    qtbot.waitUntil(lambda: map_part.is_idle)
+    search = swatch.window.bar.search
+    text = "metallic orange"
+    needed = search.fontMetrics().horizontalAdvance(text)
+    assert search.width() >= needed + 60  # and the two signs
+    assert swatch.window.bar.geometry().right() <= swatch.window.pane_split.geometry().right()
+
+
+def _move(widget: QWidget, x: float, y: float) -> None:
+    """Move the pointer over a widget without a button; the offscreen platform moves none by itself."""
+    at, none = QPointF(x, y), Qt.MouseButton.NoButton
+    place = QPointF(widget.mapToGlobal(at))
+    event = QMouseEvent(QEvent.Type.MouseMove, at, place, none, none, Qt.KeyboardModifier.NoModifier)
+    QCoreApplication.sendEvent(widget, event)
+
+
+@pytest.mark.parametrize("ground", ["#202020", "#e0e0e0"])
+def test_a_point_of_the_ground_s_own_colour_is_seen_and_named(qtbot, ground: str) -> None:
+    from brdf_color_swatch.colour_map.plane import PlaneMap
+    from brdf_color_swatch.colour_map.points import MapPoints
+
+    view = PlaneMap()
+    qtbot.addWidget(view)
+    colours = QPalette(QColor(ground))
+    view.setPalette(colours)
+    view.resize(420, 320)
+    lab = np.array([[50.0, 10.0, 10.0], [50.0, -30.0, -30.0]])
+    codes = np.array([QColor(ground).getRgb()[:3]] * 2, np.uint8)
+    names = ("Night", "Fog")
+    view.show_points(MapPoints(names, names, lab, np.zeros(2), np.zeros(2), codes), "ab")
+    with qtbot.waitExposed(view):
+        view.show()
+    x, y = view.pixels()[0]
+
+    def contrast() -> int:
+        picture = view.grab().toImage()
+        ratio = picture.devicePixelRatio()
+        around = [
+            picture.pixelColor(round((x + dx) * ratio), round((y + dy) * ratio)).lightness()
+            for dx in range(-8, 9)
+            for dy in range(-8, 9)
+        ]
+        return max(abs(value - QColor(ground).lightness()) for value in around)
+
+    assert contrast() > 60
+    before = view.grab().toImage()
+    _move(view.viewport(), x, y)
+    assert view.hovered == 0
+    assert view.grab().toImage() != before
+    _move(view.viewport(), x + 60, y + 60)
+    assert view.hovered == -1
+
+
+def test_the_axes_of_the_map_have_labels_that_can_be_told_apart(qtbot) -> None:
+    from brdf_color_swatch.colour_map.plane import PlaneMap
+
+    view = PlaneMap()
+    qtbot.addWidget(view)
+    for span in (0.013, 7.0, 220.0):
+        ((step, _),) = view.getAxis("left").tickSpacing(-span / 2, span / 2, 640.0)
+        assert 4 <= span / step <= 10

@@ -59,7 +59,7 @@ def test_points_are_drawn_in_their_colours_and_those_selected_larger(view) -> No
         scale = image.width() / view.width()
         across = [
             image.pixelColor(round((at[place, 0] + dx) * scale), round(at[place, 1] * scale))
-            for dx in (-6, 6)
+            for dx in (-7, 7)
         ]
         return all(
             abs(one.blue() - accent.blue()) < 40 and abs(one.red() - accent.red()) < 40 for one in across
@@ -83,6 +83,16 @@ def test_a_click_finds_and_a_drag_turns(view) -> None:
     QTest.keyClick(view, Qt.Key.Key_F)
     assert view.opts["azimuth"] == -60
     assert np.allclose(view.pixels()[0], at, atol=0.5)
+
+
+def test_the_name_of_a_point_is_shown_under_the_pointer(view, qtbot) -> None:
+    at, _ = view.pixels()
+    before = view.grabFramebuffer()
+    QTest.mouseMove(view, QPoint(*np.rint(at[2]).astype(int).tolist()))
+    qtbot.waitUntil(lambda: view.hovered == 2)
+    assert view.grabFramebuffer() != before
+    QTest.mouseMove(view, QPoint(2, 2))
+    qtbot.waitUntil(lambda: view.hovered == -1)
 
 
 def test_a_lasso_selects_what_it_is_drawn_around(view) -> None:

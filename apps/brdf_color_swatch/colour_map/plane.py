@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pyqtgraph as pg  # pyqtgraph has no types
-from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF, QTransform
-from PySide6.QtWidgets import QToolTip, QWidget
+from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.colour_map.points import LassoLine, MapPoints, inside, nearest
 
@@ -17,7 +18,10 @@ _AXES = {
     "ab": (mark("a* at 45°, green to red"), mark("b* at 45°, blue to yellow")),
     "gloss": (mark("Flop index"), mark("Gloss at 20° (GU)")),
 }
-_SIDE, _SIDE_CHOSEN = 9, 13
+_SIDE, _SIDE_CHOSEN = 13, 17
+_OUTLINE_ALPHA, _GRID_ALPHA = 170, 0.22
+_TICK_PX = 64.0
+"""From label to label at least."""
 _LEAST_RANGE = 5.0
 _MANY = 3000
 _MOST_RINGED = 2000
@@ -84,7 +88,7 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.resetTransform()
         many = len(at) > _MANY
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not many)
-        ring = self.palette.color(QPalette.ColorRole.Mid)
+        ring = outline_colour(self.palette)
         ratio = painter.device().devicePixelRatioF()
         side = _SIDE * ratio * (0.55 if many else 1.0)
         known = np.isfinite(at).all(axis=1)
@@ -109,16 +113,34 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.restore()
 
 
+class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """An axis whose labels are far enough apart to be read at a glance, with a line of the grid for each."""
+
+    def tickSpacing(self, minVal: float, maxVal: float, size: float) -> list[tuple[float, float]]:
+        least = abs(maxVal - minVal) * _TICK_PX / max(1.0, size)
+        unit = 10.0 ** math.floor(math.log10(least)) if least > 0.0 else 1.0
+        step = next((unit * factor for factor in (1.0, 2.0, 5.0) if unit * factor >= least), 10.0 * unit)
+        return [(step, 0.0)]
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        return [text.replace("-", "−") for text in super().tickStrings(values, scale, spacing)]
+
+
 class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """One plane. Signal ``chosen(ids, mode)`` where a lasso or a click has chosen; mode ``set``, ``add``, ``drop``."""
 
     chosen = Signal(object, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(parent, axisItems={side: _Axis(side) for side in ("bottom", "left")})
         self._points: MapPoints | None = None
         self._which = "flop"
         self._line = LassoLine()
+        self.hovered = -1
+        """The point under the pointer, whose name is shown; -1: none."""
+        self._zeros = [pg.InfiniteLine(angle=angle) for angle in (0, 90)]
+        for line in self._zeros:
+            self.addItem(line)
         self.cloud = _Cloud()
         self.addItem(self.cloud)
         self.setMenuEnabled(False)
@@ -133,7 +155,9 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def show_points(self, points: MapPoints, which: str) -> None:
         """Show the points of a plane; another palette or plane is framed."""
         again = self._which != which or self._points is None or points.ids != self._points.ids
-        self._points, self._which = points, which
+        self._points, self._which, self.hovered = points, which, -1
+        for line in self._zeros:
+            line.setVisible(which == "ab")
         self.cloud.show_points(points.plane(which), points.codes)
         for side, text in zip(("bottom", "left"), _AXES[which], strict=True):
             self.setLabel(side, tr(text))
@@ -182,7 +206,9 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             self._close(event)
         else:
             if kind == QEvent.Type.MouseMove and not event.buttons():
-                self._show_name(event)
+                self._hover((at.x(), at.y()))
+            elif kind == QEvent.Type.Wheel:
+                self._hover(None)
             return False
         return True
 
@@ -200,19 +226,23 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             ids = tuple(self._points.ids[place] for place in np.flatnonzero(inside(at, points)))
         self.chosen.emit(ids, mode_of(event))
 
-    def _show_name(self, event: QMouseEvent) -> None:
-        if self._points is None:
-            return
-        found = nearest(self.pixels(), (event.position().x(), event.position().y()))
-        text = "" if found is None else self._points.names[found][:120]
-        QToolTip.showText(event.globalPosition().toPoint(), plain_tip(text), self)
+    def _hover(self, at: tuple[float, float] | None) -> None:
+        found = nearest(self.pixels(), at) if self._points is not None and at is not None else None
+        hovered = -1 if found is None else found
+        if hovered != self.hovered:
+            self.hovered = hovered
+            self.viewport().update()
 
     def paintEvent(self, event: object) -> None:
         super().paintEvent(event)
+        painter = QPainter(self.viewport())
+        if self._points is not None and self.hovered >= 0 and not self._line.is_drawn:
+            x, y = self.pixels()[self.hovered]
+            name = self._points.names[self.hovered]
+            draw_name(painter, QPointF(x, y), name, QRectF(self.viewport().rect()), self.palette())
         if self._line.is_drawn:
-            painter = QPainter(self.viewport())
             draw_line(painter, self._line, self.palette())
-            painter.end()
+        painter.end()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -223,17 +253,49 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         colours = self.palette()
         self.setBackground(colours.color(QPalette.ColorRole.Window))
         self.cloud.palette = colours
+        text = colours.color(QPalette.ColorRole.WindowText)
         for side in ("bottom", "left"):
             axis = self.getAxis(side)
-            axis.setPen(colours.color(QPalette.ColorRole.Mid))
-            axis.setTextPen(colours.color(QPalette.ColorRole.WindowText))
-        self.showGrid(x=True, y=True, alpha=0.15)
+            axis.setPen(text)
+            axis.setTextPen(text)
+        self.showGrid(x=True, y=True, alpha=_GRID_ALPHA)
+        zero = QColor(text)
+        zero.setAlpha(110)
+        for line in self._zeros:
+            line.setPen(zero)
 
 
 def _mapped(transform: QTransform, at: np.ndarray) -> np.ndarray:
     """Return where an affine transform takes points (n, 2)."""
     turn = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
     return np.asarray(at @ turn + (transform.dx(), transform.dy()))
+
+
+def outline_colour(palette: QPalette) -> QColor:
+    """Return the colour around every point: that of text, so that no paint vanishes in the ground."""
+    colour = QColor(palette.color(QPalette.ColorRole.WindowText))
+    colour.setAlpha(_OUTLINE_ALPHA)
+    return colour
+
+
+def draw_name(painter: QPainter, at: QPointF, name: str, room: QRectF, palette: QPalette) -> None:
+    """Draw the name of a point beside it, within ``room``, and a ring around the point."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    text = painter.fontMetrics().elidedText(name[:120], Qt.TextElideMode.ElideMiddle, int(room.width()) - 16)
+    width, height = painter.fontMetrics().horizontalAdvance(text) + 12, painter.fontMetrics().height() + 6
+    reach = 0.5 * _SIDE_CHOSEN + 3.0
+    right = at.x() + reach + width <= room.right()
+    left = at.x() + reach if right else max(room.left(), at.x() - reach - width)
+    top = min(max(room.top(), at.y() - height / 2), room.bottom() - height)
+    painter.setPen(QPen(palette.color(QPalette.ColorRole.WindowText), 1.5))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawEllipse(at, reach - 2.0, reach - 2.0)
+    box = QRectF(left, top, width, height)
+    painter.setPen(palette.color(QPalette.ColorRole.Mid))
+    painter.setBrush(palette.color(QPalette.ColorRole.ToolTipBase))
+    painter.drawRoundedRect(box, 3, 3)
+    painter.setPen(palette.color(QPalette.ColorRole.ToolTipText))
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def mode_of(event: QMouseEvent) -> str:

@@ -6,21 +6,20 @@ import math
 from typing import Any
 
 import numpy as np
-from brdf_qt.fields.labels import plain_tip
 from brdf_qt.gl.items import BEFORE, OPAQUE, DiscItem, SegmentItem
 from brdf_qt.gl.segments import polyline, segments
 from brdf_qt.gl.space import SpaceView, project
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPalette, QVector3D
-from PySide6.QtWidgets import QToolTip, QWidget
+from PySide6.QtWidgets import QWidget
 
-from brdf_color_swatch.colour_map.plane import draw_line, mode_of
+from brdf_color_swatch.colour_map.plane import draw_line, draw_name, mode_of, outline_colour
 from brdf_color_swatch.colour_map.points import LassoLine, MapPoints, inside, nearest
 
 _REACH = 80.0
 _TOP = 100.0
-_SIZE, _SIZE_CHOSEN = 9.0, 15.0
+_SIZE, _SIZE_CHOSEN = 11.0, 17.0
 _MANY = 2000
 _CENTRE = QVector3D(0.0, 0.0, 50.0)
 
@@ -40,6 +39,8 @@ class SpaceMap(SpaceView):
         self.lasso = False
         self.line = LassoLine()
         self._points: MapPoints | None = None
+        self.hovered = -1
+        """The point under the pointer, whose name is shown; -1: none."""
         self._press: QPointF | None = None
         self._chosen: set[str] = set()
         self.opts["fov"] = 45
@@ -50,8 +51,10 @@ class SpaceMap(SpaceView):
     def make_items(self) -> None:
         self._axes = SegmentItem()
         self._cloud, self._ring, self._front = DiscItem(OPAQUE), DiscItem(BEFORE), DiscItem(BEFORE)
-        # What is selected is seen through the others.
-        items: list[Any] = [self._cloud, self._axes, self._ring, self._front]
+        # Larger than the points, of their depth and drawn first, it is seen around them alone. What is selected is
+        # seen through the others.
+        self._outline = DiscItem(OPAQUE)
+        items: list[Any] = [self._outline, self._cloud, self._axes, self._ring, self._front]
         for order, item in enumerate(items):
             item.setDepthValue(order)
             self.addItem(item)
@@ -74,12 +77,20 @@ class SpaceMap(SpaceView):
                 painter.drawText(QPointF(x - wide / 2, y + 4), text)
         if self.line.is_drawn:
             draw_line(painter, self.line, self.palette())
+        elif self._points is not None and self.hovered >= 0:
+            x, y = self.pixels()[0][self.hovered]
+            name = self._points.names[self.hovered]
+            draw_name(painter, QPointF(x, y), name, QRectF(self.rect()), self.palette())
 
     def show_points(self, points: MapPoints) -> None:
-        self._points = points
+        self._points, self.hovered = points, -1
         known = np.isfinite(points.lab).all(axis=1)
         side = _SIZE if known.sum() < _MANY else 0.55 * _SIZE
         self._cloud.setData(pos=_at(points.lab[known]), color=_colours(points.codes[known]), size=side)
+        ring = np.tile(np.array(outline_colour(self.palette()).getRgbF(), np.float32), (int(known.sum()), 1))
+        self._outline.setVisible(0 < known.sum() < _MANY)
+        if known.any():
+            self._outline.setData(pos=_at(points.lab[known]), color=ring, size=side + 2.0)
         self.show_chosen(set())
 
     def sizeHint(self) -> QSize:
@@ -147,8 +158,7 @@ class SpaceMap(SpaceView):
                 super().mouseMoveEvent(event)
         else:
             found = nearest(self.pixels()[0], (at.x(), at.y()), self.pixels()[1])
-            text = "" if found is None or self._points is None else self._points.names[found][:120]
-            QToolTip.showText(event.globalPosition().toPoint(), plain_tip(text), self)
+            self.hovered = -1 if found is None else found
         self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.program.translation import mark, tr
@@ -11,7 +12,7 @@ from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
 from brdf_color_swatch.editing.entry_edits import OWNER, count_words, what_words, with_date
-from brdf_color_swatch.editing.transfer import read_data
+from brdf_color_swatch.editing.transfer import read_data, source_of
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.panels.swatch import today
@@ -23,7 +24,10 @@ from brdf_suite.errors import SuiteError
 
 
 class DropsAndOrder(SwatchFeature):
-    """Drops and order; what moves from one palette to another is one step of both."""
+    """Drops and order. A drag within a palette moves (Ctrl copies), one between palettes copies (Shift moves).
+
+    What moves from one palette to another is one step of both.
+    """
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
@@ -41,6 +45,8 @@ class DropsAndOrder(SwatchFeature):
         for pane in window.panes:
             number = pane.number
             pane.dropped.connect(lambda event, row, number=number: self.drop_on_pane(number, event, row))
+            pane.grid.drop_action = partial(self._action_on_pane, number)
+        window.tree.drop_action = lambda event, scope: self._action_on(event, scope.palette)
         self._enable_always()
 
     def keep_order(self) -> None:
@@ -67,7 +73,7 @@ class DropsAndOrder(SwatchFeature):
         self._place(name, self._session.front, list(ids), beside.group, before)
 
     def drop_on_pane(self, number: int, event: QDropEvent, row: int) -> None:
-        """Take what fell on a pane before a row: swatches of this program are moved, or copied with Ctrl."""
+        """Take what fell on a pane before a row."""
         session, pane = self._session, self._window.panes[number]
         session.set_front(number)
         model = pane.model
@@ -94,7 +100,7 @@ class DropsAndOrder(SwatchFeature):
         if self._session.library.palette(scope.palette) is None:
             # It is read first; what was dropped is kept for that time.
             data = _copy_mime(event.mimeData())
-            moves = _moves(event)
+            moves = self._moves(event, scope.palette)
             event.acceptProposedAction()
             self._session.loader.load(
                 scope.palette, lambda: self._drop_data(data, scope, scope.group, None, moves=moves)
@@ -103,7 +109,7 @@ class DropsAndOrder(SwatchFeature):
         self._drop(event, scope, scope.group, None)
 
     def _drop(self, event: QDropEvent, scope: Scope, group: GroupPath | None, before: str | None) -> None:
-        moves = _moves(event)
+        moves = self._moves(event, scope.palette)
         # The palettes are changed here, both in one step: the source of the drag has nothing to remove.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
@@ -134,7 +140,6 @@ class DropsAndOrder(SwatchFeature):
         if not target or session.library.palette(target) is None:
             target = session.library.add_palette(Palette(tr("Untitled")))
             session.show_scope(Scope(target))
-        moves = moves and carried.owner == OWNER
         name = (tr("Move {what}") if moves else tr("Copy {what}")).format(what=what_words(carried.entries))
         if moves and carried.source == target:
             pane = next(
@@ -162,6 +167,26 @@ class DropsAndOrder(SwatchFeature):
                 if state.scope.palette == target and (pane == 0 or self._window.has_two_panes):
                     session.reveal(fresh, pane)
 
+    def _moves(self, event: QDropEvent, target: str) -> bool:
+        """Whether what falls on a palette leaves its old place."""
+        owner, source = source_of(event.mimeData())
+        if owner != OWNER or self._session.library.is_read_only(source):
+            return False
+        keys = Qt.KeyboardModifier
+        if source == target:
+            return not event.modifiers() & keys.ControlModifier
+        return bool(event.modifiers() & keys.ShiftModifier)
+
+    def _action_on_pane(self, number: int, event: QDropEvent) -> Qt.DropAction:
+        return self._action_on(event, self._session.states[number].scope.palette)
+
+    def _action_on(self, event: QDropEvent, target: str) -> Qt.DropAction:
+        """Return what the pointer shows over a palette: that it would move, copy, or take nothing."""
+        if self._session.library.is_read_only(target):
+            return Qt.DropAction.IgnoreAction
+        moves = self._moves(event, target)
+        return Qt.DropAction.MoveAction if moves else Qt.DropAction.CopyAction
+
     def _place(
         self, name: str, pane: int, ids: list[str], group: GroupPath | None, before: str | None
     ) -> None:
@@ -170,15 +195,11 @@ class DropsAndOrder(SwatchFeature):
             self._session.reveal(tuple(ids), pane)
 
     def _enable(self) -> None:
-        state = self._session.state
+        state, editable = self._session.state, not self._session.is_read_only
         for action in self._of_selected:
-            action.setEnabled(bool(self._session.selected) and state.keeps_order)
-        self._fix_order.setEnabled(self._session.palette is not None and state.sort not in ("own", "nearest"))
-
-
-def _moves(event: QDropEvent) -> bool:
-    """Whether it is a move: Ctrl copies, as everywhere."""
-    return not event.modifiers() & Qt.KeyboardModifier.ControlModifier
+            action.setEnabled(bool(self._session.selected) and state.keeps_order and editable)
+        sorted_by = state.sort not in ("own", "nearest")
+        self._fix_order.setEnabled(self._session.palette is not None and sorted_by and editable)
 
 
 def _copy_mime(data: QMimeData) -> QMimeData:

@@ -43,11 +43,9 @@ class EditCommands(SwatchFeature):
         redo = add("edit", mark("&Redo"), "Ctrl+Shift+Z", history.redo, "redo", icon="arrow-clockwise")
         redo.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         edit.addSeparator()
-        self._of_selected = [
-            add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors"),
-            add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy"),
-        ]
-        add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
+        self._of_selected = [add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors")]
+        self._copy = add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy")
+        self._paste = add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
         self._of_selected += [
             add("edit", mark("D&uplicate"), "Ctrl+D", self.duplicate, "duplicate"),
             add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),
@@ -223,5 +221,7 @@ class EditCommands(SwatchFeature):
 
     def _enable(self) -> None:
         some = bool(self._session.selected)
+        self._copy.setEnabled(some)
+        self._paste.setEnabled(not self._session.is_read_only)
         for action in self._of_selected:
-            action.setEnabled(some)
+            action.setEnabled(some and not self._session.is_read_only)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -117,10 +118,14 @@ class GroupCommands(SwatchFeature):
                     tag = new.tag if scope.tag else state.scope.tag
                     self._session.show_scope(Scope(scope.palette, path, tag), pane)
 
-    def move_group(self, moved: Scope, onto: Scope) -> None:
-        """Move a group into another, to the palette's top, or with all that is in it to another palette."""
+    def move_group(self, moved: Scope, onto: Scope, moves: bool = False) -> None:
+        """Move a group into another or to the palette's top; to another palette it is copied, or with ``moves`` moved.
+
+        All that is in it goes along. Out of a read-only palette it is always copied.
+        """
         if onto.palette != moved.palette:
-            self._session.loader.load(onto.palette, lambda: self._carry_group(moved, onto))
+            moves = moves and not self._session.library.is_read_only(moved.palette)
+            self._session.loader.load(onto.palette, lambda: self._carry_group(moved, onto, moves=moves))
             return
         if onto.group[: len(moved.group)] == moved.group:
             return
@@ -131,8 +136,8 @@ class GroupCommands(SwatchFeature):
                 name, lambda palette: edits.move_group(palette, moved.group, to), moved.palette
             )
 
-    def _carry_group(self, moved: Scope, onto: Scope) -> None:
-        """Move a group to another palette: one step of both."""
+    def _carry_group(self, moved: Scope, onto: Scope, *, moves: bool) -> None:
+        """Copy or move a group to another palette; a move is one step of both."""
         source = self._session.library.palette(moved.palette)
         if source is None:
             return
@@ -151,15 +156,17 @@ class GroupCommands(SwatchFeature):
             fresh = [group for group in fresh if group.path not in known]
             return edits.add_entries(replace(palette, groups=(*palette.groups, *fresh)), entries)
 
-        self._session.edit_many(
-            tr("Move group “{name}”").format(name=moved.group[-1][:40]),
-            {onto.palette: take, moved.palette: lambda palette: edits.remove_group(palette, moved.group)},
-        )
+        changes: dict[str, Callable[[Palette], Palette]] = {onto.palette: take}
+        if moves:
+            changes[moved.palette] = lambda palette: edits.remove_group(palette, moved.group)
+        name = tr("Move group “{name}”") if moves else tr("Copy group “{name}”")
+        self._session.edit_many(name.format(name=moved.group[-1][:40]), changes)
 
     def _enable(self) -> None:
-        self._new_group.setEnabled(self._session.palette is not None)
+        editable = not self._session.is_read_only
+        self._new_group.setEnabled(self._session.palette is not None and editable)
         for action in self._of_group:
-            action.setEnabled(bool(self._session.state.scope.group))
+            action.setEnabled(bool(self._session.state.scope.group) and editable)
 
 
 def _inside(scope: Scope, around: Scope) -> bool:

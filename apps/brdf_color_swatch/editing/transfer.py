@@ -20,6 +20,8 @@ from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_a
 from brdf_suite.errors import SuiteError
 
 MIME = "application/x-brdf-swatches"
+SOURCE_MIME = "application/x-brdf-swatches-source"
+"""Run of the program and palette that swatches come from, without the swatches: read at every move of a drag."""
 PAINT_MIME = "application/x-brdf-paint"
 _TEXT, _COLOUR, _URIS = "text/plain", "application/x-color", "text/uri-list"
 TAKEN = (MIME, PAINT_MIME, _TEXT, _COLOUR, _URIS)
@@ -54,6 +56,7 @@ def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: st
     data = QMimeData()
     whole = {"owner": owner, "source": source, "palette": palette_to_json(Palette("carried", tuple(entries)))}
     data.setData(MIME, json.dumps(whole, ensure_ascii=False).encode("utf-8"))
+    data.setData(SOURCE_MIME, f"{owner}\n{source}".encode())
     lines = [
         "\t".join((colour, entry.name.replace("\t", " "), entry.code)).rstrip()
         for entry, colour in zip(entries, hexes, strict=True)
@@ -70,6 +73,12 @@ def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: st
 def can_take(data: QMimeData) -> bool:
     """Whether there may be swatches in it."""
     return any(data.hasFormat(kind) for kind in TAKEN)
+
+
+def source_of(data: QMimeData) -> tuple[str, str]:
+    """Return the run of the program and the palette that swatches come from; empty where they come from elsewhere."""
+    owner, _, source = bytes(data.data(SOURCE_MIME).data()).decode("utf-8", "replace").partition("\n")
+    return owner, source
 
 
 def read_data(data: QMimeData) -> Carried:

@@ -1,25 +1,24 @@
-"""Contact sheets: what the pane shows, each with its figures, as a file or on paper.
+"""Contact sheets: what the pane shows or what is selected, as a file or on paper.
 
-They are drawn by the suite's command in a process of its own, as Designer's reports are: drawing holds the interpreter.
+Files are written by the suite's command in a process of its own, as Designer's reports are: drawing holds the
+interpreter.
 """
 
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.command_process import run_command
-from brdf_qt.work.tasks import Work
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtGui import QPageLayout, QPageSize, QPainter
 from PySide6.QtPrintSupport import QPrintDialog, QPrinter
 
 from brdf_color_swatch.export.palette_export import suggested_file
+from brdf_color_swatch.export.sheet_dialog import SheetDialog, SheetSource
+from brdf_color_swatch.export.sheet_page import paint_page
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -27,59 +26,49 @@ from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
-
-Done = Callable[[Any], None]
+from brdf_suite.reports.contact_sheet.page_layout import PageStyle
 
 _KEY = "sheet"
-_CELL = (240, 180)
-_PRINTED_COLUMNS, _PRINTED_ROWS = 4, 5
+_CELL = (512, 512)
+_PAPERS = {
+    "a4": QPageSize.PageSizeId.A4,
+    "a3": QPageSize.PageSizeId.A3,
+    "letter": QPageSize.PageSizeId.Letter,
+}
 
 
 @dataclass(frozen=True, eq=False)
 class SheetRequest:
-    """Pages to be drawn: the palette of each, its file, and the light and form of all."""
+    """A sheet to be drawn: its paints and file, the light and form of the pictures, and the paper."""
 
-    pages: tuple[tuple[Palette, Path], ...]
+    palette: Palette
+    path: Path
     environment: str
-    surface: str
-    columns: int | None = None
+    form: str
+    style: PageStyle
 
 
-def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
-    """Draw the pages one after the other and return their files.
+def run_sheet(request: SheetRequest, progress: Progress) -> Path:
+    """Draw a sheet and return its file.
 
     Raises
     ------
     SuiteError
         What the command printed, or its exit status.
     Cancelled
-        The progress callback asked for it; old files stay.
+        The progress callback asked for it; an old file stays.
     """
-    for number, (palette, path) in enumerate(request.pages):
-        with tempfile.TemporaryDirectory(prefix="brdf-sheet-") as folder:
-            source = Path(folder) / f"palette{PALETTE_ENDING}"
-            save_palette(palette, source)
-            words = ["sheet", str(source), "-o", str(path), "--size", "x".join(map(str, _CELL))]
-            words += ["--environment", request.environment, "--mesh", request.surface]
-            if request.columns is not None:
-                words += ["--columns", str(request.columns)]
-
-            def page(fraction: float, _what: str, number: int = number, name: str = path.name) -> None:
-                progress((number + fraction) / len(request.pages), name)
-
-            # Where a paint could not be drawn, its reason stands in its place.
-            run_command(words, page)
-    return tuple(path for _, path in request.pages)
-
-
-def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
-    """Render pages and return the content of their files; errors as :func:`run_sheets`.
-
-    The files are temporary and are removed in any case.
-    """
-    with tempfile.TemporaryDirectory(prefix="brdf-print-") as folder:
-        pages = tuple((palette, Path(folder) / path.name) for palette, path in request.pages)
-        return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
+    style = request.style
+    with tempfile.TemporaryDirectory(prefix="brdf-sheet-") as folder:
+        source = Path(folder) / f"palette{PALETTE_ENDING}"
+        save_palette(request.palette, source)
+        words = ["sheet", str(source), "-o", str(request.path), "--size", "x".join(map(str, _CELL))]
+        words += ["--environment", request.environment, "--form", request.form, "--page", style.page]
+        words += ["--columns", str(style.columns), f"--show={','.join(style.fields)}"]
+        words += ["--landscape"] if style.landscape else []
+        # Where a paint could not be drawn, its reason stands in its place.
+        run_command(words, lambda fraction, _what: progress(fraction, request.path.name))
+    return request.path
 
 
 class ContactSheets(SwatchFeature):
@@ -88,91 +77,107 @@ class ContactSheets(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self._sheet = window.add_command(
-            "file", mark("Contact S&heet…"), None, self.export, "sheet",
-            tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
+            "file", mark("Contact S&heet…"), "Ctrl+P", self.open, "sheet", icon="printer",
+            tip=mark("Save or print the visible or selected swatches with their figures"),
         )  # fmt: skip
-        self._print = window.add_command(
-            "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
-        )
+        self._dialog: SheetDialog | None = None
         self._enable_always()
 
-    def export(self) -> None:
-        shown = self.shown_palette()
-        if shown is None:
-            return
-        path = self._session.library.dialogs.save_path(
-            suggested_file(self._session.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
-        )
-        if path is not None:
-            self.draw(shown, path.absolute())
+    @property
+    def dialog(self) -> SheetDialog:
+        """The dialog, made when it is first opened."""
+        if self._dialog is None:
+            self._dialog = SheetDialog(self._window.pictures, self._window)
+            self._dialog.save_requested.connect(self.save)
+            self._dialog.print_requested.connect(self.print)
+        return self._dialog
 
-    def draw(self, palette: Palette, path: Path) -> None:
-        self._submit(
-            run_sheets,
-            ((palette, path),),
-            None,
-            lambda _paths: self._done(tr("Saved: {name}").format(name=path.name), str(path)),
-        )
-
-    def shown_palette(self) -> Palette | None:
-        """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
+    def open(self) -> None:
+        """Show the dialog for what the pane in front shows and what is selected of it."""
         session = self._session
         palette, shown = session.palette, session.shown[session.front]
         if palette is None or not shown.places:
-            return None
-        chosen = set(session.selected)
-        entries = [shown.rows.entries[place] for place in shown.places]
-        if len(chosen) > 1:
-            entries = [entry for entry in entries if entry.id in chosen]
-        if not session.state.keeps_order:
-            entries = [replace(entry, group=()) for entry in entries]
-        return Palette(palette.name, tuple(entries), notes=palette.notes)
-
-    def print_sheet(self) -> None:
-        shown = self.shown_palette()
-        if shown is None:
             return
+        chosen = set(session.selected)
+        selected = tuple(place for place in shown.places if shown.rows.ids[place] in chosen)
+        grouped = session.state.keeps_order
+        source = SheetSource(
+            palette.name, shown.rows, tuple(shown.places), selected, grouped, session.look.booth
+        )
+        self.dialog.open_for(source, session.look.form)
+
+    def palette(self) -> Palette | None:
+        """Return what the dialog has chosen, as a palette in that order."""
+        palette, dialog, shown = self._session.palette, self.dialog, self._session.shown[self._session.front]
+        if palette is None:
+            return None
+        entries = [shown.rows.entries[place] for place in dialog.places]
+        if not self._session.state.keeps_order:
+            entries = [replace(entry, group=()) for entry in entries]
+        name = dialog.title.text().strip() or palette.name
+        return Palette(name, tuple(entries), notes=palette.notes)
+
+    def save(self) -> None:
+        """Ask for a file and write the sheet."""
+        chosen = self.palette()
+        if chosen is None:
+            return
+        suggested = suggested_file(self._session.item, chosen.name, ".pdf")
+        path = self._session.library.dialogs.save_path(suggested, tr("Sheets (*.pdf *.png)"))
+        if path is not None:
+            self.dialog.accept()
+            form, style = self.dialog.form.currentData(), self.dialog.style_
+            self._submit(SheetRequest(chosen, path.absolute(), self._session.look.booth, form, style))
+
+    def print(self) -> None:
+        """Ask for a printer and print the pages of the preview."""
         printer = QPrinter(QPrinter.PrinterMode.HighResolution)
-        printer.setDocName(shown.name)
-        dialog = QPrintDialog(printer, self._window)
+        printer.setDocName(self.dialog.title.text())
+        style = self.dialog.style_
+        ways = QPageLayout.Orientation
+        printer.setPageSize(QPageSize(_PAPERS[style.page]))
+        printer.setPageOrientation(ways.Landscape if style.landscape else ways.Portrait)
+        dialog = QPrintDialog(printer, self.dialog)
         dialog.setWindowTitle(tr("Print Contact Sheet"))
         if dialog.exec() == QPrintDialog.DialogCode.Accepted:
-            self.print_on(shown, printer)
+            self.print_on(printer)
+            self.dialog.accept()
         dialog.deleteLater()
 
-    def print_on(self, palette: Palette, printer: QPrinter) -> None:
-        """Draw a palette in pages and print them on a QPrinter."""
-        each = _PRINTED_COLUMNS * _PRINTED_ROWS
-        pages = []
-        for number, start in enumerate(range(0, len(palette), each), 1):
-            part = palette.entries[start : start + each]
-            pages.append((replace(palette, entries=part, groups=()), Path(f"page{number}.png")))
-        self._submit(draw_pages, tuple(pages), _PRINTED_COLUMNS, lambda drawn: self._printed(drawn, printer))
-
-    def _printed(self, pages: tuple[bytes, ...], printer: QPrinter) -> None:
+    def print_on(self, printer: QPrinter) -> None:
+        """Print the pages of the preview on a QPrinter."""
+        layout = self.dialog.layout_
+        if layout is None:
+            return
+        printer.setFullPage(True)
         painter = QPainter()
         if not painter.begin(printer):
             self._failed(SuiteError(tr("The printer did not respond. Check it and print again.")))
             return
-        for number, page in enumerate(pages):
-            if number:
+        width, height = layout.style.size
+        for page in range(layout.pages):
+            if page:
                 printer.newPage()
-            picture = QImage.fromData(page)
-            room = QRectF(painter.viewport())
-            scale = min(room.width() / picture.width(), room.height() / picture.height())
-            wide, high = picture.width() * scale, picture.height() * scale
-            painter.drawImage(QRectF((room.width() - wide) / 2, 0, wide, high), picture)
+            room = painter.viewport()
+            scale = min(room.width() / width, room.height() / height)
+            painter.save()
+            painter.translate(0.5 * (room.width() - scale * width), 0.5 * (room.height() - scale * height))
+            painter.scale(scale, scale)
+            paint_page(painter, layout, page, self.dialog.texts, self.dialog.picture)
+            painter.restore()
         painter.end()
-        self._done(tr("Printed: {count} pages").format(count=len(pages)), "")
+        self._done(tr("Printed: {count} pages").format(count=layout.pages), "")
 
-    def _submit(
-        self, work: Work, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: Done
-    ) -> None:
-        look = self._session.look
-        surface = look.form if look.form in ("sphere", "panel") else "panel"
+    def _submit(self, request: SheetRequest) -> None:
         self._show(0.0, "")
-        request = SheetRequest(pages, look.booth, surface, columns)
-        self._session.library.tasks.submit(_KEY, work, request, done, self._failed, self._show)
+        self._session.library.tasks.submit(
+            _KEY,
+            run_sheet,
+            request,
+            lambda path: self._done(tr("Saved: {name}").format(name=path.name), str(path)),
+            self._failed,
+            self._show,
+        )
 
     def _show(self, share: float, what: str) -> None:
         text = (
@@ -189,5 +194,4 @@ class ContactSheets(SwatchFeature):
         self._window.show_message(message_of(error, _KEY, todo=tr("The palette is unchanged.")))
 
     def _enable(self) -> None:
-        for action in (self._sheet, self._print):
-            action.setEnabled(bool(self._session.shown[self._session.front].places))
+        self._sheet.setEnabled(bool(self._session.shown[self._session.front].places))

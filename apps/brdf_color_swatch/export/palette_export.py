@@ -14,6 +14,7 @@ from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.library.library import Item
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
@@ -34,6 +35,16 @@ class _Request:
     path: Path
     form: PaletteFormat | None = None
     write: bool = False
+    split: bool = False
+    """Whether each paint becomes three colours, at 15, 45 and 110°."""
+
+
+@dataclass(frozen=True)
+class _Losses:
+    """What a format cannot hold, sentences; ``can_split``: three swatches of each paint would hold more."""
+
+    sentences: tuple[str, ...]
+    can_split: bool = False
 
 
 class PaletteExport(SwatchFeature):
@@ -97,11 +108,16 @@ class PaletteExport(SwatchFeature):
             lambda error: self._window.show_message(message_of(error, _KEY, todo=todo)),
         )
 
-    def _on_losses(self, request: _Request, lost: tuple[str, ...]) -> None:
+    def _on_losses(self, request: _Request, found: _Losses) -> None:
+        lost = found.sentences
         if not lost:
             self._write(request)
             return
         more = len(lost) - _MOST_LISTED
+        anyway = (tr("Export Anyway"), lambda: self._write(request))
+        another = (tr("Another Format…"), lambda: self.export(request.palette))
+        three = (tr("Three Swatches per Paint"), lambda: self._split(request))
+        actions = (anyway, three, another) if found.can_split else (anyway, another)
         lines = [*lost[:_MOST_LISTED], *([tr("{count} more").format(count=more)] if more > 0 else [])]
         self._window.show_message(
             Message(
@@ -110,12 +126,14 @@ class PaletteExport(SwatchFeature):
                 where=str(request.path),
                 todo="\n".join(lines),
                 severity="warning",
-                actions=(
-                    (tr("Export Anyway"), lambda: self._write(request)),
-                    (tr("Another Format…"), lambda: self.export(request.palette)),
-                ),
+                actions=actions,
             )
         )
+
+    def _split(self, request: _Request) -> None:
+        """Look what is lost where the colours at 15°, 45° and 110° are written."""
+        split = replace(request, split=True)
+        self._submit(split, lambda lost: self._on_losses(split, lost))
 
     def _write(self, request: _Request) -> None:
         writing = replace(request, write=True)
@@ -131,19 +149,30 @@ class PaletteExport(SwatchFeature):
         self._some.setEnabled(bool(self._session.selected))
 
 
-def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
+def _export_palette(request: _Request, progress: Progress) -> _Losses:
     """Return what is lost; where it is asked for, write as well."""
-    from brdf_suite.files.palettes import format_for, losses, write_palette
+    from brdf_suite.files.palettes import format_for, losses, split_angles, write_palette
 
     progress(0.0, request.path.name)
     known = request.form or format_for(request.path)
+    palette = request.palette
+    lost: tuple[str, ...] = ()
+    can_split = not (request.split or known.paints) and _paints(palette) > 0
+    if request.split:
+        palette = split_angles(palette)
+        text = tr("Paints written as three colours each, without gloss and flakes: {count}.")
+        lost = (text.format(count=_paints(request.palette)),)
     if request.write:
-        return write_palette(request.palette, request.path, known).losses
+        return _Losses((*lost, *write_palette(palette, request.path, known).losses))
     if known.write is None:
         raise SuiteError(
             tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
         )
-    return losses(request.palette, known, request.path)
+    return _Losses((*lost, *losses(palette, known, request.path)), can_split)
+
+
+def _paints(palette: Palette) -> int:
+    return sum(not isinstance(entry.content, FlatColour) for entry in palette)
 
 
 def suggested_file(item: Item | None, name: str, ending: str) -> Path:

@@ -77,6 +77,8 @@ class SwatchGrid(QAbstractItemView):
         """Lines of text under a picture: the name, and where something has one a code or a figure."""
         self.tiles = TilePainter(DEFAULT_SIZE, self.font(), self.palette())
         self.layout_ = GridLayout((), self.tiles.tile, 400)
+        self.drop_action: Callable[[QDropEvent], Qt.DropAction] = lambda event: event.proposedAction()
+        """What a drop would do; set by what takes drops."""
         self.stale: Callable[[int], bool] = lambda _row: False
         self.setObjectName("grid")
         self.setFrameShape(QAbstractItemView.Shape.NoFrame)
@@ -427,11 +429,14 @@ class SwatchGrid(QAbstractItemView):
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
         super().dragMoveEvent(event)
         if any(event.mimeData().hasFormat(kind) for kind in self._swatches.mime_types):
-            row = self.drop_row(event.position().toPoint())
+            action = self.drop_action(event)
+            taken = action is not Qt.DropAction.IgnoreAction
+            row = self.drop_row(event.position().toPoint()) if taken else -1
             if row != self._drop_row:
                 self._drop_row = row
                 self.viewport().update()
-            event.acceptProposedAction()
+            event.setDropAction(action)
+            event.setAccepted(taken)
 
     def dragLeaveEvent(self, event: QDragLeaveEvent) -> None:
         self._drop_row = -1
@@ -456,13 +461,16 @@ class SwatchGrid(QAbstractItemView):
         if here.isValid():
             drag.setPixmap(self.viewport().grab(self.tiles.picture_box(here)))
             drag.setHotSpot(QPoint(self.tiles.size // 2, self.tiles.size // 2))
-        drag.exec(actions, Qt.DropAction.MoveAction)
+        drag.exec(actions, Qt.DropAction.CopyAction)
 
     def drop_row(self, point: QPoint) -> int:
         """Return before which row a drop at a point falls; the number of rows where it falls behind the last."""
-        found = self.layout_.near(point.x(), point.y() + self.verticalOffset())
+        y = point.y() + self.verticalOffset()
+        found = self.layout_.near(point.x(), y)
         if found is None:
             return 0
+        if y >= self.layout_.height:
+            return self.layout_.count
         left, _top, width, _height = self.layout_.box(found)
         return found + 1 if point.x() > left + width // 2 else found
 

@@ -78,6 +78,8 @@ class SwatchModel(QAbstractTableModel):
         self._by_id: dict[str, int] | None = None
         self.mime_types: tuple[str, ...] = ()
         self.mime_of: Callable[[list[str]], QMimeData | None] | None = None
+        self.read_only = False
+        """Whether names and codes cannot be edited here."""
 
     def show(self, shown: VisibleRows) -> None:
         self.beginResetModel()
@@ -106,7 +108,8 @@ class SwatchModel(QAbstractTableModel):
     def flags(self, index: QModelIndex | QPersistentModelIndex) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
-        return FLAGS | Qt.ItemFlag.ItemIsEditable if index.column() in (NAME, CODE) else FLAGS
+        editable = index.column() in (NAME, CODE) and not self.read_only
+        return FLAGS | Qt.ItemFlag.ItemIsEditable if editable else FLAGS
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
         if orientation is not Qt.Orientation.Horizontal:

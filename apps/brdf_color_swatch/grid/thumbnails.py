@@ -6,7 +6,6 @@ from functools import partial
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
-from brdf_qt.work.pictures import Pictures
 from brdf_qt.work.timer import make_timer
 from PySide6.QtGui import QPixmap
 
@@ -23,12 +22,12 @@ _SOON_MS = 30
 
 
 class VisiblePictures(SwatchFeature):
-    """Owns the pictures."""
+    """Requests the pictures of what is seen, and ends the process that draws them."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self.is_started = False
-        self.pictures = Pictures(window)
+        self.pictures = window.pictures
         self.look: SwatchLook | None = None
         """What is drawn; None before the first form other than chips."""
         self._soon = make_timer(window, self._request_visible, _SOON_MS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
@@ -46,6 +47,10 @@ class FileCommands(SwatchFeature):
         opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
         window.add_recent_menu()
         add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
+        self._copy = add(
+            "file", mark("Editable Cop&y"), None, self.copy, "copy_palette",
+            tip=mark("Copy this palette to a new one that has no file yet"),
+        )  # fmt: skip
         window.menus["file"].addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         self._save_as = add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
@@ -78,6 +83,9 @@ class FileCommands(SwatchFeature):
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
         session = self._session
+        if path is not None and is_project(path):
+            self._open_project(path)
+            return
         if path is not None and _names_material(path):
             self._add_material(str(path))
             return
@@ -85,15 +93,35 @@ class FileCommands(SwatchFeature):
         if key is not None:
             session.show_scope(Scope(key))
 
+    def _open_project(self, path: Path) -> None:
+        """Open the paints of a project as a palette without a file."""
+        try:
+            project = open_project(path).project
+        except SuiteError as error:
+            self._session.library.fails(error, "open")
+            return
+        entries = tuple(Entry(paint, id=new_id()) for paint in project.paints)
+        palette = Palette(project.name, entries, notes=project.notes)
+        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
+
     def open_shipped(self) -> None:
-        """Open the shipped paints as a palette without a file."""
+        """Open the shipped paints as a palette without a file, which is read-only; show it where it is open."""
+        for item in self._session.library.items:
+            if item.read_only:
+                self._session.show_scope(Scope(item.key))
+                return
         try:
             entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
         except SuiteError as error:
             self._session.library.fails(error, "open")
             return
         palette = Palette(tr("Sample Paints"), tuple(entries))
-        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
+        self._session.show_scope(Scope(self._session.library.add_palette(palette, read_only=True)))
+
+    def copy(self) -> None:
+        """Show a copy of the palette in front that can be changed."""
+        self._finish_typing()
+        self._session.copy_palette(self._session.state.scope.palette)
 
     def save(self) -> None:
         self._finish_typing()
@@ -146,7 +174,7 @@ class FileCommands(SwatchFeature):
         )
 
     def _add_paint(self, paint: AnyPaint) -> None:
-        if self._session.palette is None:
+        if self._session.palette is None or self._session.is_read_only:
             self.new()
         add_entries(self._session, tr("Add paint"), [Entry(paint, id=new_id())])
 
@@ -183,13 +211,24 @@ class FileCommands(SwatchFeature):
             self._session.show_scope(scope)
         keys = ["new", "open", "shipped"]
         if scope.palette:
-            keys = ["save", "save_as", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
+            keys = [
+                "save",
+                "save_as",
+                "copy_palette",
+                "export",
+                "",
+                "new_group",
+                "rename_group",
+                "remove_group",
+                "",
+                "close",
+            ]
         self._window.open_menu(keys, point)
 
     def _enable(self) -> None:
         item = self._session.item
         there = item is not None and item.palette is not None
-        for action in (self._save, self._save_as):
+        for action in (self._save, self._save_as, self._copy):
             action.setEnabled(there)
         self._close.setEnabled(item is not None)
 

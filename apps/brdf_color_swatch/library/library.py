@@ -54,6 +54,8 @@ class Item:
     state: State = "closed"
     problem: str = ""
     palette: OpenPalette | None = None
+    read_only: bool = False
+    """Whether it comes with the suite: it is shown, copied from and saved under a name, and not changed."""
     waiting: list[Callable[[], None]] = field(default_factory=list)
 
     def run_waiting(self) -> None:
@@ -120,6 +122,10 @@ class Library(QObject):
         item = self._items.get(key)
         return item.palette.store.value if item is not None and item.palette is not None else None
 
+    def is_read_only(self, key: str) -> bool:
+        item = self._items.get(key)
+        return item is not None and item.read_only
+
     def rows(self, key: str) -> Rows:
         """Return the rows of a palette; none where it is not read."""
         item = self._items.get(key)
@@ -156,9 +162,11 @@ class Library(QObject):
         clean: bool = True,
         stamp: FileStamp | None = None,
         rows: Rows | None = None,
+        read_only: bool = False,
     ) -> str:
         """Put a palette that is in memory into the library, and return its key."""
         item = self.add_item(path, palette.name)
+        item.read_only = read_only
         self.fill(item, palette, path, clean=clean, stamp=stamp, rows=rows)
         return item.key
 
@@ -266,6 +274,7 @@ class Library(QObject):
             if path is not None:
                 # It is in a file of its own now; the one that it was imported from is another palette again.
                 item.palette.origin = None
+                item.read_only = False
         self.remember()
         self.items_changed.emit()
 

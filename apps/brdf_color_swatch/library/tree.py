@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from brdf_qt.fields.form import described
@@ -40,18 +41,19 @@ class _Line:
     tip: str
     colour: str
     sign: str
+    read_only: bool = False
     children: tuple[_Line, ...] = ()
 
 
 class LibraryTree(QTreeWidget):
     """Signals: ``scope_chosen(scope)``, ``renamed(scope, name)``, ``dropped(event, scope)``,
-    ``group_dropped(path, scope)``, ``menu_requested(scope, point)``.
+    ``group_dropped(group, scope, moves)``, ``menu_requested(scope, point)``.
     """
 
     scope_chosen = Signal(object)
     renamed = Signal(object, str)
     dropped = Signal(object, object)
-    group_dropped = Signal(object, object)
+    group_dropped = Signal(object, object, bool)
     menu_requested = Signal(object, QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -72,6 +74,10 @@ class LibraryTree(QTreeWidget):
         self._quiet = False
         self._chosen = Scope()
         self._drop_item: QTreeWidgetItem | None = None
+        self.drop_action: Callable[[QDropEvent, Scope], Qt.DropAction] = lambda event, _scope: (
+            event.proposedAction()
+        )
+        """What a drop of swatches on a palette, a group or a tag would do; set by what takes drops."""
         self.currentItemChanged.connect(lambda now, _before: self._choose(now))
         self.itemChanged.connect(self._edited)
 
@@ -117,7 +123,7 @@ class LibraryTree(QTreeWidget):
         item.setToolTip(0, plain_tip(line.tip))
         item.setIcon(0, _dot(line.colour) if line.colour else icon(line.sign))
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDropEnabled
-        if line.scope.tag != _TAGS.tag:
+        if line.scope.tag != _TAGS.tag and not line.read_only:
             flags |= Qt.ItemFlag.ItemIsEditable
         if line.scope.group:
             flags |= Qt.ItemFlag.ItemIsDragEnabled
@@ -181,8 +187,12 @@ class LibraryTree(QTreeWidget):
         if item is not self._drop_item:
             self._drop_item = item
             self.viewport().update()
-        if event.source() is self or can_take(event.mimeData()):
+        if event.source() is self:
             event.acceptProposedAction()
+        elif can_take(event.mimeData()):
+            action = self.drop_action(event, self._scope(item) if item is not None else Scope())
+            event.setDropAction(action)
+            event.setAccepted(action is not Qt.DropAction.IgnoreAction)
 
     def dragLeaveEvent(self, _event: object) -> None:
         self._drop_item = None
@@ -200,7 +210,8 @@ class LibraryTree(QTreeWidget):
             event.setDropAction(Qt.DropAction.IgnoreAction)
             event.accept()
             if moved.group and scope.palette and not scope.tag:
-                self.group_dropped.emit(moved, scope)
+                shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+                self.group_dropped.emit(moved, scope, shift)
             return
         self.dropped.emit(event, scope)
 
@@ -224,6 +235,10 @@ def _line_of(item: Item) -> _Line:
     palette = item.palette.store.value if item.palette is not None else None
     signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
     tip = str(item.path) if item.path is not None else tr("Not saved to a file")
+    if item.read_only:
+        tip = tr(
+            "Comes with the suite: read-only. Save As or drag swatches to another palette to change them."
+        )
     if item.state == "wrong":
         tip = item.problem
     elif item.state == "closed":
@@ -249,6 +264,7 @@ def _line_of(item: Item) -> _Line:
                 known[path].notes[:300],
                 known[path].colour,
                 "folder",
+                item.read_only,
                 groups(path),
             )
             for path in inside.get(around, ())
@@ -258,11 +274,16 @@ def _line_of(item: Item) -> _Line:
     children = groups(())
     if tags:
         names = [(tag, _with_count(tag, tags[tag])) for tag in sorted(tags, key=str.casefold)]
-        under = tuple(_Line(Scope(item.key, (), tag), text, "", "", "tag") for tag, text in names)
-        children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
+        locked = item.read_only
+        under = tuple(_Line(Scope(item.key, (), tag), text, "", "", "tag", locked) for tag, text in names)
+        scope_of_tags = Scope(item.key, (), _TAGS.tag)
+        children = (*children, _Line(scope_of_tags, tr("Tags"), "", "", "tag", locked, under))
     mark = "" if item.is_clean else " •"
     tip = tip if item.is_clean else tr("{file}\nUnsaved changes.").format(file=tip)
-    return _Line(scope, _with_count(title, len(palette)) + mark, tip, palette.colour, "palette", children)
+    sign = "lock-simple" if item.read_only else "palette"
+    colour = "" if item.read_only else palette.colour
+    text = _with_count(title, len(palette)) + mark
+    return _Line(scope, text, tip, colour, sign, item.read_only, children)
 
 
 def _with_count(name: str, count: int) -> str:

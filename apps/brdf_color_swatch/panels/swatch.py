@@ -122,7 +122,7 @@ class SwatchPanel(QWidget):
         fill_column(self, self.title, self.chips, form, self.figures)
         self.show_entries([], "")
 
-    def show_entries(self, entries: Sequence[Entry], figures: str) -> None:
+    def show_entries(self, entries: Sequence[Entry], figures: str, *, read_only: bool = False) -> None:
         """Show what is selected; fields in which they differ are marked by an ellipsis."""
         one = entries[0] if len(entries) == 1 else None
         if not entries:
@@ -131,6 +131,8 @@ class SwatchPanel(QWidget):
             title = group_title(one.group) if one.group else ""
         else:
             title = tr("{count} swatches selected. Edits apply to all.").format(count=len(entries))
+            if read_only:
+                title = tr("{count} swatches selected.").format(count=len(entries))
         self.title.setText(title)
         self.title.setVisible(bool(title))
         values = {
@@ -148,10 +150,12 @@ class SwatchPanel(QWidget):
             if key != "tags":
                 field.setPlaceholderText(_VARIOUS if found else "")
             field.setEnabled(bool(entries))
+            field.setReadOnly(read_only)
         notes = {entry.notes for entry in entries}
         self.notes.show_text(notes.pop() if len(notes) == 1 else "")
         self.notes.setPlaceholderText(_VARIOUS if notes else "")
         self.notes.setEnabled(bool(entries))
+        self.notes.setReadOnly(read_only)
         self.chips.show_readings(readings_of(one) if one is not None else [])
         self.figures.setText(figures)
         self.figures.setVisible(bool(figures))

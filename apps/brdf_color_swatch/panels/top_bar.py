@@ -8,7 +8,7 @@ from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
@@ -23,8 +23,10 @@ from PySide6.QtWidgets import (
 from brdf_color_swatch.grid.view_state import SIZES, Look, PaneState
 
 _SEARCH_AFTER_MS = 120
-_ONE_LINE_PX = 540
-"""Narrower, the bar has two lines."""
+_SEARCH_PX = 208
+"""Width that the search field always has: three words and its two signs."""
+_ONE_LINE_PX = 720
+"""Narrower, the bar has two lines: search and order above, form and light below."""
 SORT_TITLES = {
     "own": mark("Palette order"),
     "hue": mark("Hue path"),
@@ -110,7 +112,7 @@ class TopBar(QWidget):
         self._box = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
         self._box.setContentsMargins(8, 6, 8, 2)
         self._box.setSpacing(8)
-        self.search.setMinimumWidth(72)
+        self.search.setMinimumWidth(_SEARCH_PX)
         self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         for box in (self.sort, self.light):
             # In a narrow window they give way; their lists are as wide as their texts.
@@ -135,9 +137,19 @@ class TopBar(QWidget):
         self.size_slider.setMaximumWidth(140)
         self.size_slider.valueChanged.connect(self.size_chosen)
         self._paint_grey()
-        self._box.addLayout(row_of(self.search, self.sort, self.way, grows=self.search), 3)
         buttons = (*self.forms.buttons(), self.list_button)
-        self._box.addLayout(row_of(*buttons, self.size_slider, self.light, grows=self.size_slider), 1)
+        self._rows = (
+            row_of(self.search, self.sort, self.way, grows=self.search),
+            row_of(*buttons, self.size_slider, self.light, grows=self.size_slider),
+        )
+        for row, share in zip(self._rows, (3, 1), strict=True):
+            self._box.addLayout(row, share)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the room of two lines, also while there is one: a neighbour may take what is not needed."""
+        margins = self._box.contentsMargins()
+        wide = max(row.minimumSize().width() for row in self._rows) + margins.left() + margins.right()
+        return QSize(wide, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

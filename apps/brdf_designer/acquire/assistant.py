@@ -22,8 +22,8 @@ class Assistant(QObject):
 
     def __init__(self, paint_session: PaintSession, host: DesignerWindow) -> None:
         super().__init__(host)
-        dialogs = paint_session.documents.dialogs
         self.window = AcquireWindow(host)
+        dialogs = paint_session.documents.dialogs.over(self.window)
         self.bench = ReconstructionSession(self.window, host.progress, self)
         self.sessions = SessionControl(self.bench, self.window.session, dialogs)
         self.series = SeriesControl(self.bench, self.window.exposures, self.sessions)

@@ -13,6 +13,7 @@ from typing import Any
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
+from brdf_qt.documents.open_tabs import OpenTab, TabsLeft, TabsRecord
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.stamp import FileStamp
 from brdf_qt.program.translation import tr
@@ -31,7 +32,8 @@ class OpenDocument:
     """One open paint. ``key`` is its own for the run of the program, also after it was reopened.
 
     ``original`` is the paint as opened; ``pristine``: the program began with it, and the user did not ask for it;
-    ``beside`` what was kept beside it, where it was recovered.
+    ``beside`` what was kept beside it, where it was recovered, and ``autosave`` the name of the file that it came
+    from then.
     """
 
     key: int
@@ -41,6 +43,7 @@ class OpenDocument:
     original: Paint
     pristine: bool = False
     beside: Any = None
+    autosave: str = ""
 
     @property
     def title(self) -> str:
@@ -94,6 +97,10 @@ class Documents(QObject):
         self._closed: list[OpenDocument] = []
         self._front = self._made(DocumentStore(first, self), pristine=True)
         self._row = [self._front]
+        self.record = TabsRecord(self._open_tabs, self)
+        """Which tabs are open, for the start after a kill."""
+        for signal in (self.row_changed, self.front_changed):
+            signal.connect(self.record.note)
 
     @property
     def row(self) -> tuple[OpenDocument, ...]:
@@ -161,10 +168,39 @@ class Documents(QObject):
     def recover(self, item: Recovered[Paint]) -> OpenDocument:
         """Open unsaved work of a run that was ended."""
         document = self._made(DocumentStore(item.value, self))
-        document.beside = item.beside
+        document.beside, document.autosave = item.beside, item.file.name
         document.recovery.take(item)
         self._insert(document)
         return document
+
+    def restore_tabs(self, left: TabsLeft) -> None:
+        """Bring the tabs of a run that was ended back, in their order; the unsaved ones are recovered before.
+
+        Saved ones are read from their files; what is gone is left out, and what was open besides stays at the right.
+        """
+        found: list[OpenDocument] = []
+        front = self._front
+        for place, tab in enumerate(left.tabs):
+            document = next((one for one in self._row if one.autosave == tab.autosave != ""), None)
+            if document is None and tab.path is not None and tab.path.is_file():
+                document = self.with_path(tab.path)
+                if document is None and self.open(tab.path):
+                    document = self._front
+            if document is not None and document not in found:
+                found.append(document)
+                if place == left.front:
+                    front = document
+        self._row = [*found, *(one for one in self._row if one not in found)]
+        self.record.drop(left)
+        self.row_changed.emit()
+        if front in self._row:
+            self.show(front)
+
+    def _open_tabs(self) -> tuple[list[OpenTab], int]:
+        """Return what a kill leaves of the tabs; those that were never touched are nothing."""
+        tabs = [one for one in self._row if not (one.is_untouched and one.pristine)]
+        rows = [OpenTab(one.store.path, one.recovery.file.name) for one in tabs]
+        return rows, tabs.index(self._front) if self._front in tabs else 0
 
     def with_path(self, path: Path) -> OpenDocument | None:
         """Return the document of file ``path``, also by another name of it; ``None`` where it is not open."""
@@ -237,12 +273,14 @@ class Documents(QObject):
                 return False
         for document in self._row:
             document.recovery.close(keep=False)
+        self.record.close(keep=False)
         return True
 
     def keep_unsaved(self) -> None:
         """Write the unsaved work of every document for the next start; for a program that has to end."""
         for document in self._row:
             document.recovery.close(keep=True)
+        self.record.close(keep=True)
 
     def _made(self, store: DocumentStore[Paint], *, pristine: bool = False) -> OpenDocument:
         self._last_key += 1
@@ -258,7 +296,7 @@ class Documents(QObject):
         return document
 
     def _recovery(self, store: DocumentStore[Paint]) -> Recovery[Paint]:
-        recovery = Recovery(store, self._format, self._autosave_failed, self)
+        recovery = Recovery(store, self._format, self._autosave_failed, self, keeps_history=True)
         recovery.written_again.connect(lambda: self.succeeded.emit("autosave"))
         return recovery
 

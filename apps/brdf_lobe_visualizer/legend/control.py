@@ -18,6 +18,7 @@ from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, RMS_LIMITS, Verdict, verdict_of, words_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.progress import Progress
@@ -213,8 +214,9 @@ class LegendControl(QObject):
         session = self._session
         found = self.errors.error(subject.key)
         error, details = "", []
+        verdict: Verdict | None = None
         if found is not None:
-            away, whole = (f"{100.0 * e.relative_rms:.3g} %" for e in (found.errors.away, found.errors.whole))
+            away, whole = (_percent(e.relative_rms) for e in (found.errors.away, found.errors.whole))
             error = f"({away})" if self.errors.is_stale(subject.key) else away
             text = tr(
                 "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
@@ -223,6 +225,10 @@ class LegendControl(QObject):
             if found.delta_e is not None:
                 text = tr("Mean ΔE00 at 15°, 45°, 110°: {value}")
                 details.append(text.format(value=f"{found.delta_e:.2f}"))
+                verdict = verdict_of(found.delta_e, DELTA_E_LIMITS)
+            else:
+                verdict = verdict_of(found.errors.away.relative_rms, RMS_LIMITS)
+            details.append(words_of(verdict))
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
             details.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
         tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *details])
@@ -236,6 +242,7 @@ class LegendControl(QObject):
             reference=session.reference is subject,
             error=error,
             tip=tip,
+            verdict=verdict,
         )
 
     def _build_commands(self) -> None:
@@ -334,3 +341,8 @@ class LegendControl(QObject):
     def _step(self, by: int) -> None:
         keys = [s.key for s in self._session.subjects]
         self._for_front(lambda key: self._session.set_front(keys[(keys.index(key) + by) % len(keys)]))
+
+
+def _percent(share: float) -> str:
+    """Return a share with three digits and no exponent."""
+    return f"{100.0 * share:.3g} %" if share < 10.0 else f"{100.0 * share:.0f} %"

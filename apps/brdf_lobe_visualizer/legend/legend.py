@@ -9,7 +9,7 @@ from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip, set_bold
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
+from PySide6.QtGui import QDropEvent, QIcon, QKeyEvent, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from brdf_lobe_visualizer.cuts.pens import LINE_SIZE, line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
+from brdf_lobe_visualizer.verdict import Verdict, verdict_icon, words_of
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
@@ -39,7 +40,10 @@ _FLAGS = (
 
 @dataclass(frozen=True)
 class LegendRow:
-    """What a row shows. ``error`` is a short text; ``tip`` lists all that is known of the subject."""
+    """What a row shows.
+
+    ``error`` is a short text and ``verdict`` what it is worth; ``tip`` lists all that is known of the subject.
+    """
 
     key: str
     title: str
@@ -50,6 +54,7 @@ class LegendRow:
     reference: bool
     error: str
     tip: str
+    verdict: Verdict | None = None
 
     @property
     def spoken(self) -> str:
@@ -57,6 +62,7 @@ class LegendRow:
         words = [self.title, tr("shown") if self.shown else tr("hidden")]
         words += [tr("solo")] * self.solo + [tr("reference")] * self.reference
         words += [tr("error {error}").format(error=self.error)] * bool(self.error)
+        words += [words_of(self.verdict)] if self.verdict is not None and self.error else []
         return ", ".join(words)
 
 
@@ -306,6 +312,8 @@ def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio
     for column, on in ((TITLE, row.shown), (SOLO, row.solo), (REFERENCE, row.reference)):
         item.setCheckState(column, Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
     item.setText(ERROR, row.error)
+    item.setIcon(ERROR, QIcon() if row.verdict is None else verdict_icon(row.verdict, ratio))
+    item.setToolTip(ERROR, plain_tip(row.tip))
     item.setTextAlignment(ERROR, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     item.setData(TITLE, Qt.ItemDataRole.AccessibleTextRole, row.spoken)
     if before is None or (row.colour, row.dash) != (before.colour, before.dash):

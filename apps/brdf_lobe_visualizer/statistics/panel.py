@@ -32,6 +32,7 @@ from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.statistics.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.statistics.work import FiguresWork
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_icon, verdict_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
@@ -86,6 +87,11 @@ class FiguresModel(QAbstractTableModel):
         row = self._rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return self.text(index.row(), index.column())
+        if role == Qt.ItemDataRole.DecorationRole and index.column() > 0:
+            value = row.values[index.column() - 1]
+            if value is None or not row.name.startswith("ΔE00"):
+                return None
+            return verdict_icon(verdict_of(value, DELTA_E_LIMITS), 2.0)
         if role == Qt.ItemDataRole.TextAlignmentRole and index.column() > 0:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.AccessibleTextRole and index.column() > 0:

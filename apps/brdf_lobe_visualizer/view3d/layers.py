@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -31,6 +31,9 @@ from brdf_suite.inspection.lobe_surface.surface import (
 MOST_PANELS = 16
 BODY_RADIUS = 0.5
 """How long a body is at least where the radius is automatic, whatever its mirror peak."""
+PEAK_SHARE = 0.02
+"""Share of the hemisphere's solid angle that counts as peak where the radius is automatic: a cap of 11.5°. The value
+that the rest stays below is the body's; spikes between the samples of a sparse measurement do not move it."""
 _NO_BODY = 1e-8
 """Share of the peak below which there is a spike and no body."""
 _LEAST = 1e-30
@@ -86,10 +89,10 @@ class SceneMaker:
             id(sheet): with_cosine(sheet.found, shared.cosine) for plan in plans for sheet in plan.sheets
         }
         tops = [self._tops(plan, numbers) for plan in plans]
-        most = max((peak for peak, _ in tops), default=0.0), max((body for _, body in tops), default=0.0)
+        common = common_full(tops, shared.radius, options)
         scales = []
         for top in tops:
-            full = full_of(*(top if options.own_scale else most), shared.radius, options)
+            full = full_of(top, shared.radius, options) if options.own_scale else common
             scales.append(RadiusScale(shared.radius, full, options.decades))
         self._shown = {}
         panels = tuple(
@@ -104,11 +107,10 @@ class SceneMaker:
             bar = _bar(scale, quantity(shared), signed=difference)
         return Scene(panels, session.light, scale, bar, quantity(shared), frame)
 
-    def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
+    def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> Tops:
         channel = self._session.options.channel
-        tops = [tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets]
-        peaks, bodies = zip(*tops, strict=True) if tops else ((0.0,), (0.0,))
-        return max(peaks), max(bodies)
+        sheets = plan.sheets
+        return Tops.most([tops_of(one.found.grid, scalar_of(numbers[id(one)], channel)) for one in sheets])
 
     def _plans(self, options: SpaceOptions) -> list[_Plan]:
         visible = self._session.visible
@@ -310,24 +312,75 @@ class SceneMaker:
         )
 
 
-def tops_of(grid: LobeGrid, shown: Singles) -> tuple[float, float]:
-    """Return the greatest of values (rows, columns) on a grid, and the greatest off the mirror direction."""
-    body = np.where(grid.gamma > np.radians(BODY_DEG), shown, np.float32(0.0))
-    return greatest(shown), greatest(body)
+@dataclass(frozen=True)
+class Tops:
+    """The greatest value, the greatest off the mirror direction, and what the body stays below (PEAK_SHARE)."""
+
+    peak: float = 0.0
+    off_mirror: float = 0.0
+    body: float = 0.0
+
+    @staticmethod
+    def most(several: Sequence[Tops]) -> Tops:
+        """Return the greatest of each."""
+        return Tops(
+            max((one.peak for one in several), default=0.0),
+            max((one.off_mirror for one in several), default=0.0),
+            max((one.body for one in several), default=0.0),
+        )
 
 
-def full_of(peak: float, body: float, kind: RadiusKind, options: SpaceOptions) -> float:
-    """Return the value of radius 1, above 0, for the greatest values that are shown.
+def tops_of(grid: LobeGrid, shown: Singles) -> Tops:
+    """Return what a scale is made of for values (rows, columns) on a grid."""
+    off = np.where(grid.gamma > np.radians(BODY_DEG), shown, np.float32(0.0))
+    return Tops(greatest(shown), greatest(off), _body(grid, shown))
 
-    The automatic one is the peak as long as the body is :data:`BODY_RADIUS` long then; of a higher peak, as a coat
-    has it, the rest is cut off. It moves evenly with both, so that nothing jumps while the light is dragged.
+
+def _body(grid: LobeGrid, shown: Singles) -> float:
+    """Return the size of values that :data:`PEAK_SHARE` of the solid angle exceeds; holes count for nothing.
+
+    A point of the grid stands for sin γ dγ dψ.
+    """
+    step = np.gradient(grid.gamma, axis=0) * np.gradient(grid.psi)
+    weights = (np.sin(grid.gamma) * step)[:, :-1].ravel()
+    sizes = np.abs(shown[:, :-1]).ravel()
+    known = np.isfinite(sizes)
+    if not known.any():
+        return 0.0
+    sizes, weights = sizes[known], weights[known]
+    order = np.argsort(sizes)[::-1]
+    above = np.cumsum(weights[order])
+    place = int(np.searchsorted(above, PEAK_SHARE * above[-1]))
+    return float(sizes[order[min(place, len(order) - 1)]])
+
+
+def full_of(tops: Tops, kind: RadiusKind, options: SpaceOptions) -> float:
+    """Return the value of radius 1, above 0, for what is shown.
+
+    The automatic one is the peak as long as the body is :data:`BODY_RADIUS` long then; of a higher peak, as a coat or
+    a spike of a measurement has it, the rest is cut off. It moves evenly with both, so that nothing jumps while the
+    light is dragged.
     """
     if options.fill == "value":
         return options.full
-    top = body if options.fill == "body" else peak
-    if options.fill == "auto" and body > _NO_BODY * peak:
-        top = min(peak, body / RadiusScale(kind, 1.0, options.decades).value(BODY_RADIUS))
+    top = tops.off_mirror if options.fill == "body" else tops.peak
+    if options.fill == "auto" and tops.body > _NO_BODY * tops.peak:
+        top = min(tops.peak, tops.body / RadiusScale(kind, 1.0, options.decades).value(BODY_RADIUS))
     return top if top > _LEAST else 1.0
+
+
+def common_full(tops: Sequence[Tops], kind: RadiusKind, options: SpaceOptions) -> float:
+    """Return the value of radius 1 for several panels together.
+
+    The automatic one is that of the panel in the middle, or where the longest body would be cut off then, that body:
+    one that is far brighter or has spikes does not shrink the others to dots. Of two the darker one counts.
+    """
+    most = Tops.most(tops)
+    if options.fill != "auto" or len(tops) < 2:
+        return full_of(most, kind, options)
+    fulls = sorted(full_of(one, kind, options) for one in tops if one.peak > _LEAST)
+    middle = fulls[(len(fulls) - 1) // 2] if fulls else 1.0
+    return min(max(middle, most.body), full_of(most, kind, options))
 
 
 _PART_STYLES: tuple[Style, ...] = ("solid", "glass", "lines")

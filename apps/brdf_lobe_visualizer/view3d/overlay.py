@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -13,6 +14,17 @@ from brdf_lobe_visualizer.view3d.frame import Bar, Label, Panel
 Project = Callable[[tuple[float, float, float]], QPointF | None]
 _HALO = 3.0
 _BAR_WIDTH = 14.0
+_SWATCH = 10.0
+
+
+@dataclass(frozen=True)
+class Words:
+    """A line of text and its place, logical pixels; ``ground``: on a ground of its own."""
+
+    box: QRectF
+    text: str
+    font: QFont
+    ground: bool = False
 
 
 class Overlay:
@@ -56,40 +68,89 @@ class Overlay:
                 colour = colour.darker(190)  # on light ground, so that it stands out as on dark
             self._halo(box, label.text, font, colour)
 
-    def panel(self, panel: Panel, room: QRectF, *, bordered: bool) -> None:
+    def words_of(self, panel: Panel, room: QRectF, taken: Sequence[QRectF] = ()) -> list[Words]:
+        """Return title, caption and note of a panel and where they stand: none over another or over ``taken``.
+
+        In a small panel lines of the caption give way to the note, which must be known, and the note's last line is
+        shortened.
+        """
+        inner = room.adjusted(12.0, 8.0, -12.0, -8.0)
+        found: list[Words] = []
+        y = inner.top()
+
+        def put(text: str, font: QFont, left: float, top: float) -> bool:
+            metrics = QFontMetricsF(font)
+            line = QRectF(left, top, inner.right() - left, metrics.height())
+            beside = [box.left() - 6.0 for box in taken if box.intersects(line)]
+            line.setRight(min([line.right(), *beside]))
+            if line.width() < 24.0 or line.bottom() > inner.bottom():
+                return False
+            shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, line.width())
+            line.setWidth(min(line.width(), metrics.horizontalAdvance(shown) + 2.0))
+            found.append(Words(line, shown, font))
+            return True
+
+        if panel.title:
+            indent = _SWATCH + 6.0 if panel.colour is not None else 0.0
+            if put(panel.title, self._bold, inner.left() + indent, y):
+                y = found[-1].box.bottom() + 2.0
+        notes = self._broken(panel.note, inner, y, taken)
+        floor = notes[0].box.top() if notes else inner.bottom()
+        for text in panel.caption.splitlines():
+            if y + QFontMetricsF(self._small).height() > floor or not put(text, self._small, inner.left(), y):
+                break
+            y = found[-1].box.bottom()
+        return [*found, *notes]
+
+    def _broken(self, text: str, inner: QRectF, top: float, taken: Sequence[QRectF]) -> list[Words]:
+        """Return a note as lines from the lower edge upwards, but not above ``top``."""
+        if not text:
+            return []
+        metrics = QFontMetricsF(self._small)
+        below = [box for box in taken if box.intersects(inner)]
+        right = min([inner.right(), *(box.left() - 14.0 for box in below)])
+        wide = right - inner.left()
+        room = int((inner.bottom() - top) // metrics.height())
+        if wide < 48.0 or room < 1:
+            return []
+        lines: list[str] = []
+        for paragraph in text.splitlines():
+            lines.append("")
+            for word in paragraph.split():
+                longer = f"{lines[-1]} {word}".strip()
+                if lines[-1] and metrics.horizontalAdvance(longer) > wide:
+                    lines.append(word)
+                else:
+                    lines[-1] = longer
+        if len(lines) > room:
+            lines = [*lines[: room - 1], " ".join(lines[room - 1 :])]
+        shown = [metrics.elidedText(line, Qt.TextElideMode.ElideRight, wide) for line in lines]
+        y = inner.bottom() - len(shown) * metrics.height()
+        found = []
+        for number, line in enumerate(shown):
+            long = metrics.horizontalAdvance(line) + 2.0
+            box = QRectF(
+                inner.left() + 0.5 * (wide - long), y + number * metrics.height(), long, metrics.height()
+            )
+            found.append(Words(box, line, self._small, ground=True))
+        return found
+
+    def panel(self, panel: Panel, room: QRectF, words: Sequence[Words], *, bordered: bool) -> None:
+        """Paint the edge of a panel, its mark in the legend's colour, and its words."""
         p = self._painter
         if bordered:
             p.setPen(QPen(_faded(self._ink, 50), 1.0))
             p.drawRect(room.adjusted(0.5, 0.5, -0.5, -0.5))
-        top = room.adjusted(12.0, 8.0, -12.0, -8.0)
-        metrics = QFontMetricsF(self._bold)
-        left = top.left()
-        if panel.title:
-            if panel.colour is not None:
-                swatch = QRectF(left, top.top() + 0.5 * metrics.height() - 5.0, 10.0, 10.0)
-                p.setPen(Qt.PenStyle.NoPen)
-                p.setBrush(QColor.fromRgbF(*panel.colour))
-                p.drawRoundedRect(swatch, 2.0, 2.0)
-                p.setBrush(Qt.BrushStyle.NoBrush)
-                left += 16.0
-            wide = max(20.0, top.right() - left)
-            text = metrics.elidedText(panel.title, Qt.TextElideMode.ElideRight, wide)
-            self._text(QRectF(left, top.top(), wide, metrics.height()), text, self._bold)
-        if panel.caption:
-            below = top.top() + (metrics.height() + 2.0 if panel.title else 0.0)
-            for line in panel.caption.splitlines():
-                high = QFontMetricsF(self._small).height()
-                text = QFontMetricsF(self._small).elidedText(line, Qt.TextElideMode.ElideRight, top.width())
-                self._text(QRectF(top.left(), below, top.width(), high), text, self._small)
-                below += high
-        if panel.note:
-            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom | Qt.TextFlag.TextWordWrap
-            p.setFont(self._font)
-            space = QRectF(top.left(), top.top(), top.width(), top.height())
-            box = p.boundingRect(space, int(flags), panel.note).adjusted(-8.0, -4.0, 8.0, 4.0)
-            p.fillRect(box, _faded(self._paper, 215))
-            p.setPen(self._ink)
-            p.drawText(space, int(flags), panel.note)
+        if panel.title and panel.colour is not None and words:
+            middle = words[0].box.center().y()
+            p.setPen(Qt.PenStyle.NoPen)
+            p.setBrush(QColor.fromRgbF(*panel.colour))
+            p.drawRoundedRect(QRectF(room.left() + 12.0, middle - 0.5 * _SWATCH, _SWATCH, _SWATCH), 2.0, 2.0)
+            p.setBrush(Qt.BrushStyle.NoBrush)
+        for word in words:
+            if word.ground:
+                p.fillRect(word.box.adjusted(-6.0, 0.0, 6.0, 0.0), _faded(self._paper, 215))
+            self._halo(word.box, word.text, word.font, self._ink)
 
     def bar_room(self, bar: Bar, room: QRectF) -> QRectF:
         """Return what a scale bar with its words takes of ``room``, right and below; empty where there is no room."""
@@ -154,10 +215,6 @@ class Overlay:
         self._painter.setPen(self._ink)
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
         self._painter.drawText(room.adjusted(24, 24, -24, -24), int(flags), text)
-
-    def _text(self, box: QRectF, text: str, font: QFont) -> None:
-        wide = min(box.width(), QFontMetricsF(font).horizontalAdvance(text) + 2.0)
-        self._halo(QRectF(box.left(), box.top(), wide, box.height()), text, font, self._ink)
 
     def _halo(self, box: QRectF, text: str, font: QFont, colour: QColor) -> None:
         """Text with a rim of the ground's colour: read before lines and lobes alike."""

@@ -134,7 +134,7 @@ class SurfaceSection(QWidget):
         self.decades = form.number("decades", tr("Decades"), tr("Decades"), "", decades, 1, tip)
         tip = tr(
             "Value at the hemisphere; larger values are cut off. Automatic: the maximum, "
-            "or less if the body would be shorter than half a radius. "
+            "or less if all but 2 % of the directions would be shorter than half a radius. "
             "Away from R: more than 5° from the mirror direction."
         )
         form.choice("fill", _FILLS, tr("Scale"), tip, self._choose_fill)

@@ -328,8 +328,10 @@ class LobeView(SpaceView):
         for panel, room in zip(self.scene.panels, rooms, strict=False):
             matrix = self.camera.to_clip(room)
             behind = self._behind(panel, [label.place for label in labels])
-            overlay.labels(labels, partial(_projected, matrix, room=room), room, behind, taken)
-            overlay.panel(panel, room, bordered=len(rooms) > 1)
+            words = overlay.words_of(panel, room, taken)
+            full = [*taken, *(one.box.adjusted(-3.0, -1.0, 3.0, 1.0) for one in words)]
+            overlay.labels(labels, partial(_projected, matrix, room=room), room, behind, full)
+            overlay.panel(panel, room, words, bordered=len(rooms) > 1)
         if self.scene.bar is not None:
             overlay.bar(self.scene.bar, everything)
         for room in rooms:

@@ -7,6 +7,8 @@ edits merge into one step; a gesture that ends where it began leaves no step.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -165,6 +167,40 @@ class DocumentStore(QObject, Generic[T]):
         else:
             self.stack.resetClean()
         self.amend(value)
+        self.stamp = stamp
+        self._set_path(path)
+        self.replaced.emit()
+        if was_clean != self.is_clean:
+            self.clean_changed.emit(self.is_clean)
+
+    def restore(
+        self,
+        states: Sequence[tuple[str, T]],
+        place: int,
+        path: Path | None,
+        *,
+        saved: int = -1,
+        stamp: FileStamp | None = None,
+    ) -> None:
+        """Open a document with its history, as :meth:`states` gave it, at place ``place``.
+
+        ``saved`` is the place of the state that the file at ``path`` holds; -1 where none of them is in a file.
+        """
+        self.end_gesture()
+        was_clean = self.is_clean
+        self._travelling = True
+        try:
+            self.stack.clear()
+            self.stack.resetClean()
+            self._value = states[0][1]
+            for (_, old), (name, new) in pairwise(states):
+                self.stack.push(_Edit(self, old, new, name, -1))
+            if saved >= 0:
+                self.stack.setIndex(saved)
+                self.stack.setClean()
+            self.stack.setIndex(place)
+        finally:
+            self._travelling = False
         self.stamp = stamp
         self._set_path(path)
         self.replaced.emit()

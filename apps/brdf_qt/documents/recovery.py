@@ -28,6 +28,19 @@ from brdf_suite.errors import FileError, SuiteError
 T = TypeVar("T")
 INTERVAL_MS = 700
 _ENDING = ".recovery.json"
+MOST_STATES = 200
+"""States of a history that are kept, around the present one."""
+
+
+@dataclass(frozen=True)
+class KeptHistory(Generic[T]):
+    """The states of a document as :meth:`DocumentStore.states` has them, the place of the present one, and of that
+    which its file holds (-1: none of them).
+    """
+
+    states: tuple[tuple[str, T], ...]
+    place: int
+    saved: int
 
 
 @dataclass(frozen=True)
@@ -41,6 +54,8 @@ class Recovered(Generic[T]):
     stamp: FileStamp | None = None
     beside: Any = None
     """What the program kept beside the document, as plain values: see :attr:`Recovery.beside`."""
+    history: KeptHistory[T] | None = None
+    """The undo history, where one was kept."""
 
 
 class Recovery(QObject, Generic[T]):
@@ -57,9 +72,14 @@ class Recovery(QObject, Generic[T]):
         form: DocumentFormat[T],
         failed: Callable[[BaseException], None],
         parent: QObject | None = None,
+        *,
+        keeps_history: bool = False,
     ) -> None:
         super().__init__(parent)
         self._store, self._format, self._failed = store, form, failed
+        self._keeps_history = keeps_history
+        self._encoded: dict[int, tuple[T, str]] = {}
+        """The JSON of states of the history by their identity: only new ones are encoded."""
         self._fails = self._closed = False
         self.beside: Callable[[], Any] | None = None
         """Asked for plain values to be kept beside an unsaved document; :meth:`note` where they are others."""
@@ -67,7 +87,7 @@ class Recovery(QObject, Generic[T]):
         """The folder of the autosaves of this program."""
         self.file = self.folder / f"{uuid.uuid4().hex}{_ENDING}"
         """The autosave of this store; missing while nothing is unsaved."""
-        self._lock = _lock(self.file)
+        self._lock = lock_of(self.file)
         self._lock.tryLock(0)
         self.timer = make_timer(self, self.write, INTERVAL_MS)
         """Runs from a change to the autosave."""
@@ -113,16 +133,37 @@ class Recovery(QObject, Generic[T]):
         }
         if self.beside is not None:
             content["beside"] = self.beside()
+        text = json.dumps(content, ensure_ascii=False)
+        if self._keeps_history:
+            text = f'{text[:-1]}, "history": {self._history()}}}'
         # No fsync: what a killed process has written stays in the system, and this runs between two frames.
         draft = self.file.with_suffix(".tmp")
-        draft.write_text(json.dumps(content, ensure_ascii=False), encoding="utf-8")
+        draft.write_text(text, encoding="utf-8")
         draft.replace(self.file)
+
+    def _history(self) -> str:
+        """Return the history as JSON; a state that was encoded before is not encoded again."""
+        states, place = self._store.states(), self._store.stack.index()
+        saved = self._store.stack.cleanIndex()
+        first = max(0, min(place - MOST_STATES // 2, len(states) - MOST_STATES))
+        kept = states[first : first + MOST_STATES]
+        encoded: dict[int, tuple[T, str]] = {}
+        rows = []
+        for name, value in kept:
+            known = self._encoded.get(id(value))
+            if known is None or known[0] is not value:
+                known = (value, json.dumps(self._format.to_json(value), ensure_ascii=False))
+            encoded[id(value)] = known
+            rows.append(f"[{json.dumps(name, ensure_ascii=False)}, {known[1]}]")
+        self._encoded = encoded
+        saved = saved - first if first <= saved < first + len(kept) else -1
+        return f'{{"place": {place - first}, "saved": {saved}, "states": [{", ".join(rows)}]}}'
 
     def found(self) -> list[Recovered[T]]:
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
         result = []
         for file in self.folder.glob(f"*{_ENDING}"):
-            lock = _lock(file)
+            lock = lock_of(file)
             if file == self.file or not lock.tryLock(0):
                 continue
             lock.unlock()
@@ -136,18 +177,40 @@ class Recovery(QObject, Generic[T]):
     def _read(self, file: Path) -> Recovered[T]:
         content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
         path, stamp = content["path"], content.get("stamp")
+        value = self._format.from_json(content["document"], file)
         return Recovered(
-            self._format.from_json(content["document"], file),
+            value,
             None if path is None else Path(path),
             datetime.fromisoformat(content["time"]),
             file,
             None if stamp is None else FileStamp.from_json(stamp),
             content.get("beside"),
+            self._read_history(content.get("history"), value, file),
         )
+
+    def _read_history(self, content: Any, value: T, file: Path) -> KeptHistory[T] | None:
+        """Return the history in an autosave; None where there is none that ends at ``value``: the work counts."""
+        if not self._keeps_history or content is None:
+            return None
+        try:
+            rows = content["states"][:MOST_STATES]
+            states = tuple((str(name), self._format.from_json(row, file)) for name, row in rows)
+            place, saved = int(content["place"]), int(content["saved"])
+        except (KeyError, TypeError, ValueError, SuiteError):
+            return None
+        if not 0 <= place < len(states) or states[place][1] != value or not -1 <= saved < len(states):
+            return None
+        return KeptHistory(states, place, saved)
 
     def take(self, item: Recovered[T]) -> None:
         """Open recovered work as unsaved; its file goes once this run has written its own, and not before."""
-        self._store.replace(item.value, item.path, clean=False, stamp=item.stamp)
+        history = item.history
+        if history is None or history.place == history.saved:
+            self._store.replace(item.value, item.path, clean=False, stamp=item.stamp)
+        else:
+            self._store.restore(
+                history.states, history.place, item.path, saved=history.saved, stamp=item.stamp
+            )
         if self.write():
             self.drop(item)
 
@@ -186,7 +249,8 @@ def _aside(file: Path) -> Path:
         return file
 
 
-def _lock(file: Path) -> QLockFile:
+def lock_of(file: Path) -> QLockFile:
+    """Return the lock beside a file, which a run holds while it lives."""
     lock = QLockFile(str(file.with_suffix(".lock")))
     # Never stale by age: only a lock whose process is gone is free.
     lock.setStaleLockTime(0)

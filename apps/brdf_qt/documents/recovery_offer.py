@@ -31,21 +31,33 @@ def offer_recovery(
     drop: Callable[[Recovered[T]], object],
     one: str,
     several: str = "",
+    finish: Callable[[bool], object] = lambda _taken: None,
 ) -> None:
     """Offer unsaved work: one document by its name, several together or one by one; nothing where there is none.
 
     ``take`` opens one and returns False where the user kept the open document instead; ``drop`` gives one up. ``one``
     and ``several`` are the questions in the language of the program, with the places ``{name}``, ``{when}`` and
-    ``{count}``, ``{when}``, ``{names}``; without ``several`` the documents are always offered one by one.
+    ``{count}``, ``{when}``, ``{names}``; without ``several`` the documents are always offered one by one. ``finish`` is
+    called once each is taken or given up, with whether one was taken.
     """
 
     def take_all() -> None:
         # The newest was worked at last: it is opened last, and so in front.
         for item in reversed(items):
             take(item)
+        finish(True)
+
+    taken: list[Recovered[T]] = []
+
+    def take_one(item: Recovered[T]) -> bool:
+        if take(item) is False:
+            return False
+        taken.append(item)
+        return True
 
     def offer(left: list[Recovered[T]]) -> None:
         if not left:
+            finish(bool(taken))
             return
         item, rest = left[0], left[1:]
 
@@ -57,12 +69,14 @@ def offer_recovery(
         if rest:
             what = tr("{what} {count} more will follow.").format(what=what, count=len(rest))
         actions = (
-            (tr("Recover"), lambda: offer(left if take(item) is False else rest)),
+            (tr("Recover"), lambda: offer(rest if take_one(item) else left)),
             (tr("Discard"), give_up),
         )
         todo = tr("The file on disk is not changed.")
         show_message(Message(_KEY, what, todo=todo, actions=actions))
 
+    if not items:
+        return
     if len(items) < 2 or not several:
         offer(items)
         return

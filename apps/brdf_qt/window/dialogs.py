@@ -91,6 +91,17 @@ class QtDialogs:
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         return _chosen(dialog)
 
+    def folder_path(self, title: str, folder: Path) -> Path | None:
+        """Ask for a folder, which the dialog can make; ``None`` where the user gives up."""
+        dialog = QFileDialog(self._window, title, str(folder))
+        dialog.setFileMode(QFileDialog.FileMode.Directory)
+        dialog.setOption(QFileDialog.Option.ShowDirsOnly)
+        return _chosen(dialog)
+
+    def over(self, window: QWidget) -> QtDialogs:
+        """Return the same questions over another window, which keeps the focus then."""
+        return QtDialogs(window)
+
     def save_path(self, suggested: Path, filters: str) -> Path | None:
         """Ask for a file to write; ``None`` where the user gives up."""
         dialog = QFileDialog(self._window, tr("Save As"), str(suggested.parent), filters)

@@ -48,12 +48,16 @@ class ViewFiles(ViewerFeature):
             self._report(error, KIND, tr("The picture is unchanged. Choose another view."))
             return False
         self._take(file, stamp)
+        self.show(view)
+        return True
+
+    def show(self, view: View) -> None:
+        """Show a view, one step of the history; the file that Save writes to stays."""
         history = self._state.history
         history.end()
         history.set(view)
         history.end()
         self._window.keep_opened()
-        return True
 
     def save(self) -> bool:
         """Write the view to its file, or ask for one; True where it was written."""

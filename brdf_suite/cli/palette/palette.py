@@ -16,7 +16,15 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import flat_to_json
-from brdf_suite.files.palettes import FORMATS, find_format, format_for, losses, read_palette, write_palette
+from brdf_suite.files.palettes import (
+    FORMATS,
+    find_format,
+    format_for,
+    losses,
+    read_palette,
+    split_angles,
+    write_palette,
+)
 from brdf_suite.files.palettes.conversions import face_lab
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, labs_of
 from brdf_suite.palettes.search import nearest
@@ -145,6 +153,11 @@ def add(command: argparse.ArgumentParser) -> None:
     convert.add_argument(
         "--list-losses", action="store_true", help="list what the format cannot hold, and write nothing"
     )
+    convert.add_argument(
+        "--three-angles",
+        action="store_true",
+        help="write each paint as three colours, at 15, 45 and 110°: for formats of one colour an entry",
+    )
     convert.add_argument("--json", action="store_true", help="print what was done as one JSON object")
     convert.set_defaults(run=run_convert)
     info = parts.add_parser(
@@ -162,11 +175,12 @@ def run_convert(options: argparse.Namespace) -> int:
     """Convert and print lines or a JSON object."""
     found = read_palette(options.source)
     known = format_for(options.target) if options.format is None else find_format(options.format)
-    shown = _display_notes(found.palette)
+    palette = split_angles(found.palette) if options.three_angles else found.palette
+    shown = _display_notes(palette)
     if options.list_losses:
-        lost, size = losses(found.palette, known, options.target), None
+        lost, size = losses(palette, known, options.target), None
     else:
-        written = write_palette(found.palette, options.target, known)
+        written = write_palette(palette, options.target, known)
         lost, size = written.losses, written.size
     if options.json:
         print_json(
@@ -175,7 +189,7 @@ def run_convert(options: argparse.Namespace) -> int:
                 "input_format": found.format.name,
                 "output": None if size is None else str(options.target),
                 "output_format": known.name,
-                "entries": len(found.palette),
+                "entries": len(palette),
                 "bytes": size,
                 "losses": list(lost),
                 "notes": [*found.notes, *shown],
@@ -185,9 +199,9 @@ def run_convert(options: argparse.Namespace) -> int:
     print_notes((*found.notes, *shown))
     print_notes(lost, "lost")
     if size is None:
-        print(f"{known.title} would hold all of {len(found.palette):,} entries." if not lost else known.title)
+        print(f"{known.title} would hold all of {len(palette):,} entries." if not lost else known.title)
     else:
-        print(f"{options.target}: {len(found.palette):,} entries, {known.title}, {size:,} bytes")
+        print(f"{options.target}: {len(palette):,} entries, {known.title}, {size:,} bytes")
     return 0
 
 

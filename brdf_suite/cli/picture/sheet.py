@@ -7,7 +7,9 @@ from pathlib import Path
 
 from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
+from brdf_suite.palettes.swatches.look import RENDERED, SwatchLook
 from brdf_suite.reports.contact_sheet.document import write_sheet
+from brdf_suite.reports.contact_sheet.page_layout import FIELDS, PageStyle
 
 
 def add(command: argparse.ArgumentParser) -> None:
@@ -23,8 +25,13 @@ def add(command: argparse.ArgumentParser) -> None:
             "file or name",
             "-o/--output FILE (required)": "the sheet (.png or .pdf)",
             "--columns N": "in a row (default: a sheet of 4 to 3)",
-            "--form {surface,chips,flop_strip}=surface": "the picture of a paint: the surface, bands of its colours "
-            "at 15, 45 and 110°, or the strip of its flop (default: surface)",
+            "--form {surface,sphere,panel,chips,flop_strip}=surface": "the picture of a paint: --mesh in its "
+            "surroundings, a sphere or a curved panel before mid grey as Color Swatch has it, bands of its colours at "
+            "15, 45 and 110°, or the strip of its flop (default: surface)",
+            "--page {a4,a3,letter}=a4": "the paper of a PDF (default: a4)",
+            "--landscape": "lay the paper on its side",
+            "--show FIELDS": "what stands below the pictures of a PDF, by commas: code, colours (chips at 15, 45 and "
+            "110°), figures (flop index and gloss), lab (default: all)",
         },
         source=Path,
     )
@@ -37,6 +44,10 @@ def add(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object. 1 where a paint could not be drawn."""
     view = parse_view(options)
+    if options.form in RENDERED:
+        view = SwatchLook(form=options.form, environment=view.environment).view()
+    shown = FIELDS if options.show is None else tuple(filter(None, options.show.split(",")))
+    style = PageStyle(options.page, options.landscape, fields=shown)
     with export_progress("sheet", options) as progress:
         made = write_sheet(
             options.source,
@@ -45,7 +56,8 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             options.columns,
             parse_settings(options),
-            form=None if options.form == "surface" else options.form,
+            form=options.form if options.form in ("chips", "flop_strip") else None,
+            style=style,
             progress=progress,
         )
     size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"

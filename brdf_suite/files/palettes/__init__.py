@@ -15,6 +15,7 @@ from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes.archive import kpl, sbz
 from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
+from brdf_suite.files.palettes.conversions import split_angles as split_angles
 from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
 from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens

@@ -24,15 +24,42 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Lab, Paint
-from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
+from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette, new_id
 
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 FACE_DEG = 45.0
 """The aspecular angle of the one colour that represents a paint."""
 
 
+MAIN_DEG = (15.0, 45.0, 110.0)
+"""The aspecular angles that show a paint's flop."""
+
+
 def face_lab(paint: Paint | CookTorrancePaint | FactoredPaint) -> Lab:
-    """Return a paint's L*a*b* (D65, 10°) at 45° from the mirror direction, under the light of most of its readings.
+    """Return a paint's L*a*b* (D65, 10°) at 45° from the mirror direction; see :func:`lab_at`."""
+    return lab_at(paint, FACE_DEG)
+
+
+def split_angles(palette: Palette) -> Palette:
+    """Return a palette in which each paint is three flat colours: those at 15, 45 and 110° (D65, 10°).
+
+    They stand in the paint's place, called after it with the angle; flat colours stay as they are.
+    """
+    entries: list[Entry] = []
+    for entry in palette:
+        content = entry.content
+        if isinstance(content, FlatColour):
+            entries.append(entry)
+            continue
+        for angle in MAIN_DEG:
+            name, lab = f"{content.name} {angle:g}°", lab_at(content, angle)
+            flat = FlatColour(name, "Lab", lab, illuminant="D65", observer_deg=10)
+            entries.append(replace(entry, content=flat, id=new_id()))
+    return replace(palette, entries=tuple(entries))
+
+
+def lab_at(paint: Paint | CookTorrancePaint | FactoredPaint, aspecular_deg: float) -> Lab:
+    """Return a paint's L*a*b* (D65, 10°) at an aspecular angle, under the light of most of its readings.
 
     Between two readings it lies on the line between them; beyond the last it is the last. A paint of another
     kind is read by the virtual instrument.
@@ -41,7 +68,7 @@ def face_lab(paint: Paint | CookTorrancePaint | FactoredPaint) -> Lab:
     light = read.main_light_deg
     rows = sorted((m.aspecular_deg, m.lab) for m in read.measurements if m.illumination_deg == light)
     angles = [angle for angle, _ in rows]
-    lightness, a, b = (float(np.interp(FACE_DEG, angles, [lab[i] for _, lab in rows])) for i in range(3))
+    lightness, a, b = (float(np.interp(aspecular_deg, angles, [lab[i] for _, lab in rows])) for i in range(3))
     return lightness, a, b
 
 

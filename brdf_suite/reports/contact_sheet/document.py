@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
@@ -24,6 +24,7 @@ from brdf_suite.palettes.swatches.look import Form
 from brdf_suite.pipeline.material import file_kind, is_file, load_palette_file
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
+from brdf_suite.reports.contact_sheet.page_layout import MOST_COLUMNS, PageStyle
 from brdf_suite.reports.contact_sheet.painter import SheetLayout, SheetPainter, Size
 from brdf_suite.reports.contact_sheet.pictures import SheetItem, item_pictures
 
@@ -63,7 +64,8 @@ def palette_items(palette: Palette) -> list[SheetItem]:
     items = []
     for group, entries in palette.sections():
         title = "" if group is None else ", ".join(group.path)
-        items += [SheetItem(paint.name, title, paint) for paint in (to_paint(e.content) for e in entries)]
+        paints = ((entry, to_paint(entry.content)) for entry in entries)
+        items += [SheetItem(paint.name, title, paint, code=entry.code) for entry, paint in paints]
     return items
 
 
@@ -75,7 +77,6 @@ def _item_of(file: Path) -> SheetItem:
     return SheetItem(paint.name, "", paint)
 
 
-MOST_COLUMNS = 40
 PDF_ENDING = ".pdf"
 
 
@@ -104,6 +105,7 @@ def write_sheet(
     settings: PictureSettings | None = None,
     *,
     form: Form | None = None,
+    style: PageStyle | None = None,
     progress: Progress | None = None,
 ) -> Sheet:
     """Draw every paint of ``source`` (:func:`sheet_items`) and write the sheet; see :func:`write_sheet_of`.
@@ -117,7 +119,9 @@ def write_sheet(
     """
     _check(path, columns, settings or PictureSettings())
     title, items = sheet_items(source)
-    return write_sheet_of(title, items, view, cell, path, columns, settings, form=form, progress=progress)
+    return write_sheet_of(
+        title, items, view, cell, path, columns, settings, form=form, style=style, progress=progress
+    )
 
 
 def write_sheet_of(
@@ -130,14 +134,16 @@ def write_sheet_of(
     settings: PictureSettings | None = None,
     *,
     form: Form | None = None,
+    style: PageStyle | None = None,
     progress: Progress | None = None,
 ) -> Sheet:
-    """Draw paints and write the sheet: as PNG, row by row, or where ``path`` ends in .pdf as pages of A4.
+    """Draw paints and write the sheet: as PNG, row by row, or where ``path`` ends in .pdf as pages of paper.
 
-    ``cell`` is the size of one picture in pixels. Each has its name, the flop index and L*a*b* at 15, 45 and 110°
-    below it: of a designed paint its readings, of any other what its reflectance gives. Automatic exposure is
-    measured for the first paint, so that all stand in the same light. A paint that cannot be drawn has its reason in
-    the picture's place. ``form``, ``chips`` or ``flop_strip``, shows the colours themselves instead of the surface.
+    ``cell`` is the size of one picture in pixels; ``columns`` stand in a row, and ``style`` says the paper of a PDF
+    and what stands below its pictures. Each has its name, the flop index and L*a*b* at 15, 45 and 110° below it: of a
+    designed paint its readings, of any other what its reflectance gives. Automatic exposure is measured for the first
+    paint, so that all stand in the same light. A paint that cannot be drawn has its reason in the picture's place.
+    ``form``, ``chips`` or ``flop_strip``, shows the colours themselves instead of the surface.
     Errors as :func:`write_sheet`.
     """
     settings = settings or PictureSettings()
@@ -150,11 +156,12 @@ def write_sheet_of(
     with item_pictures(view, cell, settings, Display(space), form, subrange(progress, 0.0, 0.2)) as pictures:
         if path.suffix.lower() == PDF_ENDING:
             # reportlab is much to import.
-            from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet
+            from brdf_suite.reports.contact_sheet.pdf import pdf_sheet
 
-            columns = columns or DEFAULT_COLUMNS
+            style = style or PageStyle()
+            style = style if columns is None else replace(style, columns=columns)
             data, pages, missing = pdf_sheet(
-                title, subtitle, items, cell, columns, pictures.draw, problems, drawing
+                title, subtitle, items, cell, style, pictures.draw, problems, drawing
             )
             write_atomically(path, data)
             size = (0, 0)

@@ -153,7 +153,7 @@ class SheetPainter:
     def _draw_item(self, item: SheetItem, image: Any, left: int) -> list[str]:
         """Put the paint's picture into the sheet and return the lines below its name."""
         try:
-            pixels, lines = self._pictures.draw(item)
+            pixels, text = self._pictures.draw(item)
         except SuiteError as error:
             self._problems.append(str(error))
             return [
@@ -161,4 +161,4 @@ class SheetPainter:
                 *wrapped(str(error), self._layout.fonts["text"], self._layout.cell[0], 3),
             ]
         image.paste(Image.fromarray(pixels), (left, 0))
-        return lines
+        return text.lines

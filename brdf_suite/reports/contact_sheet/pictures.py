@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.flop.travel import flop_index
+from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
@@ -23,6 +24,7 @@ from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import material_of
 from brdf_suite.progress import Progress
 from brdf_suite.realtime.pictures.display import Display
+from brdf_suite.reports.contact_sheet.page_layout import CellText
 
 if TYPE_CHECKING:
     from brdf_suite.realtime.pictures.captured import CapturedForm
@@ -40,6 +42,7 @@ class SheetItem:
     group: str
     paint: AnyPaint | None
     problem: str = ""
+    code: str = ""
 
 
 class ItemPictures:
@@ -68,8 +71,8 @@ class ItemPictures:
                 loaded.composed(view, cell), glare="off", clipping_marks=False, gamut_marks=False
             )
 
-    def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], list[str]]:
-        """Return the picture (h, w, 3) of an item and the lines below its name.
+    def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], CellText]:
+        """Return the picture (h, w, 3) of an item and what stands below it.
 
         Raises :class:`SuiteError`: there is no such picture; the message names the paint.
         """
@@ -77,8 +80,8 @@ class ItemPictures:
             raise SuiteError(f"{item.name}: {item.problem}")
         fit = fit_material(material_of(item.paint, item.paint.name))
         if self._loaded is None:
-            return self._bands(item.paint), caption(fit)
-        return self._rendered(fit, self._loaded), caption(fit)
+            return self._bands(item.paint), cell_text(item, fit)
+        return self._rendered(fit, self._loaded), cell_text(item, fit)
 
     def close(self) -> None:
         """Give the captured surface back."""
@@ -136,8 +139,8 @@ def item_pictures(
             pictures.close()
 
 
-def caption(fit: LobeFit) -> list[str]:
-    """Return the flop index and L*a*b* at 15, 45 and 110° with the light at 45°, as lines of text."""
+def cell_text(item: SheetItem, fit: LobeFit) -> CellText:
+    """Return name, code, flop index, gloss of a designed paint, and L*a*b* at 15, 45 and 110° with light at 45°."""
     measured = [(row.illumination_deg, row.aspecular_deg, row.lab) for row in fit.readings or fit.angles]
     found = {}
     for wanted in ANGLES_DEG:
@@ -145,11 +148,10 @@ def caption(fit: LobeFit) -> list[str]:
             if abs(light - 45.0) < _SAME_ANGLE_DEG and abs(aspecular - wanted) < _SAME_ANGLE_DEG:
                 found[wanted] = lab
                 break
-    lines = []
+    figures = []
     if len(found) == len(ANGLES_DEG):
         index = flop_index(*(found[angle][0] for angle in ANGLES_DEG))
-        lines.append("flop -" if math.isnan(index.value) else f"flop {index.value:.1f}")
-    for angle, (lightness, a, b) in found.items():
-        # A minus that every font has.
-        lines.append(f"{angle:g}°: L* {lightness:.1f}  a* {a:.1f}  b* {b:.1f}")
-    return lines
+        figures.append("flop -" if math.isnan(index.value) else f"flop {index.value:.1f}")
+    if isinstance(item.paint, Paint):
+        figures.append(f"{item.paint.gloss.gu_20:g} GU at 20°")
+    return CellText(item.name, item.code, ", ".join(figures), tuple(found.items()))

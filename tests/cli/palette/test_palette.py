@@ -89,3 +89,11 @@ def test_what_cannot_be_done_is_one_line(source: Path, tmp_path: Path, capsys: C
     assert other.read_text("utf-8") == "mine"
     assert main(["palette", "info", str(tmp_path / "none.ase")]) == 1
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_convert_writes_three_colours_of_a_paint(source: Path, tmp_path: Path, capsys: Capture) -> None:
+    target = tmp_path / "b.ase"
+    assert main(["palette", "convert", str(source), str(target), "--three-angles"]) == 0
+    assert "5 entries" in capsys.readouterr().out
+    names = [entry.name for entry in read_palette(target).palette]
+    assert [name for name in names if name.startswith("White")] == ["White 15°", "White 45°", "White 110°"]

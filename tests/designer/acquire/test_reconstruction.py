@@ -13,6 +13,7 @@ from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.acquire.fit.page import with_error
 from brdf_designer.acquire.reconstruction.session import WORK_FILE
+from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.documents.store import load_any_paint
@@ -74,7 +75,10 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     # Stopped as soon as the first position is in the file, then resumed: what was done is taken up.
     window.reconstruction.start.click()
     qtbot.waitUntil(lambda: positions_done(assistant) >= 1 or "table" in bench.results)
-    window.reconstruction.cancel.click()
+    # One progress, with one button to stop: that of the window.
+    assert window.progress.jobs == ("table",)
+    (stop,) = window.progress.findChildren(QPushButton)
+    stop.click()
     assert (folder / WORK_FILE).exists()
     assert window.reconstruction.start.isEnabled()
     assert "table" not in bench.results

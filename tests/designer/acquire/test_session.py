@@ -11,8 +11,12 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
+from brdf_designer.acquire.session import control as session_control
+from brdf_designer.acquire.session.start_page import RigSketch
 from brdf_designer.acquire.window import KEYS
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.settings import state_folder
+from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -21,6 +25,7 @@ from PySide6.QtWidgets import (
     QAbstractSlider,
     QAbstractSpinBox,
     QComboBox,
+    QFileDialog,
     QLabel,
     QScrollBar,
     QWidget,
@@ -98,6 +103,75 @@ def test_nothing_open_says_what_to_do_and_no_step_fails(assistant, qtbot):
     for button in (assistant.window.response.start, assistant.window.geometry_page.start):
         button.click()
     assert assistant.bench.is_quiet
+
+
+def test_open_folder_asks_for_a_folder_and_keeps_the_assistant_in_front(
+    assistant, folder, qtbot, monkeypatch
+):
+    start, asked = assistant.window.session.start, []
+
+    def exec_(dialog: QFileDialog) -> int:
+        asked.append((dialog.fileMode(), dialog.parentWidget()))
+        dialog.setDirectory(str(folder.parent))
+        dialog.selectFile(str(folder))
+        return QFileDialog.DialogCode.Accepted
+
+    monkeypatch.setattr(QFileDialog, "exec", exec_)
+    dialogs = QtDialogs(assistant.window.parentWidget()).over(assistant.window)
+    monkeypatch.setattr(assistant.sessions, "_dialogs", dialogs)
+    assert start.isVisible()
+    with qtbot.waitSignal(assistant.bench.opened):
+        QTest.mouseClick(start.open, Qt.MouseButton.LeftButton)
+    assert asked == [(QFileDialog.FileMode.Directory, assistant.window)]
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert assistant.bench.folder == folder
+    assert not start.isVisible()
+    assert assistant.window.session.picture.isVisible()
+
+
+def test_a_simulated_session_is_made_once_and_opened(assistant, qtbot, monkeypatch):
+    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
+    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
+    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
+    start = assistant.window.session.start
+    with qtbot.waitSignal(assistant.bench.opened):
+        QTest.mouseClick(start.sample, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    made = assistant.bench.folder
+    assert len(assistant.bench.session.positions) == 4
+    written = (made / "session.json").stat().st_mtime_ns
+    assistant.bench.open(None, None)
+    assert start.isVisible()
+    with qtbot.waitSignal(assistant.bench.opened):
+        start.sample.click()
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert (made / "session.json").stat().st_mtime_ns == written
+
+
+def test_a_simulation_that_was_stopped_is_made_anew(assistant, qtbot, monkeypatch):
+    folder = state_folder("acquire") / "sample_session"
+    folder.mkdir()
+    (folder / "half.png").write_bytes(b"half")
+    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
+    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
+    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
+    with qtbot.waitSignal(assistant.bench.opened):
+        assistant.sessions.open_sample()
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert not (folder / "half.png").exists()
+
+
+@pytest.mark.parametrize("size", [(280, 220), (900, 500)])
+def test_the_sketch_of_the_rig_fits_its_room(qtbot, size):
+    sketch = RigSketch()
+    qtbot.addWidget(sketch)
+    sketch.resize(*size)
+    picture = sketch.grab().toImage()
+    ground = picture.pixelColor(0, picture.height() // 2)
+    edges = [(x, y) for x in range(picture.width()) for y in (0, picture.height() - 1)]
+    assert all(picture.pixelColor(x, y) == ground for x, y in edges)
+    inside = [(x, y) for x in range(0, picture.width(), 4) for y in range(0, picture.height(), 4)]
+    assert len({picture.pixelColor(x, y).rgb() for x, y in inside}) > 4
 
 
 def test_a_session_is_opened_checked_and_shown(opened):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import shutil
 import time
 
 import pytest
+from brdf_designer.standard_comparison.control import StandardControl
 from brdf_qt.link.messages import OFFER
 from brdf_qt.window.command_palette import commands
 from brdf_qt.window.dialogs import Answer
@@ -12,6 +14,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
+from brdf_suite.documents.project import Project, save_project
 from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
 from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -241,3 +244,113 @@ def test_a_hand_that_a_switch_leaves_behind_moves_nothing_of_the_new_front(three
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
     assert three.store.stack.count() == 1, "the next hand is taken again"
+
+
+def leave(designer, own_session, folder) -> None:
+    """Leave what a kill of this moment would leave: autosaves and the record of the tabs, without their locks."""
+    for document in designer.documents.row:
+        document.recovery.write()
+    designer.documents.record.write()
+    for kind in ("*.recovery.json", "*.tabs.json"):
+        for file in own_session.rglob(kind):
+            shutil.copy(file, folder / f"left_{file.name}")
+
+
+def come_back(designer, own_session, folder) -> None:
+    """Close all without a question, put what a kill left in its place, and start anew."""
+    documents = designer.documents
+    (autosaves,) = {document.recovery.folder for document in documents.row}
+    designer.dialogs.answer = Answer.DISCARD
+    first = documents.add(load_shipped_paint("blue"))
+    for document in documents.row:
+        if document is not first:
+            documents.close(document)
+    first.pristine = True
+    for file in folder.glob("left_*"):
+        # The record names the autosaves as they were called.
+        file.replace(autosaves / file.name.removeprefix("left_").replace(".", "x.", 1))
+    for file in autosaves.glob("*x.tabs.json"):
+        file.write_text(file.read_text().replace(".recovery.json", "x.recovery.json"))
+    designer.offer_recovery()
+
+
+@pytest.fixture
+def killed(three, dialogs, own_session, tmp_path):
+    """Red edited twice and undone once, copper saved to a file, champagne edited and in front; then a kill."""
+    three.dialogs = dialogs
+    folder = tmp_path / "left"
+    folder.mkdir()
+    dialogs.path = tmp_path / "mine"
+    three.window.tabs.setCurrentIndex(1)
+    choose(three, "File ▸ Save")
+    three.window.tabs.setCurrentIndex(0)
+    lighten(three, 61)
+    lighten(three, 62)
+    three.window.undo_action.trigger()
+    three.window.tabs.setCurrentIndex(2)
+    lighten(three, 63)
+    three.window.tabs.setCurrentIndex(0)
+    leave(three, own_session, folder)
+    come_back(three, own_session, folder)
+    return three
+
+
+def answer_message(designer, qtbot, text: str) -> None:
+    button = designer.window.messages.findChild(object, f"message_action_{text}")
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def test_a_kill_leaves_all_tabs_in_their_order_with_their_histories(killed, qtbot, own_session):
+    answer_message(killed, qtbot, "Recover All")
+    assert titles(killed) == ["• Red", "mine.brdfpaint", "• Champagne"]
+    assert killed.window.tabs.currentIndex() == 0
+    assert killed.store.value.lab_at(15.0)[0] == 61.0
+    killed.window.redo_action.trigger()
+    assert killed.store.value.lab_at(15.0)[0] == 62.0
+    killed.window.undo_action.trigger()
+    killed.window.undo_action.trigger()
+    assert killed.store.value == load_shipped_paint("red")
+    assert not killed.window.undo_action.isEnabled()
+    assert len(killed.store.states()) == 3
+    killed.window.tabs.setCurrentIndex(1)
+    assert killed.store.value == load_shipped_paint("copper")
+    assert killed.store.is_clean
+    left = [file for file in own_session.rglob("*.tabs.json") if file != killed.documents.record.file]
+    assert left == []
+
+
+def test_one_by_one_the_other_tabs_come_after_the_last_answer(killed):
+    for answer in ("One by One", "Recover", "Discard"):
+        assert "mine.brdfpaint" not in titles(killed)
+        dict(killed.window.messages.shown()["recovery"].actions)[answer]()
+    assert len(titles(killed)) == 2
+    assert "mine.brdfpaint" in titles(killed)
+
+
+def test_saved_tabs_alone_are_offered_too(three, dialogs, own_session, tmp_path, qtbot):
+    three.dialogs = dialogs
+    folder = tmp_path / "left"
+    folder.mkdir()
+    for place, name in ((0, "first"), (2, "second")):
+        three.window.tabs.setCurrentIndex(place)
+        dialogs.path = tmp_path / name
+        choose(three, "File ▸ Save")
+    leave(three, own_session, folder)
+    come_back(three, own_session, folder)
+    message = three.window.messages.shown()["recovery"]
+    assert "“first.brdfpaint”, “second.brdfpaint”" in message.what
+    answer_message(three, qtbot, "Reopen")
+    assert titles(three) == ["first.brdfpaint", "second.brdfpaint"]
+    assert three.documents.front.title == "second.brdfpaint"
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_a_project_opens_its_paints_beside_its_standard(designer, tmp_path, folder):
+    paints = tuple(load_shipped_paint(name) for name in ("red", "copper"))
+    path = tmp_path / "spring.brdfproject"
+    save_project(Project("Spring", paints, load_shipped_paint("champagne")), path, folder=folder)
+    assert designer.documents.open(path)
+    assert titles(designer)[-2:] == ["Red", "Copper"]
+    assert designer.store.value == paints[0]
+    assert designer.store.path is None
+    assert designer.feature(StandardControl).standard.name == "Champagne"

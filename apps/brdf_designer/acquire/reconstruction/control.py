@@ -35,7 +35,6 @@ class ReconstructionController(QObject):
         super().__init__(bench)
         self._bench, self._dialogs = bench, dialogs
         self._done = self._total = 0
-        self._fraction, self._what = 0.0, ""
         self._saved = ""
         window = bench.window
         window.response.recover_requested.connect(self.find_response)
@@ -43,7 +42,6 @@ class ReconstructionController(QObject):
         window.geometry_page.find_requested.connect(self.find_geometry)
         window.geometry_page.refine_chosen.connect(lambda on: self._choose("geometry", refine=on))
         window.reconstruction.start_requested.connect(self.find_table)
-        window.reconstruction.cancel_requested.connect(lambda: bench.cancel("table"))
         window.reconstruction.again_requested.connect(lambda: self.find_table(restart=True))
         window.reconstruction.grazing_edited.connect(lambda angle: self._choose("table", grazing_deg=angle))
         window.coverage.save_requested.connect(self.save)
@@ -148,7 +146,6 @@ class ReconstructionController(QObject):
             self._done = kept.done
             self._show_done(())
             self._bench.window.reconstruction.show_progress(
-                kept.done / max(1, self._total),
                 tr("{done} positions were finished in an earlier run.").format(done=kept.done),
                 running=False,
             )
@@ -207,7 +204,7 @@ class ReconstructionController(QObject):
             Problem("error", self._name(one.position), one.reason) for one in value.acquired.positions_failed
         )
         window.reconstruction.show_partial(value.state)
-        window.reconstruction.show_progress(1.0, tr("Done."), running=False)
+        window.reconstruction.show_progress(tr("Done."), running=False)
         self._show_done(failed)
         words = tr("{done} of {total} positions").format(done=self._done, total=self._total)
         window.show_step("reconstruction", "warning" if failed else "done", words)
@@ -226,9 +223,8 @@ class ReconstructionController(QObject):
 
     # While it runs.
 
-    def _moved(self, fraction: float, what: str) -> None:
-        self._fraction, self._what = fraction, what
-        self._bench.window.reconstruction.show_progress(fraction, what, running=True)
+    def _moved(self, _fraction: float, what: str) -> None:
+        self._bench.window.reconstruction.show_progress(what, running=True)
 
     def _show_partial(self, done: int, total: int, state: CoverageState | None) -> None:
         if not self._bench.is_busy("table"):
@@ -256,10 +252,10 @@ class ReconstructionController(QObject):
         elif key == "geometry":
             window.geometry_page.start.setEnabled(not busy)
         elif busy:
-            window.reconstruction.show_progress(0.0, tr("Waiting…"), running=True)
+            window.reconstruction.show_progress(tr("Waiting…"), running=True)
         elif key not in self._bench.results:
             stopped = tr("Stopped. Finished positions are kept.") if self._done else ""
-            window.reconstruction.show_progress(self._fraction if self._done else 0.0, stopped, running=False)
+            window.reconstruction.show_progress(stopped, running=False)
             self._show_done(())
 
 

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.form import Form, described
+from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, Signal
-from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QApplication, QProgressBar
+from PySide6.QtCore import Signal
 
 from brdf_designer.acquire.plots.map_plot import MapPlot
 from brdf_designer.acquire.reconstruction.coverage_page import coverage_map
@@ -19,36 +17,14 @@ from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.window.widgets import button, make_row, wrapped
 
 
-class GreyBar(QProgressBar):
-    """A thin bar filled with grey: the accent is for focus and selection alone."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._dress()
-        self.setRange(0, 1000)
-        self.setTextVisible(False)
-        self.setMaximumHeight(12)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.ApplicationPaletteChange:
-            self._dress()
-
-    def _dress(self) -> None:
-        colours = QPalette()
-        grey = QApplication.palette().color(QPalette.ColorRole.PlaceholderText)
-        colours.setColor(QPalette.ColorRole.Highlight, grey)
-        self.setPalette(colours)
-
-
 class ReconstructionPage(AcquirePage):
     """The page of the reconstruction.
 
-    Intents: ``start_requested()``, ``cancel_requested()``, ``again_requested()``, ``grazing_edited(degrees)``.
+    Intents: ``start_requested()``, ``again_requested()``, ``grazing_edited(degrees)``. How far it is, and the button
+    to stop it, are in the window's strip of progress, as those of every step are.
     """
 
     start_requested = Signal()
-    cancel_requested = Signal()
     again_requested = Signal()
     grazing_edited = Signal(float)
 
@@ -60,18 +36,14 @@ class ReconstructionPage(AcquirePage):
                 "and resumed; finished positions are kept."
             ),
         )
-        self.bar = described(GreyBar(), spoken=tr("Progress of the reconstruction"))
         self.progress_text = wrapped()
         self.map = MapPlot(tr("Coverage so far"))
         self.problems = problem_list(tr("Skipped positions"))
         self.centre.addWidget(self.progress_text)
-        self.centre.addWidget(self.bar)
         self.centre.addWidget(self.map, 3)
         self.centre.addWidget(self.problems, 1)
         tip = tr("Combine all photographs into a table of the reflectance")
         self.start = button(tr("Start"), tip, self.start_requested.emit)
-        tip = tr("Stop. Finished positions are kept; you can resume later.")
-        self.cancel = button(tr("Stop"), tip, self.cancel_requested.emit)
         tip = tr("Discard the finished positions and start with the first one")
         self.again = button(tr("Start Over"), tip, self.again_requested.emit)
         form = Form()
@@ -82,19 +54,17 @@ class ReconstructionPage(AcquirePage):
             self.grazing,
             tr("Largest angle of light or view from the normal; pixels beyond it are skipped"),
         )
-        self.add_part("run", tr("Reconstruction"), make_row(self.start, self.cancel), self.again, form)
+        self.add_part("run", tr("Reconstruction"), make_row(self.start, self.again), form)
         self.facts = Facts(tr("Progress"))
         self.add_part("done", tr("Done"), self.facts)
-        self.show_progress(0.0, "", running=False)
+        self.show_progress("", running=False)
         self.show_done(0, 0, ())
 
-    def show_progress(self, fraction: float, text: str, *, running: bool) -> None:
-        """Show how far it is; ``running`` says whether it can be stopped."""
-        self.bar.setValue(round(1000 * fraction))
+    def show_progress(self, text: str, *, running: bool) -> None:
+        """Say what is being done, and that nothing else can be begun while it is ``running``."""
         self.progress_text.setText(text or tr("Not started."))
         self.start.setEnabled(not running)
         self.again.setEnabled(not running)
-        self.cancel.setEnabled(running)
         self.grazing.setEnabled(not running)
 
     def show_done(self, done: int, total: int, failed: Sequence[Problem]) -> None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
@@ -24,6 +25,8 @@ from brdf_suite.progress import Progress, report
 
 _LAST = "acquire/folder"
 _PAUSE_MS = 500
+_SAMPLE, _SAMPLE_PAINT = "sample_session", "blue_metallic"
+_SAMPLE_POSITIONS, _SAMPLE_EXPOSURES, _SAMPLE_PX = 24, 8, 160
 _MOST_STEPS = 100
 _SEVERITIES = {"fatal": "error", "position": "error", "exposure": "error", "warning": "warning"}
 
@@ -41,6 +44,7 @@ class SessionControl(QObject):
         self._pause = make_timer(self, self.write_pending, _PAUSE_MS)
         page.open_requested.connect(self.ask)
         page.template_requested.connect(self.ask_new)
+        page.sample_requested.connect(self.open_sample)
         page.check_requested.connect(self.check)
         page.number_edited.connect(self._edited)
         bench.window.folder_dropped.connect(lambda name: self.open(Path(name)))
@@ -51,15 +55,24 @@ class SessionControl(QObject):
 
     def ask(self) -> None:
         """Ask for a session, and open it."""
-        path = self._dialogs.open_path(self._last_folder(), tr("Session (session.json)"))
+        path = self._dialogs.folder_path(tr("Open a Folder of Photographs"), self._last_folder())
         if path is not None:
             self.open(path)
 
     def ask_new(self) -> None:
         """Ask where a new session is to be, make its folder from the template, and open it."""
-        path = self._dialogs.save_path(self._last_folder() / SESSION_FILE, tr("Session (session.json)"))
+        path = self._dialogs.folder_path(tr("Choose or Make a Folder for Photographs"), self._last_folder())
         if path is not None:
-            self.make(path.parent)
+            self.make(path)
+
+    def open_sample(self) -> None:
+        """Open photographs of a simulated rig; they are made where they are not there yet."""
+        folder = state_folder("acquire") / _SAMPLE
+        if (folder / SESSION_FILE).is_file():
+            self.open(folder)
+            return
+        todo = tr("No session was opened.")
+        self._bench.run("make", _simulate, folder, self.open, todo=todo)
 
     def make(self, folder: Path) -> None:
         """Make a folder from the template, and open it."""
@@ -201,6 +214,26 @@ def _make(folder: Path, progress: Progress) -> Path:
 
     report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
     write_template(folder)
+    return folder
+
+
+def _simulate(folder: Path, progress: Progress) -> Path:
+    """Write a simulated session and return its folder; one that was not finished is made anew."""
+    from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
+    from brdf_suite.pipeline.material import load_material
+
+    shutil.rmtree(folder, ignore_errors=True)
+    report(progress, 0.0, tr("Simulating photographs"))
+    paint = load_material(_SAMPLE_PAINT)
+    size = (_SAMPLE_PX, _SAMPLE_PX)
+    chosen = SimulatorSettings(size=size, positions=_SAMPLE_POSITIONS, exposures=_SAMPLE_EXPOSURES)
+    simulate(
+        paint.reflectance,
+        folder,
+        chosen,
+        paint.name,
+        lambda share, _what: progress(share, tr("Simulating photographs")),
+    )
     return folder
 
 

@@ -14,6 +14,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem
 
 from brdf_designer.acquire.plots.view import PictureView
+from brdf_designer.acquire.session.start_page import StartPage
 from brdf_designer.acquire.states import Problem
 from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.window.widgets import button, make_row, wrapped
@@ -50,12 +51,13 @@ _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note
 class SessionPage(AcquirePage):
     """The page of the session.
 
-    Intents: ``open_requested()``, ``template_requested()``, ``check_requested()``, ``number_edited(key, value)`` in
-    the unit of the field.
+    Intents: ``open_requested()``, ``template_requested()``, ``sample_requested()``, ``check_requested()``,
+    ``number_edited(key, value)`` in the unit of the field.
     """
 
     open_requested = Signal()
     template_requested = Signal()
+    sample_requested = Signal()
     check_requested = Signal()
     number_edited = Signal(str, float)
 
@@ -65,6 +67,11 @@ class SessionPage(AcquirePage):
             tr("Photographs of the painted sphere in a folder, described by a session.json."),
         )
         self.picture = PictureView(tr("A photograph of the session"))
+        self.start = StartPage()
+        self.start.open_requested.connect(self.open_requested)
+        self.start.template_requested.connect(self.template_requested)
+        self.start.sample_requested.connect(self.sample_requested)
+        self.centre.addWidget(self.start, 3)
         self.centre.addWidget(self.picture, 3)
         self.problems = problem_list(tr("Problems of the session"))
         self.verdict = wrapped()
@@ -102,14 +109,10 @@ class SessionPage(AcquirePage):
         """Show a session, or what to do where none is open."""
         for widget in (self.rig, self.about, self.check_button):
             widget.setVisible(session is not None)
+        self.picture.setVisible(session is not None)
+        self.start.setVisible(session is None)
         if session is None:
             self.folder.setText(tr("No folder is open."))
-            self.picture.show_empty(
-                tr(
-                    "Open a folder of photographs, or create a new one. Its session.json lists the "
-                    "photographs to take."
-                )
-            )
             self.show_problems(None)
             return
         self.folder.setText(str(folder))
