@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.status_line import State, StatusLine
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
-
-_ROLES = {
-    "designer": mark("Designer"),
-    "viewer": mark("Viewer"),
-    "lobes": mark("Lobe Visualizer"),
-    "swatch": mark("Color Swatch"),
-}
 
 
 class Status(QObject):
@@ -38,8 +32,7 @@ class Status(QObject):
         self._show_light()
 
     def show_peers(self, roles: Sequence[str]) -> None:
-        named = [tr(_ROLES[role]) if role in _ROLES else role for role in roles]
-        self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
+        self._link.set(connected_words(roles))
 
     def _show_front(self) -> None:
         front = self._session.front

@@ -15,13 +15,12 @@ from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QProcess, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.processes import child_command
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
@@ -222,7 +221,6 @@ class ViewerController(Program):
         commands.open_requested.connect(self._browse)
         commands.recent_requested.connect(self._open)
         commands.copy.triggered.connect(self._copy_picture)
-        commands.designer.triggered.connect(self._open_designer)
         commands.undo.triggered.connect(self.undo)
         commands.redo.triggered.connect(self._redo)
         state.history.history_changed.connect(self._show_history)
@@ -331,13 +329,6 @@ class ViewerController(Program):
     def _show_history(self) -> None:
         history = self.state.history
         self.window.commands.show_history(history.undo_text, history.redo_text)
-
-    def _open_designer(self) -> None:
-        program, *arguments = child_command("brdf_designer")
-        started, _ = QProcess.startDetached(program, arguments)
-        if not started:
-            message = Message("designer", tr("Designer could not be started."), severity="error")
-            self.window.messages.show_message(message)
 
     def close(self) -> None:
         """Remember the view, leave the link and end what runs; only the first call acts."""

@@ -74,9 +74,9 @@ def colour(viewer) -> np.ndarray:
 
 def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     link_cell = viewer.window.status.cell("link")
-    assert link_cell.text() == "Designer not open"
+    assert link_cell.text() == "Not connected"
     other = designer()
-    qtbot.waitUntil(lambda: link_cell.text() == "Designer connected")
+    qtbot.waitUntil(lambda: link_cell.text() == "Connected: Designer")
     other.send_line("lab 45 60 40")
     qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     red = colour(viewer)
@@ -108,7 +108,7 @@ def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
     other.send_line("lab 45 60 40")
     qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     other.process.kill()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Not connected")
     assert viewer.state.fit.paint.name == "test paint"
     assert "not open" in viewer.window.paint.follow.text()
     assert viewer.window.paint.chooser.list.currentText() == "test paint (closed)"
@@ -128,7 +128,7 @@ def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(sta
     assert viewer.state.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
-    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
+    assert viewer.window.status.cell("link").text() == "Connected: Designer (not following)"
     viewer.window.messages.findChild(QPushButton, "message_action_Follow Designer").click()
     assert viewer.state.fit.paint.name == "test paint"
     assert viewer.window.paint.follow.isChecked()
@@ -143,7 +143,7 @@ def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer
     designer.opened[-1].process.kill()
     qtbot.waitUntil(lambda: "follow" not in viewer.messages())
     designer()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer connected (not following)")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Connected: Designer (not following)")
     assert "follow" not in viewer.messages()
 
 
@@ -157,7 +157,7 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     other.send_line("lab 20 0 0")
     qtbot.waitUntil(lambda: viewer.controller.paint.of_designer.lab_at(45.0)[0] == 20.0)
     assert viewer.state.fit is white
-    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
+    assert viewer.window.status.cell("link").text() == "Connected: Designer (not following)"
     viewer.window.paint.follow.click()
     assert viewer.state.fit.paint.lab_at(45.0)[0] == 20.0
 

@@ -92,7 +92,7 @@ class ContactSheets(SwatchFeature):
             tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
         )  # fmt: skip
         self._print = window.add_command(
-            "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
+            "file", mark("&Print Contact Sheet…"), "print", self.print_sheet, "print", icon="printer"
         )
         self._enable_always()
 

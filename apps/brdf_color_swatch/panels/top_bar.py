@@ -124,7 +124,7 @@ class TopBar(QWidget):
             button.setProperty("form", key)
             self.forms.addButton(button)
         self.list_button = _form_button(
-            "rows", "as_list", tr("List with columns"), tr("List with columns (Ctrl+L)")
+            "rows", "as_list", tr("List with columns"), tr("List with columns (5)")
         )
         self.list_button.clicked.connect(self.list_chosen)
         self.size_slider = described(

@@ -137,7 +137,7 @@ class PaintComparison(SwatchFeature):
         self.panel = ComparePanel()
         self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
         self._command = window.add_command(
-            "paint", mark("&Compare the Two Selected"), "Ctrl+Shift+C", self.compare, "compare", icon="scales"
+            "paint", mark("&Compare the Two Selected"), "compare", self.compare, "compare", icon="scales"
         )
         session.selection_changed.connect(lambda _pane: self._show())
         session.shown_changed.connect(lambda _pane: self._show())

@@ -129,7 +129,9 @@ class AcquireWindow(QWidget):
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
         inside = QWidget()
-        fill_column(inside, self.messages, self.progress, self.stack, line, foot, grows=self.stack, spacing=0)
+        fill_column(inside, self.stack, line, foot, grows=self.stack, spacing=0)
+        for part in (self.messages, self.progress):
+            part.float_over(self.stack, inside)
         self.setLayout(row_of(self.rail, inside, grows=inside, spacing=0))
 
     def _shortcuts(self) -> None:

@@ -391,8 +391,8 @@ class StandardControl(Feature, QObject):
 
     def _add_commands(self) -> None:
         add = self._window.add_command
-        add("paint", tr("Use This State as &Standard"), "Ctrl+Shift+D", self.take_present, "take_standard")
-        add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
+        add("paint", tr("Use This State as &Standard"), "take_standard", self.take_present, "take_standard")
+        add("paint", tr("&Load Standard…"), "load_standard", self.ask_standard, "load_standard")
         self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
         self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
@@ -86,8 +87,7 @@ class PaintStatus:
 
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show who is linked."""
-        names = ", ".join(role.capitalize() for role in roles)
-        self._link.set(tr("Connected: {programs}").format(programs=names) if roles else tr("Not connected"))
+        self._link.set(connected_words(roles))
 
     def _show_flop(self, asked: FlopIndex | None, reached: FlopIndex | None) -> None:
         if asked is None:

@@ -153,7 +153,7 @@ class Factors(Feature, QObject):
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         tip = mark("Show or hide the maps of a factored reflectance")
         window.add_command(
-            "view", mark("&Factors"), "Ctrl+M", lambda: self.dock.setVisible(self.dock.isHidden()), tip=tip
+            "view", mark("&Factors"), "factors", lambda: self.dock.setVisible(self.dock.isHidden()), tip=tip
         )
 
     @property

@@ -240,10 +240,10 @@ class LegendControl(QObject):
 
     def _build_commands(self) -> None:
         add, menu = self._window.add_command, "reflectance"
-        self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
-        self._solo = add(menu, mark("So&lo"), "Ctrl+Shift+H", None)
+        self._shown = add(menu, mark("S&how"), "show", None)
+        self._solo = add(menu, mark("So&lo"), "solo", None)
         tip = mark("Compute differences and errors against this reflectance")
-        self._reference = add(menu, mark("Set as &Reference"), "Ctrl+R", None, tip=tip)
+        self._reference = add(menu, mark("Set as &Reference"), "reference", None, tip=tip)
         session = self._session
         for action, act in (
             (self._shown, lambda key, on: session.set_hidden(key, not on)),
@@ -255,11 +255,9 @@ class LegendControl(QObject):
             action.triggered.connect(lambda on, act=act: self._for_front(lambda key: act(key, on)))
         rename = add(menu, mark("Re&name"), None, lambda: self._for_front(self.legend.edit_title))
         self._build_line_menu()
-        up = add(menu, mark("Move &Up"), "Ctrl+Shift+Up", lambda: self._move(-1))
-        down = add(menu, mark("Move &Down"), "Ctrl+Shift+Down", lambda: self._move(1))
-        gone = add(
-            menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._session.remove), icon="x"
-        )
+        up = add(menu, mark("Move &Up"), "move_up", lambda: self._move(-1))
+        down = add(menu, mark("Move &Down"), "move_down", lambda: self._move(1))
+        gone = add(menu, mark("Re&move"), "remove", lambda: self._for_front(self._session.remove), icon="x")
         self._of_front = [
             self._shown,
             self._solo,
@@ -271,12 +269,12 @@ class LegendControl(QObject):
             gone,
         ]
         self._window.paint_menu.addSeparator()
-        add(menu, mark("Show &All"), "Ctrl+Shift+A", self._session.show_all, icon="eye")
+        add(menu, mark("Show &All"), "show_all", self._session.show_all, icon="eye")
         add(menu, mark("Remove All &Others"), None, lambda: self._for_front(self._remove_others))
-        add(menu, mark("Ne&xt Reflectance"), "Ctrl+Tab", lambda: self._step(1))
-        add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
+        add(menu, mark("Ne&xt Reflectance"), "next_tab", lambda: self._step(1))
+        add(menu, mark("Pre&vious Reflectance"), "previous_tab", lambda: self._step(-1))
         tip = mark("Show the selected reflectance and the reference alternately")
-        self._blink = add(menu, mark("Al&ternate with Reference"), "B", self.blink, tip=tip)
+        self._blink = add(menu, mark("Al&ternate with Reference"), "blink", self.blink, tip=tip)
 
     def _build_line_menu(self) -> None:
         self._line = QMenu(tr("L&ine"), self._window.paint_menu)

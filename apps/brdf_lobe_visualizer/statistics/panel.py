@@ -257,14 +257,14 @@ class Numbers(Feature, QObject):
         self.action = window.add_command(
             "view",
             mark("&Numbers"),
-            "Ctrl+N",
+            "numbers",
             lambda: self.dock.setVisible(self.dock.isHidden()),
             icon="table",
             tip=tip,
         )
         tip = mark("Copy the visible table")
-        window.add_command("edit", mark("&Copy Figures"), "Ctrl+Shift+N", self.copy, icon="copy", tip=tip)
-        window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
+        window.add_command("edit", mark("&Copy Figures"), "copy_figures", self.copy, icon="copy", tip=tip)
+        window.add_command("file", mark("&Export Figures…"), "export", self.export, icon="export")
 
     @property
     def is_idle(self) -> bool:
@@ -308,7 +308,7 @@ class Numbers(Feature, QObject):
         named = self._named()
         if not named:
             text = tr("There are no figures to export yet.")
-            todo = tr("Open the panel Numbers (Ctrl+N) and wait until they are computed.")
+            todo = tr("Open the panel Numbers (F5) and wait until they are computed.")
             self._window.show_message(Message("figures", text, todo=todo))
             return
         path = self._ask_path(Path(str(settings().value(_FOLDER_KEY, ""))) / "reflectances.csv")

@@ -15,15 +15,13 @@ from PySide6.QtCore import QCoreApplication, QDate, QLibraryInfo, QLocale, QTran
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import SHARED, settings
 from brdf_suite.resources import resource, resource_names
 
 SYSTEM = "system"
 SOURCE = "en"
 _ENDING = ".qm"
 _KEY = "language"
-_SHARED = "shared"
-"""Where the choice is stored: one for all programs."""
 
 
 @cache
@@ -48,13 +46,13 @@ def languages() -> list[str]:
 
 def chosen() -> str:
     """Return the language that the user chose in any of the programs: a code, or ``system``."""
-    code = str(settings(_SHARED).value(_KEY, SYSTEM))
+    code = str(settings(SHARED).value(_KEY, SYSTEM))
     return code if code in languages() else SYSTEM
 
 
 def remember(code: str) -> None:
     """Choose the language that every program has from its next start on."""
-    settings(_SHARED).setValue(_KEY, code)
+    settings(SHARED).setValue(_KEY, code)
 
 
 def install(app: QCoreApplication, code: str | None = None) -> str:

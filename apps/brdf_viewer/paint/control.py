@@ -8,6 +8,7 @@ from typing import Any
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
@@ -314,12 +315,10 @@ class PaintControl(ViewerFeature):
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
-        text = tr("Designer not open")
-        if linked:
-            text = tr("Designer connected") if following else tr("Designer connected (not following)")
-        others = ", ".join(self._link.peers) or tr("none")
-        tip = tr("Other programs on the link: {programs}").format(programs=others)
-        self._window.status.cell("link", right=True).set(text, tip)
+        text = connected_words(self._link.peers)
+        if linked and not following:
+            text = tr("{link} (not following)").format(link=text)
+        self._window.status.cell("link", right=True).set(text)
 
     def _offer(self, linked: bool, following: bool) -> None:
         """Say once that a Designer is open, where Viewer was asked to show another paint at its start."""
