@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.status_line import State, StatusLine
+from brdf_qt.window.status_line import StatusLine
+from brdf_qt.work.fit_error import fit_mark
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.session import LobeSession
@@ -52,8 +53,8 @@ class Status(QObject):
         if fit.time_limited:
             follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
-        state: State = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
-        self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)
+        sign = fit_mark(fit.worst_delta_e, fit.time_limited and not fit.exact_follows)
+        self._fit.set(" · ".join(parts), "\n".join(fit.notices), "warning" if sign else "fresh", sign)
 
     def _show_light(self) -> None:
         theta, phi = self._session.incidence

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from brdf_qt.fields.marks import Mark
 from brdf_qt.link.link import LiveLink
 from brdf_viewer.paint.control import DESIGNER
 from PySide6.QtWidgets import QPushButton
@@ -243,10 +244,12 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     assert not section.fit.font().bold()
     # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
     show(solid.with_lab(45.0, (90.0, 0.0, 0.0)))
-    assert section.fit.text().startswith("! Fit: maximum ΔE00 3")
+    assert section.fit.text().startswith("Fit: maximum ΔE00 3")
+    assert section.fit.mark is Mark.BAD
     assert section.fit.font().bold()
     assert "no non-negative sum of the lobes" in section.fit.toolTip()
-    assert "! ΔE 3" in cell.text()
+    assert "ΔE 3" in cell.text()
+    assert cell.mark is Mark.BAD
     assert cell.font().bold()
     assert "no non-negative sum of the lobes" in cell.toolTip()
     words = section.patches.accessibleDescription().split("; ")

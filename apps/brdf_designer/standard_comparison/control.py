@@ -318,7 +318,7 @@ class StandardControl(Feature, QObject):
             report = self.report(paint, standard)
             word = verdict_word(report.passes)
             cells = (paint.name, _number(report.largest), _number(report.mean), word)
-            rows.append((cells, report.passes is False, report.sentence(say)))
+            rows.append((cells, report.passes, report.sentence(say)))
         self.section.batches.show_batches(rows)
         self.section.clear_batches.setEnabled(bool(self._of_front.batches))
 

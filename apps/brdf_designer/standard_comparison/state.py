@@ -67,6 +67,7 @@ class ResultRow:
     cells: tuple[str, str, str, str, str, str]
     bold: frozenset[int]
     tip: str
+    passes: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -188,7 +189,7 @@ def _row(row: AngleRow) -> ResultRow:
         parts = " ".join(tr(LIMIT_NAMES[name]) for name in verdict.exceeded)
         tip += "\n" + tr("Outside the tolerance: {parts}").format(parts=parts)
     bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
-    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
+    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip, verdict.passes)
 
 
 def _tip(row: AngleRow, words: str) -> str:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.fields.marks import Mark
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.status_line import StatusLine
-from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from brdf_qt.work.fit_error import fit_mark, fit_tips
 
 from brdf_designer.colour.patches import one_decimal
 from brdf_designer.session.state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
@@ -49,7 +50,8 @@ class PaintStatus:
         self._colours = colours
         outside = [angle.text for angle in colours.angles if not angle.in_gamut]
         self._gamut.set(
-            tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB")
+            tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB"),
+            mark=Mark.OUTSIDE if outside else None,
         )
 
     def show_fit(self, state: FitState) -> None:
@@ -70,12 +72,12 @@ class PaintStatus:
             time=f"{state.milliseconds:.1f}",
             kind=tr("time-limited") if state.time_limited else tr("exact"),
         )
-        self._fit_text = marked(text, worst)
-        large = is_large(worst)
+        self._fit_text = text
+        sign = fit_mark(max(worst, curves.between_delta_e), state.time_limited)
         tip = fit_tips(worst, state.time_limited, state.exact_follows)
         rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
         text = "\n".join((*rows, tip) if tip else rows)
-        self._fit.set(self._fit_text, text, "warning" if large or state.time_limited else "fresh")
+        self._fit.set(self._fit_text, text, "warning" if sign else "fresh", sign)
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""

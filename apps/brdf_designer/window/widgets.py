@@ -8,7 +8,7 @@ from brdf_qt.fields.form import described, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
+from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy, QSplitter, QWidget
 
 
 def make_row(*widgets: QWidget, spacing: int = 8) -> QWidget:
@@ -29,7 +29,7 @@ def split(orientation: Qt.Orientation, *parts: tuple[QWidget, int]) -> QSplitter
     return made
 
 
-def wrapped(text: str = "") -> QLabel:
+def wrapped(text: str = "") -> PlainLabel:
     """Return a label that breaks its lines and can be copied from."""
     label = PlainLabel(text)
     label.setWordWrap(True)

@@ -93,15 +93,19 @@ def _installed(app: QCoreApplication, code: str | None) -> str:
     return wanted
 
 
+def language_names() -> dict[str, str]:
+    """Return what can be chosen: each language in its own words, by its code, and the system's first."""
+    names = {SYSTEM: tr("System Default")}
+    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
+    return names | {SOURCE: "English"}
+
+
 def language_menu(parent: QMenu) -> QMenu:
     """Return the menu that chooses the language of all programs from their next start on."""
     menu = QMenu(tr("&Language"), parent)
     menu.setToolTipsVisible(True)
     group = QActionGroup(menu)
-    names = {SYSTEM: tr("System Default")}
-    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
-    names[SOURCE] = "English"
-    for code, name in names.items():
+    for code, name in language_names().items():
         action = QAction(name, menu, checkable=True, checked=code == chosen())
         action.setObjectName(f"language_{code}")
         action.setToolTip(tr("For all programs, from their next start on"))

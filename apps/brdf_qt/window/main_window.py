@@ -32,10 +32,12 @@ from brdf_qt.program.theme import theme_menu
 from brdf_qt.program.translation import language_menu, mark, tr
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
+from brdf_qt.window.manual import Manual
 from brdf_qt.window.message_bar import Message, MessageBar
 from brdf_qt.window.placement import halves
 from brdf_qt.window.progress_strip import ProgressStrip
 from brdf_qt.window.section import Inspector, Section
+from brdf_qt.window.settings_window import SettingsWindow
 from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
 
@@ -104,6 +106,8 @@ class SuiteWindow(QMainWindow):
         self._sections: dict[str, Section] = {}
         self.docks: dict[str, QDockWidget] = {}
         self.openers: dict[str, QAction] = {}
+        self.settings_window: SettingsWindow | None = None
+        self.manual: Manual | None = None
         self._file_end: QAction | None = None
         self.setAcceptDrops(True)
         titles = (tr("&File"), tr("&Edit"), tr("&View"), tr("&Paint"), tr("&Window"), tr("&Help"))
@@ -338,6 +342,8 @@ class SuiteWindow(QMainWindow):
         self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "panels")
         self.palette_window = palette = CommandPalette(self)
         add, menu = self.add_action, self.help_menu
+        add(self.view_menu, mark("Se&ttings…"), self._show_settings, "settings", "gear-six")
+        add(menu, mark("&Manual"), self._show_manual, "manual", "book-open")
         add(menu, mark("Find a &Command…"), palette.open, "find_command", "magnifying-glass")
         add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "shortcuts", "keyboard")
         add(menu, mark("&About BRDF Suite"), lambda: AboutWindow(self, self._program).show(), icon="info")
@@ -348,6 +354,19 @@ class SuiteWindow(QMainWindow):
         """End the File menu with Quit; call after the program's own File commands."""
         self._file_end = self.file_menu.addSeparator()
         self.add_action(self.file_menu, mark("&Quit"), self.close, "quit", "sign-out")
+
+    def _show_settings(self) -> None:
+        if self.settings_window is None:
+            self.settings_window = SettingsWindow(self)
+        self.settings_window.show_choices()
+        self.settings_window.show()
+        self.settings_window.raise_()
+
+    def _show_manual(self) -> None:
+        if self.manual is None:
+            self.manual = Manual(self)
+        self.manual.show()
+        self.manual.raise_()
 
     def open_beside(self, role: str) -> None:
         """Open another program of the suite: this window takes the left half of the screen, that one the right.

@@ -32,7 +32,11 @@ from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import FileError, SuiteError
 
 Severity = Literal["info", "warning", "error"]
-_ICONS = {"info": "info", "warning": "warning", "error": "warning-octagon"}
+_ICONS = {
+    "info": ("info", ""),
+    "warning": ("warning-fill", "warning"),
+    "error": ("warning-octagon-fill", "bad"),
+}
 _WORDS = {"info": mark("Note"), "warning": mark("Warning"), "error": mark("Error")}
 
 
@@ -120,7 +124,7 @@ class _Row(QFrame):
             self._draw_sign()
 
     def _draw_sign(self) -> None:
-        self._sign.setPixmap(icon(_ICONS[self.message.severity]).pixmap(16, 16))
+        self._sign.setPixmap(icon(*_ICONS[self.message.severity]).pixmap(16, 16))
 
     @property
     def is_brief(self) -> bool:

@@ -57,7 +57,10 @@ class _Line(QWidget):
 
 
 class ProgressStrip(Floating):
-    """Over the picture, at its lower edge; hidden while there is no work; ``cancelled`` is emitted when the user asks to stop some. Work has a key."""
+    """Over the picture, at its lower edge; hidden while there is no work. Work has a key.
+
+    ``cancelled`` is emitted when the user asks to stop some.
+    """
 
     cancelled = Signal()
 

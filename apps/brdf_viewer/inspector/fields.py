@@ -36,7 +36,7 @@ class ChoiceBox(QuietComboBox):
         self.setCurrentIndex(self.findData(key))
 
 
-def note(text: str = "") -> QLabel:
+def note(text: str = "") -> PlainLabel:
     """Return a small label for facts under a field; hidden while it is empty."""
     label = PlainLabel(wordWrap=True)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

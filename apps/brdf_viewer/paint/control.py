@@ -12,7 +12,7 @@ from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
-from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from brdf_qt.work.fit_error import fit_mark, fit_tips
 from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.paint import Paint
@@ -281,15 +281,16 @@ class PaintControl(ViewerFeature):
         limited = ", " + tr("time-limited") if fit.time_limited else ""
         count = tr("{count} lobes").format(count=len(fit.weights.exponents))
         self._window.status.cell("lobes").set(count, tr("Cosine lobes of the fit"))
-        large, message = False, ""
+        message, sign = "", fit_mark(worst, fit.time_limited)
         tip = tr("Duration of the lobe fit; no measured angles to compare with")
         if worst is not None:
-            large, message = is_large(worst), f" · {marked(f'ΔE {worst:.2f}', worst)}"
+            message = f" · ΔE {worst:.2f}"
             tip = tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")
         self._window.status.cell("fit").set(
             tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",
             f"{tip}\n{fit_tips(worst, fit.time_limited, follows)}".strip(),
-            "warning" if large or fit.time_limited else "fresh",
+            "warning" if sign else "fresh",
+            sign,
         )
 
     def _show_choice(self) -> None:

@@ -8,6 +8,7 @@ from brdf_designer.colour.quantity_plot import QuantityPlot
 from brdf_designer.session.edits import PickColour
 from brdf_designer.session.state import GivenColour
 from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.marks import Mark
 from brdf_qt.fields.number import NumberField
 from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import Qt
@@ -146,7 +147,8 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(own_des
     type_in(window.editors.editors[2].fields[0], "80")
     asked = own_designer.store.value
     patches = window.patches.patches
-    assert patches[2].fit.text().startswith("! fit ΔE00")
+    assert patches[2].fit.text().startswith("fit ΔE00")
+    assert patches[2].fit.mark is Mark.BAD
     given = patches[2].field.given
     assert given is not None
     assert given != patches[2].field.grab().toImage().pixelColor(30, 30), (
