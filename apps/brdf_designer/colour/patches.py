@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.marks import verdict_mark
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
@@ -137,7 +137,7 @@ def lab_text(lab: tuple[float, float, float]) -> str:
 
 def one_decimal(value: float) -> str:
     """Return a number with one decimal, a true minus sign, and none where it rounds to 0."""
-    return f"{round(value, 1) + 0.0:.1f}".replace("-", "−")
+    return decimal(f"{round(value, 1) + 0.0:.1f}").replace("-", "−")
 
 
 class ColourPatch:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import moment, tr
+from brdf_qt.program.translation import decimal, moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -413,4 +413,4 @@ def _title(standard: Standard) -> str:
 
 
 def _number(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}"
+    return "–" if value is None else decimal(f"{value:.2f}")

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.marks import Mark, verdict_mark
 from brdf_qt.fields.number import parse_number
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
@@ -150,7 +150,7 @@ class ToleranceTable(WholeTable):
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)
-                    text = "" if value is None else f"{value:g}"
+                    text = "" if value is None else decimal(f"{value:g}")
                     self.set_text(row, column, text, tip=tip.format(part=LIMIT_NAMES[part]))
 
     def _on_changed(self, item: QTableWidgetItem) -> None:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
@@ -183,7 +183,8 @@ def _state(one: Variation) -> NeighbourState:
     if one.paint is None:
         return NeighbourState(one.direction, tr("{word}: none").format(word=word), one.reason, False)
     colours = "\n".join(
-        f"{m.aspecular_deg:g}°: " + ", ".join(f"{value:.1f}" for value in m.lab).replace("-", "−")
+        decimal(f"{m.aspecular_deg:g}°: ")
+        + ", ".join(decimal(f"{value:.1f}") for value in m.lab).replace("-", "−")
         for m in one.paint.measurements
     )
     if one.is_missed:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.translation import tr
 from brdf_qt.window.shortcuts import PRESETS, give_keys
 from PySide6.QtCore import QObject, Qt
@@ -38,6 +39,7 @@ class ColourPickers(QObject):
         dialog.setOptions(
             QColorDialog.ColorDialogOption.NoButtons | QColorDialog.ColorDialogOption.DontUseNativeDialog
         )
+        quieten(dialog)
         self.dialogs[index] = dialog
 
         def picked(code: QColor) -> None:

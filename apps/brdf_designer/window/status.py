@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from brdf_qt.fields.marks import Mark
 from brdf_qt.program.suite import connected_words
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.work.fit_error import fit_mark, fit_tips
 
@@ -69,7 +69,7 @@ class PaintStatus:
         text = tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
             worst=_upward(worst),
             between=_upward(curves.between_delta_e),
-            time=f"{state.milliseconds:.1f}",
+            time=decimal(f"{state.milliseconds:.1f}"),
             kind=tr("time-limited") if state.time_limited else tr("exact"),
         )
         self._fit_text = text
@@ -114,7 +114,7 @@ def _row(angle: AngleColour, state: FitState) -> str:
         angle=angle.text,
         target=_lab(angle.lab),
         fit=_lab(state.given[angle.index].lab),
-        difference=f"{state.delta_e[angle.index]:.2f}",
+        difference=decimal(f"{state.delta_e[angle.index]:.2f}"),
     )
 
 
@@ -123,9 +123,9 @@ def _lab(lab: Lab) -> str:
 
 
 def _one_decimal(value: float) -> str:
-    return "–" if value != value else f"{value:.1f}"
+    return "–" if value != value else decimal(f"{value:.1f}")
 
 
 def _upward(value: float) -> str:
     """Two decimals, rounded up: the bound that is shown always holds."""
-    return f"{-(-value * 100 // 1) / 100 if value > 1e-6 else 0.0:.2f}"
+    return decimal(f"{-(-value * 100 // 1) / 100 if value > 1e-6 else 0.0:.2f}")

@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Signal
@@ -214,7 +215,9 @@ class LegendControl(QObject):
         found = self.errors.error(subject.key)
         error, details = "", []
         if found is not None:
-            away, whole = (f"{100.0 * e.relative_rms:.3g} %" for e in (found.errors.away, found.errors.whole))
+            away, whole = (
+                decimal(f"{100.0 * e.relative_rms:.3g} %") for e in (found.errors.away, found.errors.whole)
+            )
             error = f"({away})" if self.errors.is_stale(subject.key) else away
             text = tr(
                 "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
@@ -222,7 +225,7 @@ class LegendControl(QObject):
             details.append(text.format(rms=away, all=whole))
             if found.delta_e is not None:
                 text = tr("Mean ΔE00 at 15°, 45°, 110°: {value}")
-                details.append(text.format(value=f"{found.delta_e:.2f}"))
+                details.append(text.format(value=decimal(f"{found.delta_e:.2f}")))
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
             details.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
         tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *details])
@@ -315,6 +318,7 @@ class LegendControl(QObject):
         dialog.currentColorChanged.connect(lambda c: change(key, colour=(c.redF(), c.greenF(), c.blueF())))
         dialog.rejected.connect(lambda: change(key, colour=subject.colour))
         dialog.finished.connect(dialog.deleteLater)
+        quieten(dialog)
         dialog.open()
 
     def _remove_others(self, key: str) -> None:

@@ -13,7 +13,7 @@ from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import (
@@ -118,7 +118,7 @@ class FiguresModel(QAbstractTableModel):
         if value is None:
             return "–"
         # What rounding leaves of a difference of equals is none.
-        return "0" if abs(value) < _NOTHING else f"{value:.4g}".replace("-", "−")
+        return "0" if abs(value) < _NOTHING else decimal(f"{value:.4g}").replace("-", "−")
 
 
 class FiguresTable(QTableView):

@@ -8,8 +8,11 @@ tool that collects them reads the source. Messages of the core (files, fits) are
 from __future__ import annotations
 
 import re
+import string
 from datetime import datetime
 from functools import cache
+from numbers import Real
+from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QDate, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtGui import QAction, QActionGroup
@@ -24,14 +27,53 @@ _ENDING = ".qm"
 _KEY = "language"
 
 
+class _Numbers(string.Formatter):
+    """Fills places in a text, and writes what stands there with a format of a number as the language has it."""
+
+    def format_field(self, value: Any, format_spec: str) -> Any:
+        text = super().format_field(value, format_spec)
+        return decimal(text) if format_spec and isinstance(value, Real) else text
+
+
+_NUMBERS = _Numbers()
+
+
+class Text(str):
+    """A text of the program's language: numbers that are put into its places have the decimal sign of that."""
+
+    __slots__ = ()
+
+    def format(self, *args: object, **named: object) -> str:
+        if point() == ".":
+            return super().format(*args, **named)
+        return _NUMBERS.vformat(self, args, named)
+
+
 @cache
-def tr(text: str, comment: str | None = None) -> str:
+def point() -> str:
+    """Return the decimal sign of the program's language."""
+    app = QCoreApplication.instance()
+    code = app.property(_KEY) if app is not None else None
+    return "." if code in (None, SOURCE) else QLocale(str(code)).decimalPoint()
+
+
+def decimal(text: str) -> str:
+    """Return a number that Python has written with the decimal sign of the program's language.
+
+    For what is shown alone: files, clipboards for other programs and options of commands keep the point.
+    """
+    sign = point()
+    return text if sign == "." else text.replace(".", sign)
+
+
+@cache
+def tr(text: str, comment: str | None = None) -> Text:
     """Return ``text`` in the language of the program; as it is where no translation is installed.
 
     ``comment`` distinguishes two meanings of one English word. A drag asks for the same forty texts a hundred times a
     second, so they are kept.
     """
-    return QCoreApplication.translate("", text, comment)
+    return Text(QCoreApplication.translate("", text, comment))
 
 
 def mark(text: str, _comment: str | None = None) -> str:
@@ -63,6 +105,7 @@ def install(app: QCoreApplication, code: str | None = None) -> str:
     tr.cache_clear()
     taken = _installed(app, code)
     app.setProperty(_KEY, taken)
+    point.cache_clear()
     return taken
 
 

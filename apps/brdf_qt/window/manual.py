@@ -10,6 +10,7 @@ from PySide6.QtGui import QDesktopServices, QImage, QResizeEvent, QTextDocument
 from PySide6.QtWidgets import QDialog, QSplitter, QTextBrowser, QTreeWidget, QTreeWidgetItem, QWidget
 
 from brdf_qt.fields.form import fill_column
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from brdf_suite.errors import FileError
 from brdf_suite.resources import document_root
@@ -116,7 +117,7 @@ class Manual(QDialog):
             self.chapters.addTopLevelItem(head)
             for title, about, page in pages:
                 entry = QTreeWidgetItem([title])
-                entry.setToolTip(0, about)
+                entry.setToolTip(0, plain_tip(about))
                 entry.setData(0, _PATH, str(page))
                 head.addChild(entry)
         first = self.chapters.topLevelItem(0)

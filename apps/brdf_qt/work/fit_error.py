@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.marks import Mark
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 
 LARGE_DELTA_E = 1.0
 """ΔE00 above which two plain patches side by side are seen as different colours."""
@@ -45,7 +45,7 @@ def large_error_tip(time_limited: bool, exact_follows: bool = False) -> str:
             "ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they "
             "do give."
         )
-    return text.format(limit=f"{LARGE_DELTA_E:g}")
+    return text.format(limit=decimal(f"{LARGE_DELTA_E:g}"))
 
 
 def fit_tips(worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 from brdf_qt.fields.form import fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
+from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, quieten
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap
@@ -199,6 +199,7 @@ class ColourButton(QPushButton):
         dialog.setWindowTitle(self._title)
         options = QColorDialog.ColorDialogOption
         dialog.setOptions(options.NoButtons | options.DontUseNativeDialog)
+        quieten(dialog)
         self.picker = dialog
         dialog.currentColorChanged.connect(
             lambda code: self.edited.emit((code.redF(), code.greenF(), code.blueF()))

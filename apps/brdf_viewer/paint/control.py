@@ -9,7 +9,7 @@ from typing import Any
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.suite import connected_words
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.fit_error import fit_mark, fit_tips
@@ -284,7 +284,7 @@ class PaintControl(ViewerFeature):
         message, sign = "", fit_mark(worst, fit.time_limited)
         tip = tr("Duration of the lobe fit; no measured angles to compare with")
         if worst is not None:
-            message = f" · ΔE {worst:.2f}"
+            message = decimal(f" · ΔE {worst:.2f}")
             tip = tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")
         self._window.status.cell("fit").set(
             tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
@@ -327,7 +327,7 @@ class SceneControl(ViewerFeature):
 
 def _surface_facts(mesh: Mesh) -> str:
     low, high = mesh.bounds()
-    size = " × ".join(f"{edge:.3g}" for edge in high - low)
+    size = " × ".join(decimal(f"{edge:.3g}") for edge in high - low)
     one, many = tr("{triangles:,} triangles, 1 part"), tr("{triangles:,} triangles, {parts} parts")
     text = one if len(mesh.parts) == 1 else many
     count = text.format(triangles=mesh.triangle_count, parts=len(mesh.parts))
