@@ -43,6 +43,7 @@ class LobeWindow(SuiteWindow):
         centre = QWidget()
         fill_column(centre, self.centre_split, margins=(8, 4, 8, 8))
         super().set_centre(centre)
+        self.float_over(self.top_split)
         ask = partial(self.open_requested.emit, None)
         self.toolbar.addAction(self.add_action(self.file_menu, mark("&Open…"), ask, "open", "folder-open"))
         self.add_recent_menu()

@@ -6,7 +6,8 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.form import fill_column
+from brdf_qt.fields.labels import PlainLabel, RoomyLabel
 from brdf_qt.fields.marks import Mark
 from brdf_qt.program import theme
 from brdf_qt.program.suite import MEMBERS, connected_words
@@ -20,7 +21,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QRect, QSize, QUrl
 from PySide6.QtGui import QColor, QPalette, QPixmap
-from PySide6.QtWidgets import QApplication, QTreeWidget, QWidget
+from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget, QWidget
 
 from brdf_suite.resources import document_root
 
@@ -216,6 +217,30 @@ def test_notices_and_progress_move_nothing(window, qtbot) -> None:
     assert window.centralWidget().rect().contains(window.messages.geometry())
 
 
+def test_a_text_that_comes_and_goes_moves_nothing_below_it(qtbot) -> None:
+    place, label, below = QWidget(), RoomyLabel(lines=2), QLineEdit()
+    qtbot.addWidget(place)
+    fill_column(place, label, below, None)
+    place.resize(260, 400)
+    label.hide()
+    place.show()
+    qtbot.waitExposed(place)
+    before = below.geometry()
+    for text in ("one line", "two lines, which are a little longer than the place is wide", ""):
+        label.setText(text)
+        label.setVisible(bool(text))
+        qtbot.wait(5)
+        assert below.geometry() == before
+    label.setText("many words " * 30)
+    label.show()
+    qtbot.waitUntil(lambda: below.y() > before.y())
+    after = below.geometry()
+    label.setText("short")
+    label.hide()
+    qtbot.wait(5)
+    assert below.geometry() == after
+
+
 def test_a_note_goes_by_itself_and_a_warning_stays(window, qtbot) -> None:
     window.messages.note_ms = 1
     window.show_message(Message("kept", "Look", severity="warning"))
@@ -281,10 +306,13 @@ def test_the_manual_has_every_document_that_users_need() -> None:
 
 
 def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, qtbot) -> None:
-    manual = Manual(window)
+    manual = Manual(window, "viewer")
     qtbot.addWidget(manual)
     manual.show()
     page = manual.text
+    assert page.page == document_root() / "use" / "viewer.md"
+    qtbot.wait(20)
+    assert page.verticalScrollBar().value() == 0
     page.show_page(document_root() / "use" / "designer.md")
     assert "Designer" in page.toPlainText()
     assert "<!--" not in page.toPlainText()

@@ -101,7 +101,7 @@ class TextureSection(QWidget):
         )
         self.take.clicked.connect(lambda _=False: self.take_requested.emit())
         self.search.clicked.connect(lambda _=False: self.find_requested.emit())
-        self.answer = wrapped()
+        self.answer = wrapped(lines=1)
         self.answer.setObjectName("texture_answer")
         self.answer.hide()
         fill_column(self, self.table, self.note, form, row_of(None, self.take, self.search), self.answer)

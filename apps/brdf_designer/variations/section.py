@@ -103,7 +103,7 @@ class VariationsSection(QWidget):
             self.buttons[direction] = button
         for column in range(3):
             grid.setColumnStretch(column, 1)
-        self.note = wrapped()
+        self.note = wrapped(lines=1)
         self.note.hide()
         form = Form()
         self.step = NumberField(tr("Step"), "", LEAST_STEP, MOST_STEP, 0.5, 1, USUAL_STEP)

@@ -127,7 +127,7 @@ class ModelSection(PaintSection):
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
         self.note = wrapped(tr("Not measured: instruments with three angles do not measure below 15°."))
-        self.notices = wrapped()
+        self.notices = wrapped(lines=1)
         self.box.addWidget(self.note)
         self.box.addWidget(self.notices)
         self.notices.hide()

@@ -16,6 +16,8 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from brdf_qt.fields.marks import SIZE, Mark, draw_mark
 
+_WIDTHS = 16
+"""Of so many widths at most a label knows its heights."""
 _LEAST = 8
 """Characters that an elided label keeps."""
 
@@ -73,6 +75,34 @@ class PlainLabel(QLabel):
             lines = self.alignment() & Qt.AlignmentFlag.AlignTop or self.wordWrap()
             middle = area.top() + self.fontMetrics().height() / 2 if lines else area.center().y() + 0.5
             draw_mark(QPainter(self), self._mark, self.margin(), middle)
+
+
+class RoomyLabel(PlainLabel):
+    """Text that comes and goes in a place of its own: it breaks its lines, and what lies below stays where it is.
+
+    Its place is as high as ``lines`` from the start, as the longest text so far of this width, and also kept while it
+    is hidden.
+    """
+
+    def __init__(self, text: str = "", lines: int = 0) -> None:
+        super().__init__(text, wordWrap=True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._lines = lines
+        self._tallest: dict[int, int] = {}
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(lines > 0)
+        self.setSizePolicy(policy)
+
+    def heightForWidth(self, width: int) -> int:
+        known = self._tallest.get(width, self._lines * self.fontMetrics().lineSpacing())
+        if len(self._tallest) > _WIDTHS:
+            self._tallest.clear()
+        self._tallest[width] = max(known, super().heightForWidth(width))
+        return self._tallest[width]
+
+    def minimumSizeHint(self) -> QSize:
+        hint = super().minimumSizeHint()
+        return QSize(hint.width(), max(hint.height(), self._lines * self.fontMetrics().lineSpacing()))
 
 
 class ElidedLabel(PlainLabel):

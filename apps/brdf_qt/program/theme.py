@@ -120,6 +120,12 @@ def current() -> str:
     return name if name in THEMES else DEFAULT
 
 
+def shown() -> str:
+    """Return the name of the theme of this run, which may be another than the chosen one."""
+    app = QApplication.instance()
+    return str((app and app.property("theme")) or current())
+
+
 def apply(app: QApplication, name: str, *, remember: bool = True) -> None:
     """Give the whole program theme ``name``; remembered for all programs."""
     app.setPalette(palette(name))
@@ -165,9 +171,8 @@ def theme_menu(parent: QWidget | None = None) -> QMenu:
         menu.addAction(action)
 
     def tick() -> None:
-        shown = (app and app.property("theme")) or current()
         for action in group.actions():
-            action.setChecked(action.data() == shown)
+            action.setChecked(action.data() == shown())
 
     def choose(action: QAction) -> None:
         if isinstance(app, QApplication):

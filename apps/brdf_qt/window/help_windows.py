@@ -41,7 +41,7 @@ class ShortcutsWindow(QDialog):
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Keyboard Shortcuts"))
-        self.resize(520, 560)
+        self.resize(680, 600)
         rows = QTreeWidget()
         rows.setHeaderLabels([tr("Command"), tr("Keys")])
         rows.setRootIsDecorated(False)

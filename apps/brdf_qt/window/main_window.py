@@ -364,7 +364,7 @@ class SuiteWindow(QMainWindow):
 
     def _show_manual(self) -> None:
         if self.manual is None:
-            self.manual = Manual(self)
+            self.manual = Manual(self, self._program.lower().replace(" ", "_"))
         self.manual.show()
         self.manual.raise_()
 

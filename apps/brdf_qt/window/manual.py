@@ -74,7 +74,7 @@ class _Page(QTextBrowser):
         """Show a page from its beginning."""
         self.page = page
         text = _REMARK.sub("", page.read_text("utf-8"))
-        self.document().setMarkdown(text, QTextDocument.MarkdownFeature.MarkdownDialectGitHub)
+        self.setMarkdown(text)
         self.verticalScrollBar().setValue(0)
 
     def loadResource(self, kind: int, name: QUrl) -> object:
@@ -95,9 +95,9 @@ class _Page(QTextBrowser):
 
 
 class Manual(QDialog):
-    """The documents; a window that stays open beside the work."""
+    """The documents; a window that stays open beside the work. ``first`` is the name of the page that it opens at."""
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget, first: str) -> None:
         super().__init__(parent)
         self.setObjectName("manual")
         self.setWindowTitle(tr("Manual"))
@@ -120,10 +120,8 @@ class Manual(QDialog):
                 entry.setToolTip(0, plain_tip(about))
                 entry.setData(0, _PATH, str(page))
                 head.addChild(entry)
-        first = self.chapters.topLevelItem(0)
-        if first is not None:
-            first.setExpanded(True)
-            self.chapters.setCurrentItem(first.child(0))
+                if page.stem == first or self.chapters.currentItem() is None:
+                    self.chapters.setCurrentItem(entry)
 
     def _show(self, item: QTreeWidgetItem | None) -> None:
         page = None if item is None else item.data(0, _PATH)

@@ -7,7 +7,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QProgressBar, QPushButton, QWidget
 
 from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import ElidedLabel
@@ -17,7 +17,7 @@ from brdf_qt.window.floating import Floating
 _LEAST_BAR = 64
 
 
-class _Line(QWidget):
+class _Line(QFrame):
     """One job: what is done, how far it is, and a button where it can be cancelled."""
 
     def __init__(self, cancel: Callable[[], None] | None) -> None:
@@ -36,6 +36,9 @@ class _Line(QWidget):
             button = QPushButton(tr("Cancel"))
             button.clicked.connect(lambda: cancel())
             row.addWidget(button)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAutoFillBackground(True)
+        self.setBackgroundRole(QPalette.ColorRole.AlternateBase)
         self._paint_grey()
 
     def set(self, fraction: float, text: str) -> None:
@@ -66,7 +69,6 @@ class ProgressStrip(Floating):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Edge.BottomEdge, parent)
-        self.setAutoFillBackground(True)
         self._lines: dict[str, _Line] = {}
         self._box = fill_column(self, spacing=0)
         self.hide()

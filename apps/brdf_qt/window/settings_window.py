@@ -46,7 +46,7 @@ class SettingsWindow(QDialog):
 
     def show_choices(self) -> None:
         """Show what is chosen now: it may have been changed in a menu, or in another program."""
-        self.theme.setCurrentIndex(self.theme.findData(theme.current()))
+        self.theme.setCurrentIndex(self.theme.findData(theme.shown()))
         self.language.setCurrentIndex(self.language.findData(translation.chosen()))
 
     def _choose_theme(self) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_qt.fields.form import fill_row, icon_button
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import RoomyLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, quieten
 from brdf_qt.program.translation import tr
@@ -36,10 +36,9 @@ class ChoiceBox(QuietComboBox):
         self.setCurrentIndex(self.findData(key))
 
 
-def note(text: str = "") -> PlainLabel:
-    """Return a small label for facts under a field; hidden while it is empty."""
-    label = PlainLabel(wordWrap=True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+def note(text: str = "", lines: int = 0) -> RoomyLabel:
+    """Return a small label for facts under a field, hidden while it is empty; its room for ``lines`` is kept."""
+    label = RoomyLabel(lines=lines)
     set_note(label, text)
     return label
 

@@ -19,6 +19,7 @@ _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen
 
 _LEAST_SUN = 0.005
+_LINES = 5
 
 
 class HistogramBars(QWidget):
@@ -86,12 +87,15 @@ class HistogramBars(QWidget):
 
 
 class EnvironmentFigures(QWidget):
-    """The figures under the chooser; hidden until they are there."""
+    """The figures under the chooser; their place is empty until they are there."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.text, self.bars = note(), HistogramBars()
+        self.text, self.bars = note(lines=_LINES), HistogramBars()
         fill_column(self, self.text, self.bars, spacing=4)
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.setSizePolicy(policy)
         self.setVisible(False)
 
     def set_statistics(self, statistics: EnvironmentStatistics | None) -> None:

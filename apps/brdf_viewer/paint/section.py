@@ -22,7 +22,7 @@ class PaintSection(Section):
         self.follow.setToolTip(tr("Show the paint that is being edited in Designer, at every change"))
         self.chooser = SourceChooser(tr("Open a paint (.brdfpaint) or a measured file"))
         self.patches = PaintPatches()
-        self.fit, self.facts = note(), note()
+        self.fit, self.facts = note(lines=2), note()
         form = self.add(Form())
         form.add_row("", self.follow)
         form.add_row(tr("Paint"), self.chooser, tr("Choosing another paint stops following Designer"))

@@ -46,7 +46,7 @@ class ToneSection(Section):
             tr("Mark colours outside the screen's gamut: grey stripes in the other direction, or blue")
         )
         self.style_box = ChoiceBox(STYLE_TITLES)
-        self.counted = note()
+        self.counted = note(lines=1)
         self.profile = QCheckBox(tr("Monitor profile"))
         self.profile.setToolTip(tr("Convert colours with the system's profile of this monitor"))
         self.profile_note = note()
