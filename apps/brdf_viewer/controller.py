@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.names import title_of
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -38,13 +39,12 @@ from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
-from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
+from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
@@ -266,7 +266,7 @@ class ViewerController(Program):
         state = self.state
         names = [] if state.fit is None else [state.fit.name]
         assets = (state.surface, state.environment)
-        names += [title_of(asset.key, SHIPPED_TITLES) for asset in assets if asset is not None]
+        names += [title_of(asset.key) for asset in assets if asset is not None]
         self.window.setWindowTitle(", ".join(names))
 
     def _publish_view(self) -> None:

@@ -2418,10 +2418,6 @@ angegeben {stated}</translation>
         <translation>Lichtkabine</translation>
     </message>
     <message>
-        <source>Sunny</source>
-        <translation>Sonnig</translation>
-    </message>
-    <message>
         <source>Overcast</source>
         <translation>Bedeckt</translation>
     </message>

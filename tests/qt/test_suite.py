@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel, RoomyLabel
 from brdf_qt.fields.marks import Mark
 from brdf_qt.program import theme
+from brdf_qt.program.names import ENVIRONMENTS, SURFACES, title_of
 from brdf_qt.program.suite import MEMBERS, connected_words
 from brdf_qt.window.help_windows import ShortcutsWindow
 from brdf_qt.window.main_window import SuiteWindow
@@ -23,8 +25,10 @@ from PySide6.QtCore import QPoint, QRect, QSize, QUrl
 from PySide6.QtGui import QColor, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget, QWidget
 
-from brdf_suite.resources import document_root
+from brdf_suite.pipeline.material import load_shipped_paint, paint_names
+from brdf_suite.resources import document_root, resource_names
 
+APPS = Path(__file__).resolve().parent.parent.parent / "apps"
 LEAST = QSize(720, 520)
 RANGES = ((0, 2000), (0, 1200), (720, 1600), (520, 1000))
 """Of the places and sizes of windows."""
@@ -322,9 +326,33 @@ def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, q
 
 
 def test_every_link_of_a_document_for_users_leads_somewhere() -> None:
-    import re
-
     for page in (document_root() / "use").glob("*.md"):
         for target in re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", page.read_text("utf-8")):
             if not target.startswith("http"):
                 assert (page.parent / Path(target)).exists(), (page.name, target)
+
+
+# Names.
+
+
+def test_lights_surfaces_and_paints_are_called_as_their_documents_say() -> None:
+    assert [title_of(name) for name in ("booth", "speed_form", "gold_green_shift", "burnt_orange")] == [
+        "Light booth",
+        "Speed form",
+        "Gold-green shift",
+        "Burnt orange",
+    ]
+    assert {name: title_of(name) for name in paint_names()} == {
+        name: load_shipped_paint(name).name for name in paint_names()
+    }
+    assert set(ENVIRONMENTS) == set(resource_names("environments", ".exr"))
+    assert set(SURFACES) == set(resource_names("meshes", ".glb"))
+    assert title_of("/somewhere/my_light.exr") == "my_light.exr"
+
+
+def test_no_other_module_has_names_of_its_own_for_what_is_shipped() -> None:
+    names, titles = "|".join((*ENVIRONMENTS, *SURFACES)), "|".join((*ENVIRONMENTS.values(), *SURFACES.values()))
+    own = re.compile(rf'"({names})"[:,] mark\("({titles})"\)|replace\("_", " "\)\.capitalize\(\)')
+    for path in APPS.rglob("*.py"):
+        if path.name != "names.py":
+            assert not own.search(path.read_text("utf-8")), path

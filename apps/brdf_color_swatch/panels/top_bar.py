@@ -6,6 +6,7 @@ from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
@@ -98,8 +99,7 @@ class TopBar(QWidget):
         tip = tr("Light for all swatches")
         self.light = described(QuietComboBox(), name="light", spoken=tip, tip=tip)
         for name in lights:
-            label = "Light booth" if name == "booth" else name.replace("_", " ").capitalize()
-            self.light.addItem(tr(label), name)
+            self.light.addItem(title_of(name), name)
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
         self.way = described(QToolButton(), name="way")
         self.way.setAutoRaise(True)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.feature import Feature
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import decimal, moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -121,7 +122,7 @@ class StandardControl(Feature, QObject):
     def _show_known(self) -> None:
         documents = self._session.documents
         tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
-        shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
+        shipped = [(f"{_SHIPPED}{name}", title_of(name)) for name in paint_names()]
         self.section.show_known(tabs, shipped)
 
     def set_standards(self, standards: Sequence[Standard], chosen: int = 0, source: str = "") -> None:

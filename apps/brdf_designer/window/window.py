@@ -7,6 +7,7 @@ from functools import partial
 
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
@@ -185,7 +186,7 @@ class DesignerWindow(SuiteWindow):
         )
         shipped_menu = file.addMenu(tr("Open &Sample Paint"))
         for name in shipped:
-            action = shipped_menu.addAction(name.replace("_", " ").capitalize())
+            action = shipped_menu.addAction(title_of(name))
             action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
         self.add_recent_menu()
         file.addSeparator()

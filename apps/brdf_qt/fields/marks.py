@@ -1,4 +1,4 @@
-"""Marks of states: each has a shape of its own and a colour, so that it is told by either alone.
+"""Marks of states: each has a shape of its own and a colour, so that either alone says which it is.
 
 A mark stands before a text, in a cell of a table or in a list; its word is for screen readers and tips.
 """

@@ -67,7 +67,7 @@ def decimal(text: str) -> str:
 
 
 @cache
-def tr(text: str, comment: str | None = None) -> Text:
+def tr(text: str, comment: str | None = None) -> str:
     """Return ``text`` in the language of the program; as it is where no translation is installed.
 
     ``comment`` distinguishes two meanings of one English word. A drag asks for the same forty texts a hundred times a

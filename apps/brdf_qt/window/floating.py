@@ -23,13 +23,14 @@ class Floating(QWidget):
 
     def float_over(self, below: QWidget, inside: QWidget) -> None:
         """Lie over ``below``, which is ``inside`` or in it; ``inside`` is a widget whose children can lie anywhere."""
-        for watched in {self._below, self.parentWidget()} - {None}:
-            watched.removeEventFilter(self)
+        for widget in (self._below, self.parentWidget()):
+            if widget is not None:
+                widget.removeEventFilter(self)
         shown = not self.isHidden()
         self._below = below
         self.setParent(inside)
-        for watched in {below, inside}:
-            watched.installEventFilter(self)
+        for widget in (below, inside):
+            widget.installEventFilter(self)
         self.setVisible(shown)
         self._settle()
 
@@ -50,7 +51,7 @@ class Floating(QWidget):
 
     def _settle(self) -> None:
         inside, layout = self.parentWidget(), self.layout()
-        if self._below is None or layout is None or self.isHidden():
+        if self._below is None or inside is None or layout is None or self.isHidden():
             return
         room = self._below.size() - QSize(2 * _MARGIN, 2 * _MARGIN)
         width = max(self.minimumSizeHint().width(), min(room.width(), WIDEST))

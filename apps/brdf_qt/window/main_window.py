@@ -124,10 +124,10 @@ class SuiteWindow(QMainWindow):
         self.setStatusBar(self.status)
         self.messages = MessageBar()
         self.progress = ProgressStrip()
-        inside = QWidget()
-        self._column = fill_column(inside, spacing=0)
-        self.setCentralWidget(inside)
-        self.float_over(inside)
+        self._inside = QWidget()
+        self._column = fill_column(self._inside, spacing=0)
+        self.setCentralWidget(self._inside)
+        self.float_over(self._inside)
         self.panels_menu = QMenu(tr("&Panels"), self)
         self.inspector = Inspector()
         self.inspector_dock = self.add_panel(mark("Inspector"), self.inspector)
@@ -283,7 +283,7 @@ class SuiteWindow(QMainWindow):
     def float_over(self, below: QWidget) -> None:
         """Let messages and progress lie over ``below``, a widget in the middle: by default over all of it."""
         for part in (self.messages, self.progress):
-            part.float_over(below, self.centralWidget())
+            part.float_over(below, self._inside)
 
     def toggle_panels(self) -> None:
         """Hide every panel, or show again those that were hidden so."""

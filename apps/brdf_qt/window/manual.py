@@ -77,9 +77,9 @@ class _Page(QTextBrowser):
         self.setMarkdown(text)
         self.verticalScrollBar().setValue(0)
 
-    def loadResource(self, kind: int, name: QUrl) -> object:
+    def loadResource(self, kind: int, name: QUrl | str) -> object:
         if kind == QTextDocument.ResourceType.ImageResource.value and self.page is not None:
-            picture = QImage(str(self.page.parent / name.path()))
+            picture = QImage(str(self.page.parent / QUrl(name).path()))
             room = max(200, self.viewport().width() - 40)
             if picture.width() > room:
                 return picture.scaledToWidth(room, Qt.TransformationMode.SmoothTransformation)

@@ -58,7 +58,7 @@ def _hidden(place: QRect, taken: Sequence[QRect]) -> int:
 
 
 class WindowPlaces(QObject):
-    """Tells the other programs where a window is, and where theirs are; a program that died is none of them."""
+    """Notes where a window is, and finds where those of the other programs are; one that died has none."""
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)

@@ -137,6 +137,6 @@ def sequences(command: str) -> list[QKeySequence]:
 
 
 def give_keys(action: QAction, command: str) -> None:
-    """Give an action the keys of a command of the table; its property ``command`` tells which one it is."""
+    """Give an action the keys of a command of the table; its property ``command`` says which one it is."""
     action.setShortcuts(sequences(command))
     action.setProperty("command", command)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from brdf_qt.fields.form import fill_row, icon_button
 from brdf_qt.fields.labels import RoomyLabel, plain_tip
@@ -107,11 +106,6 @@ class Source:
 
     key: str
     title: str
-
-
-def title_of(key: str, titles: dict[str, str]) -> str:
-    """Return what a source is called: the title of a shipped one, the file's name of a path."""
-    return tr(titles.get(key, "")) or (Path(key).name if "/" in key or "\\" in key else key.replace("_", " "))
 
 
 class SourceChooser(QWidget):

@@ -8,6 +8,7 @@ from typing import Any
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.names import title_of
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import decimal, tr
 from brdf_qt.window.message_bar import Message
@@ -35,7 +36,7 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -203,7 +204,7 @@ class PaintControl(ViewerFeature):
     def _load(self, key: str) -> None:
         """Load and fit what is no paint document in the background; the paint on show stays until it is there."""
         self._loading = key
-        title = title_of(key, {})
+        title = title_of(key)
         self._window.set_busy(_KEY, 0.0, title)
         loaded = partial(self._loaded, key)
         work = partial(_load_and_fit, self._state.fitting)
@@ -295,7 +296,7 @@ class PaintControl(ViewerFeature):
 
     def _show_choice(self) -> None:
         key = self._state.paint_key
-        title = self._designer_title() if key == DESIGNER else title_of(key, {})
+        title = self._designer_title() if key == DESIGNER else title_of(key)
         self._window.paint.chooser.show_source(key, "" if is_swatch(key) else title)
 
     def _show_place(self, key: str) -> None:
@@ -336,13 +337,13 @@ class PaintControl(ViewerFeature):
             self._window.messages.show_message(message)
 
     def _shipped(self) -> list[Source]:
-        return [Source(name, title_of(name, {}).capitalize()) for name in self._names]
+        return [Source(name, title_of(name)) for name in self._names]
 
     def _list(self) -> None:
         files = self._recent.paths()
         swatches = [Source(key, paint.name) for key, paint in self._paints.items()]
         chooser = self._window.paint.chooser
-        chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p, {})) for p in files])
+        chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p)) for p in files])
         commands = self._window.commands
         commands.set_recent(_KEY, files)
         commands.set_recent("palette", self._recent_palettes.paths())
