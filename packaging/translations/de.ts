@@ -2016,6 +2016,10 @@
         <translation>Nicht gemessen: Geräte mit drei Winkeln messen nicht unter 15°.</translation>
     </message>
     <message>
+        <source>Opened with: {rule}</source>
+        <translation>Geöffnet mit: {rule}</translation>
+    </message>
+    <message>
         <source>Not measured: no reading is closer to the mirror direction than {angle:g}°.</source>
         <translation>Nicht gemessen: Kein Wert liegt näher an der Spiegelrichtung als {angle:g}°.</translation>
     </message>
@@ -2906,6 +2910,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Farbraum</translation>
     </message>
     <message>
+        <source>How colours between the measured angles are found, where that has been changed.</source>
+        <translation>Wie Farben zwischen den gemessenen Winkeln gefunden werden, wenn das geändert wurde.</translation>
+    </message>
+    <message>
         <source>Programs that follow the edits of this paint.</source>
         <translation>Programme, die den Änderungen dieses Lacks folgen.</translation>
     </message>
@@ -2928,6 +2936,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>time-limited</source>
         <translation>Zeitlimit</translation>
+    </message>
+    <message>
+        <source>Model changed: {rule}</source>
+        <translation>Modell geändert: {rule}</translation>
     </message>
     <message>
         <source>exact</source>

@@ -351,7 +351,10 @@ def test_lights_surfaces_and_paints_are_called_as_their_documents_say() -> None:
 
 
 def test_no_other_module_has_names_of_its_own_for_what_is_shipped() -> None:
-    names, titles = "|".join((*ENVIRONMENTS, *SURFACES)), "|".join((*ENVIRONMENTS.values(), *SURFACES.values()))
+    names, titles = (
+        "|".join((*ENVIRONMENTS, *SURFACES)),
+        "|".join((*ENVIRONMENTS.values(), *SURFACES.values())),
+    )
     own = re.compile(rf'"({names})"[:,] mark\("({titles})"\)|replace\("_", " "\)\.capitalize\(\)')
     for path in APPS.rglob("*.py"):
         if path.name != "names.py":

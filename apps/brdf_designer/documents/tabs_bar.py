@@ -45,6 +45,13 @@ class DocumentTabs(QTabBar):
         self.currentChanged.connect(lambda place: self.chosen.emit(place) if place >= 0 else None)
         self.tabMoved.connect(self._report_moved)
 
+    def tabSizeHint(self, index: int) -> QSize:
+        """Return the size with the mark of what is not saved, so that none moves when that comes."""
+        hint = super().tabSizeHint(index)
+        if self.tabText(index).startswith(MARK):
+            return hint
+        return QSize(hint.width() + self.fontMetrics().horizontalAdvance(f"{MARK} "), hint.height())
+
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Leave the paint in front where it is."""
         event.ignore()

@@ -35,11 +35,21 @@ class PaintStatus:
                 "at the measured angles and between them; then the time of the fit, and "
                 "whether the fit is exact or was stopped by the time limit."
             ),
+            elastic=True,
         )
         self._gamut = line.cell(
-            mark("Gamut"), tr("Whether this screen, taken as sRGB, can show the measured colours.")
+            mark("Gamut"),
+            tr("Whether this screen, taken as sRGB, can show the measured colours."),
+            elastic=True,
+        )
+        self._model = line.cell(
+            mark("Model"),
+            tr("How colours between the measured angles are found, where that has been changed."),
         )
         self._link = line.cell(mark("Link"), tr("Programs that follow the edits of this paint."), right=True)
+        self._model.reserve(tr("Model"))
+        self._fit.reserve(_fit_words("88.88", "88.88", "888.8", tr("time-limited")))
+        self._gamut.reserve(tr("Outside sRGB: {angles}").format(angles="15°, 45°, 110°"))
         self._colours: Colours | None = None
         self._fitted: tuple[Colours | None, FitState] | None = None
         self._fit_text = ""
@@ -54,6 +64,11 @@ class PaintStatus:
             mark=Mark.OUTSIDE if outside else None,
         )
 
+    def show_model(self, rule: str, *, changed: bool) -> None:
+        """Show the rule between the angles where it is another than that of the paint as it was opened."""
+        tip = tr("Model changed: {rule}").format(rule=rule) if changed else None
+        self._model.set(tr("Model") if changed else "", tip, mark=Mark.CHANGED if changed else None)
+
     def show_fit(self, state: FitState) -> None:
         """Show the flop that is reached; what the fit gives is shown with the fit between the angles."""
         self._fitted = (self._colours, state)
@@ -66,11 +81,11 @@ class PaintStatus:
             return
         colours, state = self._fitted
         worst = state.worst_delta_e
-        text = tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
-            worst=_upward(worst),
-            between=_upward(curves.between_delta_e),
-            time=decimal(f"{state.milliseconds:.1f}"),
-            kind=tr("time-limited") if state.time_limited else tr("exact"),
+        text = _fit_words(
+            _upward(worst),
+            _upward(curves.between_delta_e),
+            decimal(f"{state.milliseconds:.1f}"),
+            tr("time-limited") if state.time_limited else tr("exact"),
         )
         self._fit_text = text
         sign = fit_mark(max(worst, curves.between_delta_e), state.time_limited)
@@ -115,6 +130,12 @@ def _row(angle: AngleColour, state: FitState) -> str:
         target=_lab(angle.lab),
         fit=_lab(state.given[angle.index].lab),
         difference=decimal(f"{state.delta_e[angle.index]:.2f}"),
+    )
+
+
+def _fit_words(worst: str, between: str, time: str, kind: str) -> str:
+    return tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
+        worst=worst, between=between, time=time, kind=kind
     )
 
 

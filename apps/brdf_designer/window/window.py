@@ -97,9 +97,13 @@ class DesignerWindow(SuiteWindow):
                 section.show_paint(colours.paint)
         self.plot.show_colours(colours)
         self.paint_status.show_colours(colours)
+        self._show_model()
         if self.reading_menus.show_angles(colours.angles):
             # Fields have come or gone with the angles.
             QTimer.singleShot(0, self, self.order_focus)
+
+    def _show_model(self) -> None:
+        self.paint_status.show_model(self.model.rule.currentText(), changed=self.model.has_changed)
 
     def show_fit(self, state: FitState) -> None:
         """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
@@ -241,6 +245,8 @@ class DesignerWindow(SuiteWindow):
         self._whole = None
         self.strip.band.keep_opened()
         self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
+        self.model.keep_opened()
+        self._show_model()
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):
                 field.set_default(field.value())

@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import Literal
 
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QPaintEvent, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
-from brdf_qt.fields.marks import Mark
+from brdf_qt.fields.marks import SIZE, Mark
 from brdf_qt.program.translation import tr
 
 State = Literal["fresh", "stale", "warning"]
-_MOST_CHARACTERS = 48
+_MOST_CHARACTERS, _FEWEST_CHARACTERS = 48, 8
 
 
 class StatusCell(ElidedLabel):
@@ -35,6 +35,7 @@ class StatusCell(ElidedLabel):
         self._tip = tip
         self._shown: tuple[str, str | None, State, Mark | None] | None = None
         self._widest = 0
+        self._character = self.fontMetrics().averageCharWidth()  # in bold type it would be another
         policy = self.sizePolicy()
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
@@ -60,14 +61,24 @@ class StatusCell(ElidedLabel):
             self.setForegroundRole(role)
         self.setVisible(bool(text))
 
+    def reserve(self, text: str) -> None:
+        """Keep room for a text of this length with a mark, from the start."""
+        font = QFont(self.font())
+        font.setBold(True)
+        wide = QFontMetrics(font).horizontalAdvance(text) + SIZE + 4 + 2 * self.margin()
+        self._widest = max(self._widest, wide)
+        self.updateGeometry()
+
     def sizeHint(self) -> QSize:
         hint = super().sizeHint()
-        longest = self.fontMetrics().averageCharWidth() * _MOST_CHARACTERS if self._elastic else hint.width()
+        longest = self._character * _MOST_CHARACTERS if self._elastic else hint.width()
         self._widest = max(self._widest, min(hint.width(), longest))
         return QSize(self._widest, hint.height())
 
     def minimumSizeHint(self) -> QSize:
-        return super().minimumSizeHint() if self._elastic else self.sizeHint()
+        hint = self.sizeHint()
+        least = self._character * _FEWEST_CHARACTERS + SIZE
+        return QSize(min(hint.width(), least), hint.height()) if self._elastic else hint
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._elastic:
