@@ -27,12 +27,18 @@ _ENDING = ".qm"
 _KEY = "language"
 
 
+_NUMBER = re.compile(r"[-+−]?\d+\.\d+(e[-+−]?\d+)?")
+
+
 class _Numbers(string.Formatter):
-    """Fills places in a text, and writes what stands there with a format of a number as the language has it."""
+    """Fills places in a text, and writes numbers there as the language has them, also those that are texts already."""
 
     def format_field(self, value: Any, format_spec: str) -> Any:
         text = super().format_field(value, format_spec)
-        return decimal(text) if format_spec and isinstance(value, Real) else text
+        number = (
+            _NUMBER.fullmatch(text) if isinstance(value, str) else format_spec and isinstance(value, Real)
+        )
+        return decimal(text) if number else text
 
 
 _NUMBERS = _Numbers()
