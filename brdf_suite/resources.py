@@ -80,3 +80,11 @@ def exists(asked: str) -> bool:
         return Path(asked).exists()
     except OSError as error:  # a name that the file system does not take, a folder that may not be entered
         raise FileError(asked, f"cannot be read: {error.strerror or error}") from error
+
+
+def document_root() -> Path:
+    """Return the folder of the documents; raise :class:`FileError` where the install is damaged."""
+    for candidate in (_PACKAGE / "_documents", _PACKAGE.parent / "docs"):
+        if candidate.is_dir():
+            return candidate
+    raise FileError(_PACKAGE / "_documents", "the documents are missing; install brdf-suite again")

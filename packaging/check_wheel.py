@@ -29,6 +29,8 @@ NEEDED = (
     "brdf_suite/_resources/occlusion/",
     "brdf_suite/_resources/lobe_maps/",
     "brdf_suite/_resources/colour/cie.csv",
+    "brdf_suite/_documents/use/designer.md",
+    "brdf_suite/_documents/images/designer.png",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",
     "brdf_viewer/__main__.py",

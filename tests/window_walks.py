@@ -143,11 +143,11 @@ def turn_wheel(widget: QWidget, notches: int = 1) -> None:
 
 
 def fields(window: QWidget) -> list[QWidget]:
-    """Return the drop-down lists, numbers and sliders of a window, also of those that are not shown now."""
+    """Return the drop-down lists, numbers, sliders and tabs of a window, also of those that are not shown now."""
     return [
         widget
         for widget in window.findChildren(QWidget)
-        if isinstance(widget, QComboBox | QAbstractSpinBox | QAbstractSlider)
+        if isinstance(widget, QComboBox | QAbstractSpinBox | QAbstractSlider | QTabBar)
         and not isinstance(widget, QScrollBar)
     ]
 
@@ -155,14 +155,14 @@ def fields(window: QWidget) -> list[QWidget]:
 def changed_by_wheel(window: QWidget) -> tuple[list[str], int]:
     """Turn the wheel over every field of a window; return those that changed or took the focus, and the number of all.
 
-    Drop-down lists are tried with the focus too.
+    Drop-down lists and tabs are tried with the focus too.
     """
     wrong, all_fields = [], fields(window)
     for field in all_fields:
         name = f"{type(field).__name__} {field.objectName() or field.accessibleName()!r}"
         if field.focusPolicy() == Qt.FocusPolicy.WheelFocus:
             wrong.append(f"{name} takes the focus by the wheel")
-        for focused in (False, True) if isinstance(field, QComboBox) else (False,):
+        for focused in (False, True) if isinstance(field, QComboBox | QTabBar) else (False,):
             if focused:
                 field.setFocus()
             elif (front := QApplication.focusWidget()) is not None:
@@ -178,6 +178,6 @@ def changed_by_wheel(window: QWidget) -> tuple[list[str], int]:
 
 
 def read_value(field: QWidget) -> object:
-    if isinstance(field, QComboBox):
+    if isinstance(field, QComboBox | QTabBar):
         return field.currentIndex()
     return field.text() if isinstance(field, QAbstractSpinBox) else field.value()

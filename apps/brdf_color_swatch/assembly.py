@@ -11,6 +11,7 @@ from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.fit_choice import FitCommand
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
@@ -97,6 +98,8 @@ class ColorSwatch(Program):
         self.controller = PaletteController(self.session, self.window, self.window)
         self.features += (feature(self.session, self.window) for feature in FEATURES)
         self.features.append(self.feature(PaintExchange).link)
+        note = tr("Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.")
+        FitCommand(self.window, note).add_to_menu()
         self.window.complete()
         self.controller.start()
         self.window.close_requested.connect(self._may_close)

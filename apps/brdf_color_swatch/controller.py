@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
@@ -249,7 +249,7 @@ class PaletteController(QObject):
 def figures_of(entry: Entry) -> str:
     """Return the figures of an entry with their units, a line each."""
     lines = [
-        f"{name}  L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}".strip()
+        (f"{name}  " + decimal(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")).strip()
         for name, lab in readings_of(entry)
     ]
     content = entry.content
@@ -262,10 +262,13 @@ def figures_of(entry: Entry) -> str:
             gloss += ", " + tr("60°: {gloss} GU").format(gloss=f"{content.gloss.gu_60:g}")
         lines.append(gloss)
         if content.flakes is not None:
-            density, size = f"{content.flakes.density_per_mm2:g}", f"{content.flakes.size_um:g}"
+            density, size = (
+                decimal(f"{content.flakes.density_per_mm2:g}"),
+                decimal(f"{content.flakes.size_um:g}"),
+            )
             lines.append(tr("Flakes: {density} /mm², {size} µm").format(density=density, size=size))
     elif isinstance(content, FlatColour):
-        numbers = ", ".join(f"{value:.4g}" for value in content.values[:6])
+        numbers = ", ".join(decimal(f"{value:.4g}") for value in content.values[:6])
         numbers += "…" if len(content.values) > 6 else ""
         lines.append(f"{content.model}  {numbers}" + (f"  ({content.space})" if content.space else ""))
         lines += display_notes([content])

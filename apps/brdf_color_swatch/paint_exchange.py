@@ -9,9 +9,9 @@ from typing import Any
 
 from brdf_qt.link.link import LiveLink
 from brdf_qt.link.messages import OFFER
+from brdf_qt.program.suite import MEMBERS, connected_words, start_member
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, Severity
-from PySide6.QtCore import QProcess
 
 from brdf_color_swatch.editing.entry_edits import add_entries
 from brdf_color_swatch.feature import SwatchFeature
@@ -23,12 +23,11 @@ from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette, new_id
 from brdf_suite.documents.store import paint_from_json, paint_to_json
-from brdf_suite.processes import child_command
 
-_PROGRAMS = {
-    "designer": ("brdf_designer", "Designer", mark("Send to &Designer"), "Ctrl+Return"),
-    "viewer": ("brdf_viewer", "Viewer", mark("Send to &Viewer"), "Ctrl+Shift+V"),
-    "lobes": ("brdf_lobe_visualizer", "Lobe Visualizer", mark("Send to &Lobe Visualizer"), "Ctrl+Shift+L"),
+_SENT = {
+    "designer": (mark("Send to &Designer"), "send_designer"),
+    "viewer": (mark("Send to &Viewer"), "send_viewer"),
+    "lobes": (mark("Send to &Lobe Visualizer"), "send_lobes"),
 }
 
 
@@ -39,18 +38,18 @@ class PaintExchange(SwatchFeature):
         super().__init__(session, window)
         self.edited: Paint | None = None
         self.link = LiveLink("swatch", parent=window)
-        self.start_program = QProcess.startDetached
-        """Starts a program: its path and arguments; replaced where none is to be started."""
+        self.start_program = start_member
+        """Starts a program by its role; replaced where none is to be started."""
         add = window.add_command
         window.menus["paint"].addSeparator()
         self._sends = []
-        icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
-        for role, (_package, _name, text, keys) in _PROGRAMS.items():
-            action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icons[role])
+        for role, (text, keys) in _SENT.items():
+            icon = MEMBERS[role].icon
+            action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icon)
             self._sends.append(action)
         window.menus["paint"].addSeparator()
         self._take = add(
-            "paint", mark("&Add Paint from Designer"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
+            "paint", mark("&Add Paint from Designer"), "take_paint", self.take, "take", icon="download-simple",
             tip=mark("Add the paint being edited in Designer to this palette"),
         )  # fmt: skip
         self._near = add(
@@ -71,7 +70,7 @@ class PaintExchange(SwatchFeature):
         if not entries:
             return
         paint = to_paint(entries[0].content)
-        package, name, *_ = _PROGRAMS[role]
+        name = MEMBERS[role].name
         if not isinstance(paint, Paint):
             text = tr("“{paint}” consists of Cook-Torrance lobes; the live link sends designed paints only.")
             todo = tr("Open its file in {program}.").format(program=name)
@@ -82,13 +81,10 @@ class PaintExchange(SwatchFeature):
             self.link.publish(OFFER, {"to": role, "time": time.time(), "paint": paint_to_json(paint)})
         else:
             self.link.publish("paint", paint_to_json(paint))
-        running = role in self.link.peers or (role == "lobes" and "lobe_visualizer" in self.link.peers)
-        if running:
+        if role in self.link.peers:
             self._window.dismiss_message("send")
             return
-        program, *arguments = child_command(package)
-        started = self.start_program(program, arguments)
-        if started[0] if isinstance(started, tuple) else started:
+        if self.start_program(role):
             text = tr("Starting {program} with “{paint}”.").format(program=name, paint=paint.name)
             self._show_message("send", text)
         else:
@@ -128,10 +124,7 @@ class PaintExchange(SwatchFeature):
             self._show_peers()
 
     def _show_peers(self) -> None:
-        names = {role: name for role, (_package, name, *_) in _PROGRAMS.items()} | {"swatch": "Color Swatch"}
-        peers = self.link.peers
-        connected = ", ".join(names.get(role, role) for role in peers)
-        text = tr("Connected: {programs}").format(programs=connected) if connected else tr("Not connected")
+        text = connected_words(self.link.peers)
         if self.edited is not None:
             text = tr("{link} · in Designer: {paint}").format(link=text, paint=self.edited.name[:40])
         self._window.link_cell.set(text)

@@ -30,27 +30,27 @@ class ViewCommands(SwatchFeature):
         view.addSeparator()
         for number, (key, text) in enumerate(_FORMS, 1):
             act = partial(session.set_look, form=key, as_list=False)
-            add("view", text, f"{number}", act, f"form_{key}_command")
+            add("view", text, f"preset_{number}", act, f"form_{key}_command")
         self._list = add(
             "view",
             mark("Show as &List"),
-            "Ctrl+L",
+            f"preset_{len(_FORMS) + 1}",
             lambda: session.set_look(as_list=not session.look.as_list),
             "list",
         )
         self._list.setCheckable(True)
         view.addSeparator()
         larger, smaller = partial(self._scale, _STEP), partial(self._scale, 1 / _STEP)
-        add("view", mark("&Larger Swatches"), "Ctrl++", larger, "larger", icon="magnifying-glass-plus")
-        add("view", mark("S&maller Swatches"), "Ctrl+-", smaller, "smaller", icon="magnifying-glass-minus")
-        add("view", mark("Searc&h"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
+        add("view", mark("&Larger Swatches"), "larger", larger, "larger", icon="magnifying-glass-plus")
+        add("view", mark("S&maller Swatches"), "smaller", smaller, "smaller", icon="magnifying-glass-minus")
+        add("view", mark("Searc&h"), "find", self._search, "search", icon="magnifying-glass")
         clear = mark("Clear Filte&rs")
-        add("view", clear, "Ctrl+Backspace", lambda: session.set_state(session.state.cleared()), "clear")
+        add("view", clear, "clear_filters", lambda: session.set_state(session.state.cleared()), "clear")
         view.addSeparator()
         two = mark("&Two Panes")
-        self._second = add("view", two, "F3", self._toggle_second, "two_panes", icon="book-open")
+        self._second = add("view", two, "two_panes", self._toggle_second, "two_panes", icon="book-open")
         self._second.setCheckable(True)
-        add("view", mark("Go to the &Other Pane"), "F6", self._other_pane, "other_pane")
+        add("view", mark("Go to the &Other Pane"), "other_pane", self._other_pane, "other_pane")
         window.toolbar.addAction(self._second)
         session.look_changed.connect(lambda _old, look: self._list.setChecked(look.as_list))
         for pane in window.panes:

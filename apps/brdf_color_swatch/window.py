@@ -44,6 +44,7 @@ class SwatchWindow(SuiteWindow):
         centre, library = QWidget(), QWidget()
         fill_column(centre, self.bar, self.pane_split, grows=self.pane_split, spacing=0)
         self.set_centre(centre)
+        self.float_over(self.pane_split)
         self.library_buttons = row_of(margins=(8, 4, 8, 4))
         fill_column(library, self.library_buttons, self.tree, grows=self.tree, spacing=0)
         self.library_dock = self.add_panel(mark("Library"), library, Qt.DockWidgetArea.LeftDockWidgetArea)

@@ -18,7 +18,6 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.acquire.control import AcquireControl
@@ -50,7 +49,6 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
-from brdf_suite.processes import child_command
 
 FIRST_PAINT = "blue"
 PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
@@ -252,7 +250,6 @@ class Designer(Program):
         window.tabs.chosen.connect(lambda place: documents.show(documents.row[place]))
         window.tabs.close_requested.connect(lambda place: documents.close(documents.row[place]))
         window.tabs.dragged.connect(documents.move)
-        window.viewer_requested.connect(self._open_viewer)
         window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_requested.connect(self._may_close)
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
@@ -267,10 +264,3 @@ class Designer(Program):
             question.accept()
         else:
             question.ignore()
-
-    def _open_viewer(self) -> None:
-        program, *arguments = child_command("brdf_viewer")
-        started, _ = QProcess.startDetached(program, arguments)
-        if not started:
-            todo = tr("Start it from a terminal: brdf-viewer.")
-            self.window.show_message(Message("viewer", tr("Viewer could not be started."), todo=todo))

@@ -171,13 +171,15 @@ class LobeVisualizer(Program):
     def _build_commands(self) -> None:
         add = self.window.add_command
         tip = mark("Sample paints, measured paints of Table 1, models, opened palettes")
-        listed = add("file", mark("Add from &Library…"), "Ctrl+L", self.show_list, icon="list-plus", tip=tip)
+        listed = add(
+            "file", mark("Add from &Library…"), "add_from_library", self.show_list, icon="list-plus", tip=tip
+        )
         tip, act = (
             mark("Restore the default incidence, channel, radius, cosine and lobes"),
             self.session.reset_view,
         )
         title, sign = mark("Reset &View Options"), "arrow-counter-clockwise"
-        reset = add("view", title, "Ctrl+0", act, icon=sign, tip=tip)
+        reset = add("view", title, "reset_view", act, icon=sign, tip=tip)
         tip = mark(
             "Add it as cosine lobes, Cook-Torrance lobes and homomorphic factors, each fitted to the same data"
         )

@@ -4,20 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.status_line import State, StatusLine
+from brdf_qt.program.suite import connected_words
+from brdf_qt.program.translation import decimal, mark, tr
+from brdf_qt.window.status_line import StatusLine
+from brdf_qt.work.fit_error import fit_mark
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, SIGNS, Verdict, verdict_of, words_of
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_of, words_of
 from brdf_lobe_visualizer.window import LobeWindow
-
-_ROLES = {
-    "designer": mark("Designer"),
-    "viewer": mark("Viewer"),
-    "lobes": mark("Lobe Visualizer"),
-    "swatch": mark("Color Swatch"),
-}
 
 
 class Status(QObject):
@@ -39,8 +34,7 @@ class Status(QObject):
         self._show_light()
 
     def show_peers(self, roles: Sequence[str]) -> None:
-        named = [tr(_ROLES[role]) if role in _ROLES else role for role in roles]
-        self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
+        self._link.set(connected_words(roles))
 
     def _show_front(self) -> None:
         front = self._session.front
@@ -54,20 +48,17 @@ class Status(QObject):
         if fit is None:
             self._fit.set(tr("no fit yet"), state="stale")
             return
-        verdict: Verdict = "good"
         notes = list(fit.notices)
         parts = [tr("fit {ms} ms").format(ms=f"{1e3 * fit.fit_seconds:.3g}")]
         if fit.worst_delta_e is not None:
-            verdict = verdict_of(fit.worst_delta_e, DELTA_E_LIMITS)
-            text = tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}")
-            parts.append(f"{SIGNS[verdict]} {text}")
-            notes = [f"{text}: {words_of(verdict)}", *notes]
+            text = tr("worst ΔE00 {value}").format(value=decimal(f"{fit.worst_delta_e:.2f}"))
+            parts.append(text)
+            notes = [f"{text}: {words_of(verdict_of(fit.worst_delta_e, DELTA_E_LIMITS))}", *notes]
         if fit.time_limited:
             follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
-        limited = fit.time_limited and not fit.exact_follows
-        state: State = "warning" if limited or verdict == "bad" else "fresh"
-        self._fit.set(" · ".join(parts), "\n".join(notes), state)
+        sign = fit_mark(fit.worst_delta_e, fit.time_limited and not fit.exact_follows)
+        self._fit.set(" · ".join(parts), "\n".join(notes), "warning" if sign else "fresh", sign)
 
     def _show_light(self) -> None:
         theta, phi = self._session.incidence

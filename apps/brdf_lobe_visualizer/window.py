@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.window.shortcuts import sequences
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtGui import QShortcut
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from brdf_lobe_visualizer.plot_row import PlotRow
@@ -40,8 +43,9 @@ class LobeWindow(SuiteWindow):
         centre = QWidget()
         fill_column(centre, self.centre_split, margins=(8, 4, 8, 8))
         super().set_centre(centre)
-        keys, ask = QKeySequence.StandardKey, lambda: self.open_requested.emit(None)
-        self.toolbar.addAction(self.add_action(self.file_menu, mark("&Open…"), ask, keys.Open, "folder-open"))
+        self.float_over(self.top_split)
+        ask = partial(self.open_requested.emit, None)
+        self.toolbar.addAction(self.add_action(self.file_menu, mark("&Open…"), ask, "open", "folder-open"))
         self.add_recent_menu()
 
     def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
@@ -52,7 +56,7 @@ class LobeWindow(SuiteWindow):
         self.top_split.setStretchFactor(0, 1)
         widget.show()
         if tab_hides_panels:
-            shortcut = QShortcut(QKeySequence(Qt.Key.Key_Tab), widget)
+            shortcut = QShortcut(sequences("panels_of_picture")[0], widget)
             shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             shortcut.activated.connect(self.toggle_panels)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 
 from brdf_lobe_visualizer.options import Options
 from brdf_suite.inspection.lobe_surface.parts import FitLobe, FitPart
@@ -48,7 +48,7 @@ def degrees(axis: Axis, angle_deg: float) -> str:
     """Return an angle as a readout has it: ``γ 12.50°``."""
     size = abs(angle_deg)
     digits = 3 if size < 1.0 else 2 if size < 10.0 else 1
-    return f"{AXIS_LETTERS[axis]} {angle_deg:.{digits}f}°".replace("-", "−")
+    return decimal(f"{AXIS_LETTERS[axis]} {angle_deg:.{digits}f}°").replace("-", "−")
 
 
 def lobe_title(lobe: FitLobe) -> str:
@@ -60,7 +60,9 @@ def lobe_title(lobe: FitLobe) -> str:
 
 def lobe_weight(lobe: FitLobe) -> str:
     """Return the weight of a lobe in the three channels."""
-    red, green, blue = (f"{value:.0f}" if 1e3 <= value < 1e5 else f"{value:.3g}" for value in lobe.weight)
+    red, green, blue = (
+        decimal(f"{value:.0f}") if 1e3 <= value < 1e5 else decimal(f"{value:.3g}") for value in lobe.weight
+    )
     return tr("{red} · {green} · {blue} 1/sr").format(red=red, green=green, blue=blue)
 
 
@@ -76,10 +78,10 @@ def number(value: float) -> str:
         return "0"
     size = abs(value)
     if 1e-3 <= size < 1e5:
-        text = f"{value:.{max(0, 3 - math.floor(math.log10(size)))}f}"
+        text = decimal(f"{value:.{max(0, 3 - math.floor(math.log10(size)))}f}")
     else:
         digits, power = f"{value:.3e}".split("e")
-        text = f"{digits}e{int(power)}"
+        text = decimal(f"{digits}e{int(power)}")
     return text.replace("-", "−")
 
 
@@ -90,6 +92,6 @@ def plain(value: float) -> str:
     ('2000', '0.015', '1.5e−7')
     """
     if value == 0.0 or 1e-3 <= abs(value) < 1e5:
-        return f"{float(f'{value:.3g}'):g}".replace("-", "−")
+        return decimal(f"{float(f'{value:.3g}'):g}").replace("-", "−")
     digits, power = f"{value:.2e}".split("e")
-    return f"{float(digits):g}e{int(power)}".replace("-", "−")
+    return decimal(f"{float(digits):g}e{int(power)}").replace("-", "−")

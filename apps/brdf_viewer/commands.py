@@ -8,8 +8,9 @@ from functools import partial
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.window.shortcuts import give_keys
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
 from brdf_viewer.camera.section import PRESETS
@@ -20,17 +21,16 @@ from brdf_viewer.paint.sparkle_section import FRESNEL_TITLES, LOOK_UP_TITLES, SP
 from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
-_KEYS = QKeySequence.StandardKey
 _OPENED = (
-    ("paint", mark("&Open Paint…"), _KEYS.Open),
-    ("environment", mark("Open &Environment…"), "Ctrl+Shift+E"),
-    ("surface", mark("Open &Surface…"), "Ctrl+M"),
-    ("palette", mark("Open Pa&lette…"), "Ctrl+Shift+L"),
-    ("view", mark("Open &View…"), "Ctrl+Shift+O"),
+    ("paint", mark("&Open Paint…"), "open"),
+    ("environment", mark("Open &Environment…"), "open_environment"),
+    ("surface", mark("Open &Surface…"), "open_surface"),
+    ("palette", mark("Open Pa&lette…"), "open_palette"),
+    ("view", mark("Open &View…"), "open_view"),
 )
 _TURN = mark("One turn of the object, as a video or a folder of pictures")
 _EXPORTS = {
-    "picture": (mark("E&xport Picture…"), "Ctrl+Shift+X", mark("A picture of any size, as PNG or EXR")),
+    "picture": (mark("E&xport Picture…"), "export", mark("A picture of any size, as PNG or EXR")),
     "turntable": (mark("Export &Turntable…"), None, _TURN),
     "sheet": (
         mark("Export &Contact Sheet…"),
@@ -38,6 +38,7 @@ _EXPORTS = {
         mark("All paints of a palette or a folder in this light"),
     ),
 }
+_RENDERERS = ("real_time", "ray_traced", "path_traced")
 _RECENT = {
     "paint": mark("Recent &Paints"),
     "palette": mark("Recent Pale&ttes"),
@@ -99,14 +100,12 @@ class ViewerCommands(QObject):
         self._add_file()
         self._add_view()
         self._add_paint()
-        self.undo = self._add(window.edit_menu, mark("&Undo"), None, _KEYS.Undo)
-        self.redo = self._add(window.edit_menu, mark("&Redo"), None, _KEYS.Redo)
+        self.undo = self._add(window.edit_menu, mark("&Undo"), None, "undo")
+        self.redo = self._add(window.edit_menu, mark("&Redo"), None, "redo")
         self.show_history("", "")
         window.edit_menu.addSeparator()
         tip = mark("Copy the picture to the clipboard at full resolution")
-        self.copy = self._add(window.edit_menu, mark("&Copy Picture"), None, _KEYS.Copy, "copy", tip)
-        self.designer = self._add(window.window_menu, mark("Open &Designer"), None, "Ctrl+D", "palette")
-        window.window_menu.insertAction(window.window_menu.actions()[0], self.designer)
+        self.copy = self._add(window.edit_menu, mark("&Copy Picture"), None, "copy", "copy", tip)
         window.toolbar.addActions([self.open_paint, self.follow])
         window.toolbar.addSeparator()
         window.toolbar.addActions([*self.presets, self.frame])
@@ -143,13 +142,13 @@ class ViewerCommands(QObject):
         self.open_paint = opened[0]
         menu.addSeparator()
         tip = mark("Camera, light and all settings")
-        self.save_view = add(menu, mark("&Save View"), None, _KEYS.Save, "floppy-disk", tip)
-        self.save_view_as = add(menu, mark("Save View &As…"), None, "Ctrl+Shift+S")
+        self.save_view = add(menu, mark("&Save View"), None, "save", "floppy-disk", tip)
+        self.save_view_as = add(menu, mark("Save View &As…"), None, "save_as")
         menu.addSeparator()
         tip = mark("Save the picture as PNG at full resolution, with paint and settings as metadata")
-        self.save_picture = add(menu, mark("Save &Picture…"), None, "Ctrl+E", "floppy-disk", tip)
+        self.save_picture = add(menu, mark("Save &Picture…"), None, "save_picture", "floppy-disk", tip)
         tip = mark("Save the traced picture as EXR with the variance of each pixel")
-        self.save_traced = add(menu, mark("Save T&raced Picture…"), None, "Ctrl+Shift+R", "floppy-disk", tip)
+        self.save_traced = add(menu, mark("Save T&raced Picture…"), None, "save_traced", "floppy-disk", tip)
         for kind, (text, keys, tip) in _EXPORTS.items():
             add(menu, text, partial(self.export_requested.emit, kind), keys, "export", tip)
         menu.addSeparator()
@@ -165,14 +164,14 @@ class ViewerCommands(QObject):
         for number, (key, (title, _, _)) in enumerate(PRESETS.items(), 1):
             tip = tr("View: {view}, framing the surface").format(view=tr(title))
             look = partial(self.preset_requested.emit, key)
-            action = add(menu, f"View: {title}", look, str(number), tip=tip)
+            action = add(menu, f"View: {title}", look, f"preset_{number}", tip=tip)
             action.setText(tr("View: {view}").format(view=tr(title)))
             action.setIconText(tr(title))
             self.presets.append(action)
         tip = mark("Fill the picture with the surface")
-        self.frame = add(menu, mark("&Frame Surface"), None, "F", "frame-corners", tip)
+        self.frame = add(menu, mark("&Frame Surface"), None, "frame", "frame-corners", tip)
         tip = mark("Rotate the surface in front of camera and light")
-        self.turntable = add(menu, mark("&Turntable"), None, "Space", "arrows-clockwise", tip)
+        self.turntable = add(menu, mark("&Turntable"), None, "play", "arrows-clockwise", tip)
         self.turntable.setCheckable(True)
         # Space presses a button that has the focus; it is the turntable's on the picture only.
         self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -190,7 +189,7 @@ class ViewerCommands(QObject):
         self.background = ChoiceGroup(window, menu.addMenu(tr("&Background")), BACKGROUND_TITLES)
         self._add_compare(menu.addMenu(tr("&Compare")))
         tip = mark("Frame time, lobes, tone curve and readout")
-        self.figures = add(menu, mark("Figures over the &Picture"), None, "H", tip=tip)
+        self.figures = add(menu, mark("Figures over the &Picture"), None, "figures", tip=tip)
         self.figures.setCheckable(True)
         self.fresnel = ChoiceGroup(window, menu.addMenu(tr("Fres&nel")), FRESNEL_TITLES)
         self.look_up = ChoiceGroup(window, menu.addMenu(tr("&Look-up")), LOOK_UP_TITLES)
@@ -198,36 +197,41 @@ class ViewerCommands(QObject):
 
     def _add_renderers(self, menu: QMenu) -> None:
         self.renderer = ChoiceGroup(self._window, menu, RENDERER_TITLES)
-        for number, action in enumerate(self.renderer.actions(), 1):
-            action.setShortcut(QKeySequence(f"Ctrl+{number}"))
-            action.setToolTip(plain_tip(tr(RENDERER_TIPS[action.data()]) + f" (Ctrl+{number})"))
+        for name, action in zip(_RENDERERS, self.renderer.actions(), strict=True):
+            give_keys(action, name)
+            action.setToolTip(
+                plain_tip(f"{tr(RENDERER_TIPS[action.data()])} ({action.shortcut().toString()})")
+            )
         menu.addSeparator()
         text = tr("Ray-traced: {quality}")
         titles = {key: text.format(quality=tr(title)) for key, title in QUALITY_TITLES.items()}
         self.quality = ChoiceGroup(self._window, menu, titles)
         menu.addSeparator()
         tip = mark("Keep the picture as it is")
-        self.stop_refining = self._add(menu, mark("&Stop Refining"), None, "Ctrl+.", tip=tip)
-        self.resume_refining = self._add(menu, mark("&Resume Refining"), None, "Ctrl+Shift+.")
+        self.stop_refining = self._add(menu, mark("&Stop Refining"), None, "stop_refining", tip=tip)
+        self.resume_refining = self._add(menu, mark("&Resume Refining"), None, "resume_refining")
 
     def _add_compare(self, menu: QMenu) -> None:
         self.compare = ChoiceGroup(self._window, menu, MODE_TITLES)
         menu.addSeparator()
         tip = mark("Alternate between A and B; again to return to the previous mode")
-        self.blink = self._add(menu, mark("Start or Stop &Blinking"), None, "B", tip=tip)
+        self.blink = self._add(menu, mark("Start or Stop &Blinking"), None, "blink", tip=tip)
         tip = mark("Switch between A and B manually")
-        self.flip = self._add(menu, mark("&Switch and Stay"), None, "Shift+B", tip=tip)
+        self.flip = self._add(menu, mark("&Switch and Stay"), None, "flip", tip=tip)
         tip = mark("Keep the current paint as B")
-        self.freeze = self._add(menu, mark("&Freeze A as B"), None, "Ctrl+B", tip=tip)
+        self.freeze = self._add(menu, mark("&Freeze A as B"), None, "freeze", tip=tip)
 
     def _add_paint(self) -> None:
         menu, add = self._window.paint_menu, self._add
         tip = mark("Show the paint that is being edited in Designer")
-        self.follow = add(menu, mark("&Follow Designer"), None, "Ctrl+L", "link", tip)
+        self.follow = add(menu, mark("&Follow Designer"), None, "follow", "link", tip)
         self.follow.setCheckable(True)
         menu.addSeparator()
         tip = mark("In the open palette or the shipped paints")
-        for text, step, key in ((mark("&Next Paint"), 1, "Right"), (mark("&Previous Paint"), -1, "Left")):
+        for text, step, key in (
+            (mark("&Next Paint"), 1, "next_paint"),
+            (mark("&Previous Paint"), -1, "previous_paint"),
+        ):
             action = add(menu, text, partial(self.step_requested.emit, step), key, tip=tip)
             # Arrows move in lists and numbers; they are the paints' on the picture only.
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)

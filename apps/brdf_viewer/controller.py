@@ -8,6 +8,7 @@ from pathlib import Path
 
 from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.names import title_of
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -16,13 +17,12 @@ from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QProcess, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.processes import child_command
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
@@ -40,13 +40,12 @@ from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
-from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
+from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
@@ -239,7 +238,6 @@ class ViewerController(Program):
         commands.open_requested.connect(self._browse)
         commands.recent_requested.connect(self._open)
         commands.copy.triggered.connect(self._copy_picture)
-        commands.designer.triggered.connect(self._open_designer)
         commands.undo.triggered.connect(self.undo)
         commands.redo.triggered.connect(self._redo)
         state.history.history_changed.connect(self._show_history)
@@ -285,7 +283,7 @@ class ViewerController(Program):
         state = self.state
         names = [] if state.fit is None else [state.fit.name]
         assets = (state.surface, state.environment)
-        names += [title_of(asset.key, SHIPPED_TITLES) for asset in assets if asset is not None]
+        names += [title_of(asset.key) for asset in assets if asset is not None]
         self.window.setWindowTitle(", ".join(names))
 
     def _publish_view(self) -> None:
@@ -348,13 +346,6 @@ class ViewerController(Program):
     def _show_history(self) -> None:
         history = self.state.history
         self.window.commands.show_history(history.undo_text, history.redo_text)
-
-    def _open_designer(self) -> None:
-        program, *arguments = child_command("brdf_designer")
-        started, _ = QProcess.startDetached(program, arguments)
-        if not started:
-            message = Message("designer", tr("Designer could not be started."), severity="error")
-            self.window.messages.show_message(message)
 
     def close(self) -> None:
         """Remember the view, leave the link and end what runs; only the first call acts."""

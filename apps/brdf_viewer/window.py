@@ -76,6 +76,8 @@ class ViewerWindow(SuiteWindow):
         names = (mark("frame"), mark("renderer"), mark("lobes"), mark("fit"), mark("exposure"))
         for name in (*names, mark("environment"), mark("palette")):
             self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
+        for name, text in (("frame", "888.8 ms"), ("lobes", "88 lobes"), ("fit", "fit 88.88 ms · ΔE 88.88")):
+            self.status.cell(name).reserve(text)
         for name in (mark("readout"), mark("link")):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()

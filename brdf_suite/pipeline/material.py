@@ -6,9 +6,11 @@ palette (of which one entry is named as ``summer.brdfpalette#12``), or measured 
 
 from __future__ import annotations
 
+import json
 import os
 import re
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -51,6 +53,13 @@ _DOCUMENT = re.compile(rb'"format"\s*:\s*"(brdfpaint|brdfpalette)"')
 def paint_names() -> list[str]:
     """Return the names of the shipped paints, sorted."""
     return resource_names("paints", PAINT_ENDING)
+
+
+@cache
+def paint_titles() -> dict[str, str]:
+    """Return what the shipped paints are called, by their names, in the order of these."""
+    files = {name: resource("paints", name + PAINT_ENDING) for name in paint_names()}
+    return {name: json.loads(file.read_bytes())["name"] for name, file in files.items()}
 
 
 def default_paint_name() -> str:

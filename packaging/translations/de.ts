@@ -404,10 +404,6 @@
         <translation>&amp;Voriger Reiter</translation>
     </message>
     <message>
-        <source>Open &amp;Viewer</source>
-        <translation>&amp;Viewer öffnen</translation>
-    </message>
-    <message>
         <source>Find a command by name</source>
         <translation>Befehl nach Namen suchen</translation>
     </message>
@@ -560,6 +556,10 @@
         <translation>Tasten</translation>
     </message>
     <message>
+        <source>Other programs: {what}</source>
+        <translation>Andere Programme: {what}</translation>
+    </message>
+    <message>
         <source>About {program}</source>
         <translation>Über {program}</translation>
     </message>
@@ -605,11 +605,23 @@
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Tafeln</translation>
+        <translation>&amp;Bedienfelderamp;Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Open {program}</source>
+        <translation>{program} öffnen</translation>
     </message>
     <message>
         <source>Show or Hide P&amp;anels</source>
-        <translation>T&amp;afeln zeigen oder verbergen</translation>
+        <translation>BedienfT&amp;afeln zeigenamp;elder zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Se&amp;ttings…</source>
+        <translation>&amp;Einstellungen …</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
     </message>
     <message>
         <source>Find a &amp;Command…</source>
@@ -634,6 +646,10 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Start it from a terminal: {command}.</source>
+        <translation>Starten Sie es in einem Terminal: {command}.</translation>
     </message>
     <message>
         <source>Note</source>
@@ -689,7 +705,7 @@
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation>&amp;Umfeld</translation>
+        <translation>&amp;Umfeldamp;Erscheinungsbild</translation>
     </message>
     <message>
         <source>L*, C* and h over the aspecular angle</source>
@@ -750,14 +766,6 @@
     <message>
         <source>The open paint is unchanged.</source>
         <translation>Der offene Lack ist unverändert.</translation>
-    </message>
-    <message>
-        <source>Viewer could not be started.</source>
-        <translation>Viewer konnte nicht gestartet werden.</translation>
-    </message>
-    <message>
-        <source>Start it from a terminal: brdf-viewer.</source>
-        <translation>In einem Terminal starten: brdf-viewer.</translation>
     </message>
     <message>
         <source>Refractive index n of the clearcoat: a higher index reflects more. Resins have 1.45 to 1.55. Changing it changes both gloss readings.</source>
@@ -1177,7 +1185,7 @@
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop. It needs readings at 15, 45 and 110°.</source>
-        <translation>Flop-Index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
     </message>
     <message>
         <source>ΔL* travel</source>
@@ -1216,8 +1224,352 @@
         <translation>Von {near:g}° bis {far:g}°; die Farbe bei {face:g}° bleibt.</translation>
     </message>
     <message>
+        <source>New paint or palette</source>
+        <translation>Neuer Lack oder neue Palette</translation>
+    </message>
+    <message>
+        <source>Open a view</source>
+        <translation>Eine Ansicht öffnen</translation>
+    </message>
+    <message>
+        <source>Open an environment</source>
+        <translation>Eine Umgebung öffnen</translation>
+    </message>
+    <message>
+        <source>Open a surface</source>
+        <translation>Eine Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>Eine Palette öffnen</translation>
+    </message>
+    <message>
+        <source>Add from the library</source>
+        <translation>Aus der Bibliothek hinzufügen</translation>
+    </message>
+    <message>
+        <source>New from a measurement</source>
+        <translation>Neu aus einer Messung</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
         <source>Export</source>
         <translation>Export</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>Save the traced picture</source>
+        <translation>Das verfolgte Bild speichern</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Close tab or palette</source>
+        <translation>Reiter oder Palette schließen</translation>
+    </message>
+    <message>
+        <source>Reopen the closed tab</source>
+        <translation>Den geschlossenen Reiter wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Copy the curves</source>
+        <translation>Die Kurven kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the figures</source>
+        <translation>Die Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Select none</source>
+        <translation>Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Invert the selection</source>
+        <translation>Die Auswahl umkehren</translation>
+    </message>
+    <message>
+        <source>Rename the group</source>
+        <translation>Die Gruppe umbenennen</translation>
+    </message>
+    <message>
+        <source>Edit the tags</source>
+        <translation>Die Stichwörter bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit the notes</source>
+        <translation>Die Notizen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Move the swatch up</source>
+        <translation>Das Muster nach oben</translation>
+    </message>
+    <message>
+        <source>Move the swatch down</source>
+        <translation>Das Farbmuster nach unten</translation>
+    </message>
+    <message>
+        <source>Dissolve the group</source>
+        <translation>Die Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Move the reflectance up</source>
+        <translation>Die Reflexion nach oben</translation>
+    </message>
+    <message>
+        <source>Move the reflectance down</source>
+        <translation>Die Reflexion nach unten</translation>
+    </message>
+    <message>
+        <source>Remove the reflectance</source>
+        <translation>Die Reflexion entfernen</translation>
+    </message>
+    <message>
+        <source>View or form by number</source>
+        <translation>Blickrichtung oder Form nach Nummer</translation>
+    </message>
+    <message>
+        <source>Frame all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Turntable, or sweep of the incidence</source>
+        <translation>Drehteller, oder Durchlauf des Einfalls</translation>
+    </message>
+    <message>
+        <source>Figures over the picture</source>
+        <translation>Zahlen über dem Bild</translation>
+    </message>
+    <message>
+        <source>Reset the view options</source>
+        <translation>Die Optionen der Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Clear the filters</source>
+        <translation>Die Filter löschen</translation>
+    </message>
+    <message>
+        <source>Show or hide the panels</source>
+        <translation>Die Bedienfelder zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Show or hide the panels, in the picture</source>
+        <translation>Die Bedienfelder zeigen oder verbergen, im Bild</translation>
+    </message>
+    <message>
+        <source>Two panes</source>
+        <translation>Zwei Bereiche</translation>
+    </message>
+    <message>
+        <source>Go to the other pane</source>
+        <translation>Zum anderen Bereich</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbkarte</translation>
+    </message>
+    <message>
+        <source>Render in real time</source>
+        <translation>In Echtzeit zeichnen</translation>
+    </message>
+    <message>
+        <source>Render by ray tracing</source>
+        <translation>Mit Strahlverfolgung zeichnen</translation>
+    </message>
+    <message>
+        <source>Render by path tracing</source>
+        <translation>Mit Pfadverfolgung zeichnen</translation>
+    </message>
+    <message>
+        <source>Stop refining</source>
+        <translation>Verfeinern anhalten</translation>
+    </message>
+    <message>
+        <source>Resume refining</source>
+        <translation>Verfeinern fortsetzen</translation>
+    </message>
+    <message>
+        <source>Alternate between A and B</source>
+        <translation>Zwischen A und B wechseln</translation>
+    </message>
+    <message>
+        <source>Switch between A and B, and stay</source>
+        <translation>Auf A oder B schalten und bleiben</translation>
+    </message>
+    <message>
+        <source>Keep A as B</source>
+        <translation>A als B behalten</translation>
+    </message>
+    <message>
+        <source>Next paint</source>
+        <translation>Nächster Lack</translation>
+    </message>
+    <message>
+        <source>Previous paint</source>
+        <translation>Voriger Lack</translation>
+    </message>
+    <message>
+        <source>Next tab or reflectance</source>
+        <translation>Nächster Reiter oder nächste Reflexion</translation>
+    </message>
+    <message>
+        <source>Previous tab or reflectance</source>
+        <translation>Voriger Reiter oder vorige Reflexion</translation>
+    </message>
+    <message>
+        <source>Pick the colour of an angle</source>
+        <translation>Die Farbe eines Winkels wählen</translation>
+    </message>
+    <message>
+        <source>Go to the first value</source>
+        <translation>Zum ersten Wert</translation>
+    </message>
+    <message>
+        <source>Edit one angle</source>
+        <translation>Einen Winkel bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit all angles</source>
+        <translation>Alle Winkel bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit the flop</source>
+        <translation>Den Flop bearbeiten</translation>
+    </message>
+    <message>
+        <source>Colours in L*a*b*</source>
+        <translation>Farben in L*a*b*</translation>
+    </message>
+    <message>
+        <source>Colours in LCh</source>
+        <translation>Farben in LCh</translation>
+    </message>
+    <message>
+        <source>Use this state as standard</source>
+        <translation>Diesen Stand als Bezug nehmen</translation>
+    </message>
+    <message>
+        <source>Load a standard</source>
+        <translation>Einen Bezug laden</translation>
+    </message>
+    <message>
+        <source>Find the nearest</source>
+        <translation>Das Ähnlichste finden</translation>
+    </message>
+    <message>
+        <source>Compare the two selected</source>
+        <translation>Die beiden ausgewählten vergleichen</translation>
+    </message>
+    <message>
+        <source>Add the paint from Designer</source>
+        <translation>Den Lack aus Designer hinzufügen</translation>
+    </message>
+    <message>
+        <source>Send to Designer</source>
+        <translation>An Designer senden</translation>
+    </message>
+    <message>
+        <source>Send to Viewer</source>
+        <translation>An Viewer senden</translation>
+    </message>
+    <message>
+        <source>Send to Lobe Visualizer</source>
+        <translation>An Lobe Visualizer senden</translation>
+    </message>
+    <message>
+        <source>Show the reflectance</source>
+        <translation>Die Reflexion zeigen</translation>
+    </message>
+    <message>
+        <source>Show the reflectance alone</source>
+        <translation>Die Reflexion allein zeigen</translation>
+    </message>
+    <message>
+        <source>Show all reflectances</source>
+        <translation>Alle Reflexionen zeigen</translation>
+    </message>
+    <message>
+        <source>Set as reference</source>
+        <translation>Als Referenz nehmen</translation>
+    </message>
+    <message>
+        <source>Open Designer</source>
+        <translation>Designer öffnen</translation>
+    </message>
+    <message>
+        <source>Open Viewer</source>
+        <translation>Viewer öffnen</translation>
+    </message>
+    <message>
+        <source>Open Lobe Visualizer</source>
+        <translation>Lobe Visualizer öffnen</translation>
+    </message>
+    <message>
+        <source>Open Color Swatch</source>
+        <translation>Color Swatch öffnen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Einen Befehl finden</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -1688,6 +2040,10 @@
         <translation>Nicht gemessen: Geräte mit drei Winkeln messen nicht unter 15°.</translation>
     </message>
     <message>
+        <source>Opened with: {rule}</source>
+        <translation>Geöffnet mit: {rule}</translation>
+    </message>
+    <message>
         <source>Not measured: no reading is closer to the mirror direction than {angle:g}°.</source>
         <translation>Nicht gemessen: Kein Wert liegt näher an der Spiegelrichtung als {angle:g}°.</translation>
     </message>
@@ -2084,10 +2440,6 @@ angegeben {stated}</translation>
     <message>
         <source>Light booth</source>
         <translation>Lichtkabine</translation>
-    </message>
-    <message>
-        <source>Sunny</source>
-        <translation>Sonnig</translation>
     </message>
     <message>
         <source>Overcast</source>
@@ -2578,6 +2930,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Farbraum</translation>
     </message>
     <message>
+        <source>How colours between the measured angles are found, where that has been changed.</source>
+        <translation>Wie Farben zwischen den gemessenen Winkeln gefunden werden, wenn das geändert wurde.</translation>
+    </message>
+    <message>
         <source>Programs that follow the edits of this paint.</source>
         <translation>Programme, die den Änderungen dieses Lacks folgen.</translation>
     </message>
@@ -2592,6 +2948,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>In sRGB</source>
         <translation>In sRGB</translation>
+    </message>
+    <message>
+        <source>Model changed: {rule}</source>
+        <translation>Modell geändert: {rule}</translation>
     </message>
     <message>
         <source>Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}</source>
@@ -4680,8 +5040,28 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Leertaste: zeigen oder verbergen. S: nur diese. R: als Referenz nehmen. C: Farbe. D: Strichart. F2: umbenennen. Entf: entfernen. Alt+Pfeil auf, Alt+Pfeil ab: verschieben.</translation>
     </message>
     <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>Grey of all windows; colours are judged beside it</source>
+        <translation>Grau aller Fenster; daneben werden Farben beurteilt</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
         <source>Reflectance</source>
         <translation>Reflexion</translation>
+    </message>
+    <message>
+        <source>These settings are the same in all programs of the suite.</source>
+        <translation>Diese Einstellungen gelten für alle Programme der Suite.</translation>
     </message>
     <message>
         <source>Solo</source>
@@ -4768,6 +5148,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Farbgeometrien</translation>
     </message>
     <message>
+        <source>Open the panel Numbers (F5) and wait until they are computed.</source>
+        <translation>Öffnen Sie das Bedienfeld Zahlen (F5) und warten Sie, bis sie berechnet sind.</translation>
+    </message>
+    <message>
         <source>Geometries of the L*a*b* values (D65, 10° observer)</source>
         <translation>Geometrien der L*a*b*-Werte (D65, 10°-Beobachter)</translation>
     </message>
@@ -4810,10 +5194,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>There are no figures to export yet.</source>
         <translation>Noch gibt es keine Zahlen zu exportieren.</translation>
-    </message>
-    <message>
-        <source>Open the panel Numbers (Ctrl+N) and wait until they are computed.</source>
-        <translation>Die Tafel „Zahlen“ öffnen (Strg+N) und warten, bis sie berechnet sind.</translation>
     </message>
     <message>
         <source>Figures of {count} reflectances exported to {path}.</source>
@@ -4884,14 +5264,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Viewer</translation>
     </message>
     <message>
-        <source>Lobe Visualizer</source>
-        <translation>Lobe Visualizer</translation>
-    </message>
-    <message>
-        <source>Color Swatch</source>
-        <translation>Color Swatch</translation>
-    </message>
-    <message>
         <source>Selected reflectance</source>
         <translation>Gewählte Reflexion</translation>
     </message>
@@ -4926,10 +5298,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>link</source>
         <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>Connected: {names}</source>
-        <translation>Verbunden: {names}</translation>
     </message>
     <message>
         <source>no fit yet</source>
@@ -5112,8 +5480,8 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Darstellungen werden an {name} angepasst</translation>
     </message>
     <message>
-        <source>The others are listed in the panel Reflectances (Ctrl+L).</source>
-        <translation>Die anderen stehen in der Tafel „Reflexionen“ (Strg+L).</translation>
+        <source>The others are listed in the panel Reflectances (Ctrl+Shift+B).</source>
+        <translation>Die anderen stehen im Bedienfeld Reflexionen (Strg+Umschalt+B).</translation>
     </message>
     <message>
         <source>{count} entries of {title} cannot be shown.</source>
@@ -6207,7 +6575,7 @@ Unten: {second}</translation>
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour</source>
-        <translation>Flop-Index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 für eine Unifarbe</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86; 0 für eine Unifarbe</translation>
     </message>
     <message>
         <source>Search terms</source>
@@ -6706,12 +7074,12 @@ Ungespeicherte Änderungen.</translation>
         <translation>Licht für alle Muster</translation>
     </message>
     <message>
-        <source>List with columns (Ctrl+L)</source>
-        <translation>Liste mit Spalten (Strg+L)</translation>
-    </message>
-    <message>
         <source>List with columns</source>
         <translation>Liste mit Spalten</translation>
+    </message>
+    <message>
+        <source>List with columns (5)</source>
+        <translation>Liste mit Spalten (5)</translation>
     </message>
     <message>
         <source>Swatch size in pixels</source>
@@ -6832,10 +7200,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Copy the picture to the clipboard at full resolution</source>
         <translation>Das Bild in voller Auflösung in die Zwischenablage kopieren</translation>
-    </message>
-    <message>
-        <source>Open &amp;Designer</source>
-        <translation>&amp;Designer öffnen</translation>
     </message>
     <message>
         <source>&amp;Open Paint…</source>
@@ -7192,10 +7556,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Colours whose difference is shown</source>
         <translation>Farben, deren Differenz gezeigt wird</translation>
-    </message>
-    <message>
-        <source>Designer could not be started.</source>
-        <translation>Designer konnte nicht gestartet werden.</translation>
     </message>
     <message>
         <source>Paint or Measured File</source>
@@ -7827,7 +8187,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Edit this studio or sky in its own panel</source>
-        <translation>Dieses Studio oder diesen Himmel in einer eigenen Tafel bearbeiten</translation>
+        <translation>Dieses Studio oder diesen Himmel in einem eigenen Bedienfeld bearbeiten</translation>
     </message>
     <message>
         <source>{meaning} (Alt + drag)</source>
@@ -8126,6 +8486,26 @@ Ungespeicherte Änderungen.</translation>
         <translation>Noch in keiner Datei gespeichert</translation>
     </message>
     <message>
+        <source>passes</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>stopped by the time limit</source>
+        <translation>vom Zeitlimit beendet</translation>
+    </message>
+    <message>
+        <source>cannot be shown on this screen</source>
+        <translation>auf diesem Bildschirm nicht darstellbar</translation>
+    </message>
+    <message>
         <source>changed</source>
         <translation>geändert</translation>
     </message>
@@ -8251,7 +8631,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save the studio (Ctrl+S in this panel)</source>
-        <translation>Das Studio speichern (Strg+S in dieser Tafel)</translation>
+        <translation>Das Studio speichern (Strg+S in diesem Bedienfeld)</translation>
     </message>
     <message>
         <source>Save the studio under another name</source>
@@ -8259,7 +8639,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z in this panel)</source>
-        <translation>Rückgängig (Strg+Z in dieser Tafel)</translation>
+        <translation>Rückgängig (Strg+Z in diesem Bedienfeld)</translation>
     </message>
     <message>
         <source>Add a lamp</source>
@@ -8502,6 +8882,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Dauer der Keulenanpassung und ihr größtes ΔE00 an den gemessenen Winkeln</translation>
     </message>
     <message>
+        <source>{link} (not following)</source>
+        <translation>{link} (folgt nicht)</translation>
+    </message>
+    <message>
         <source>Duration of the lobe fit; no measured angles to compare with</source>
         <translation>Dauer der Keulenanpassung; keine gemessenen Winkel zum Vergleichen</translation>
     </message>
@@ -8514,24 +8898,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>{name} (geschlossen)</translation>
     </message>
     <message>
-        <source>Designer not open</source>
-        <translation>Designer nicht offen</translation>
-    </message>
-    <message>
-        <source>Designer connected</source>
-        <translation>Designer verbunden</translation>
-    </message>
-    <message>
-        <source>Designer connected (not following)</source>
-        <translation>Designer verbunden (folgt nicht)</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-    <message>
-        <source>Other programs on the link: {programs}</source>
-        <translation>Andere Programme der Verbindung: {programs}</translation>
     </message>
     <message>
         <source>Designer is open. Follow it to see its paint at every change.</source>
@@ -9460,6 +9828,14 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Make an Editable Copy</source>
         <translation>Bearbeitbare Kopie anlegen</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
     </message>
 </context>
 </TS>

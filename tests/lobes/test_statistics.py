@@ -138,7 +138,7 @@ def test_all_figures_are_exported(two, asked, tmp_path) -> None:
 
 def test_without_figures_the_export_says_how_to_get_some(program) -> None:
     program.numbers.export()
-    assert "Ctrl+N" in program.window.messages.shown()["figures"].todo
+    assert "F5" in program.window.messages.shown()["figures"].todo
 
 
 def test_the_plot_draws_the_albedo_of_each_that_is_visible(two, qtbot) -> None:

@@ -13,6 +13,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from brdf_qt.window.shortcuts import SHORTCUTS
+from PySide6.QtGui import QKeySequence
 
 from brdf_suite.pipeline.material import paint_names
 from brdf_suite.reflectance.registry import MODELS
@@ -143,6 +145,54 @@ def test_no_english_is_left_in_a_german_window(german, checkout, program) -> Non
 @pytest.mark.parametrize("program", ALL)
 def test_nothing_is_cut_off_in_a_german_window(german, program) -> None:
     assert german[program]["cut"] == []
+
+
+@pytest.mark.parametrize("program", ALL)
+def test_numbers_have_the_decimal_comma_in_a_german_window(german, program) -> None:
+    numbers = german[program]["numbers"]
+    assert not [text for text in numbers if "." in text]
+    assert any("," in text for text in numbers)
+
+
+IN_THE_PICTURE = ["Tab"]
+"""Keys that a widget takes by itself, where it has the focus."""
+IN_THE_STUDIO = ["Ctrl+S", "Ctrl+Shift+S", "Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y"]
+"""Those of Viewer's panel Studio: they mean there what they mean elsewhere."""
+
+
+def test_no_key_means_two_things_and_no_command_has_two_keys(german) -> None:
+    meanings: dict[str, set[str]] = {}
+    for program in ALL:
+        used = german[program]["keys"]
+        assert len(used) > 15
+        for command, keys in used:
+            if command == "QShortcut":
+                assert set(keys) <= {*IN_THE_PICTURE, *IN_THE_STUDIO}, program
+                continue
+            assert command in SHORTCUTS, (program, keys)
+            assert tuple(keys) == tuple(QKeySequence(one).toString() for one in SHORTCUTS[command].keys), (
+                command
+            )
+            for key in keys:
+                meanings.setdefault(key, set()).add(command)
+        # In one window a key is one command's.
+        assert len({key for _, keys in used for key in keys}) == sum(len(keys) for _, keys in used), program
+    assert {key: commands for key, commands in meanings.items() if len(commands) > 1} == {}
+
+
+def test_every_command_of_the_table_is_in_a_program(german) -> None:
+    used = {command for program in ALL for command, _ in german[program]["keys"]}
+    # Fields are counted to nine; a window has as many as it has angles and views.
+    unused = {name for name in SHORTCUTS if name not in used and not re.fullmatch(r"(pick|preset)_\d", name)}
+    assert unused == {"panels_of_picture"}
+
+
+@pytest.mark.parametrize(
+    "command", ["export", "find_command", "settings", "manual", "shortcuts", "panels", "quit"]
+)
+def test_what_all_programs_have_is_on_the_same_key(german, command: str) -> None:
+    for program in ALL:
+        assert command in {name for name, _ in german[program]["keys"]}, program
 
 
 def test_no_text_is_translated_inside_an_f_string(checkout: Path) -> None:

@@ -14,11 +14,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.fields.number import NumberField
 from brdf_qt.program.application import create_application
 from brdf_qt.program.program import Program
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -103,10 +105,19 @@ def main() -> int:
             action.text() for menu in window.findChildren(QMenu) for action in menu.actions() if action.text()
         ],
         "cut": list(_cut_off(window)),
+        "keys": _keys(window),
+        "numbers": [field.text() for field in window.findChildren(NumberField)],
     }
     print(json.dumps(found))
     sys.stdout.flush()
     os._exit(0)  # nothing that is on its way is awaited
+
+
+def _keys(window: SuiteWindow) -> list[tuple[str, list[str]]]:
+    """Return every command with keys: its name in the table of keys, and the keys; also where it has no name."""
+    found = [(str(action.property("command")), action.shortcuts()) for action in window.findChildren(QAction)]
+    found += [("QShortcut", [shortcut.key()]) for shortcut in window.findChildren(QShortcut)]
+    return [(command, [one.toString() for one in keys]) for command, keys in found if keys]
 
 
 def _names(widgets: list[QWidget]) -> list[tuple[str, str]]:

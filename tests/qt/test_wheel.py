@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from brdf_qt.fields.colour_slider import ColourSlider
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, QuietSpinBox
+from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, QuietSpinBox, quieten
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLineEdit, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QColorDialog, QDialog, QFileDialog, QLineEdit, QScrollArea, QVBoxLayout, QWidget
 
 APPS = Path(__file__).resolve().parent.parent.parent / "apps"
 LOUD = {
@@ -102,3 +102,20 @@ def test_all_fields_are_of_these_classes() -> None:
             elif isinstance(node, ast.ClassDef):
                 used = {ast.unparse(base).split(".")[-1] for base in node.bases}
             assert not used & LOUD, f"{path.name}: {used & LOUD}"
+
+
+@pytest.mark.parametrize("make", [QColorDialog, QFileDialog])
+def test_dialogs_of_qt_leave_the_wheel_too(make: type[QDialog], walks, qtbot) -> None:
+    dialog = make()
+    if isinstance(dialog, QColorDialog):
+        dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
+    else:
+        dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+        dialog.setNameFilters(["Paints (*.brdfpaint)", "Tables (*.csv)", "All (*)"])
+    qtbot.addWidget(dialog)
+    quieten(dialog)
+    dialog.show()
+    qtbot.waitExposed(dialog)
+    changed, count = walks.changed_by_wheel(dialog)
+    assert count >= 2
+    assert changed == []

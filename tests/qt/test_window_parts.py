@@ -7,6 +7,7 @@ import sys
 from dataclasses import replace
 
 import pytest
+from brdf_qt.fields.marks import Mark
 from brdf_qt.program import theme
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.icons import icon
@@ -17,7 +18,7 @@ from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.window.section import Section
 from brdf_qt.window.status_line import StatusLine
-from brdf_qt.work.fit_error import is_large, large_error_tip, marked
+from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtTest import QTest
@@ -224,8 +225,9 @@ def test_search_takes_words_before_parts_and_letters_only_where_nothing_else_fit
 
 def test_a_large_fit_error_is_marked_and_its_reason_reported():
     assert [is_large(value) for value in (0.0, 1.0, 1.01, 30.0)] == [False, False, True, True]
-    assert marked("ΔE", 1.0) == "ΔE"
-    assert marked("ΔE", 1.5) == "! ΔE"
+    assert fit_mark(1.0) is None
+    assert fit_mark(1.5) is fit_mark(1.5, time_limited=True) is Mark.BAD
+    assert fit_mark(0.5, time_limited=True) is fit_mark(None, time_limited=True) is Mark.LIMITED
     assert "no non-negative sum of the lobes reaches this colour" in large_error_tip(time_limited=False)
     # A fit that was cut short proves nothing about what the lobes can do.
     assert "non-negative" not in large_error_tip(time_limited=True)

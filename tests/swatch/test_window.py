@@ -21,9 +21,7 @@ from brdf_suite.documents.palette import Entry, Palette
 
 def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot, monkeypatch) -> None:
     link = swatch.feature(PaintExchange)
-    monkeypatch.setattr(
-        link, "start_program", lambda program, arguments: (True, 1)
-    )  # no Designer is left running
+    monkeypatch.setattr(link, "start_program", lambda role: True)  # no Designer is left running
     pane = swatch.window.panes[0]
     opened: list[str] = []
     pane.opened.connect(opened.append)

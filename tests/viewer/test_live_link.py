@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from brdf_qt.fields.marks import Mark
 from brdf_qt.link.link import LiveLink
 from brdf_viewer.paint.control import DESIGNER
 from PySide6.QtWidgets import QPushButton
@@ -74,9 +75,9 @@ def colour(viewer) -> np.ndarray:
 
 def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     link_cell = viewer.window.status.cell("link")
-    assert link_cell.text() == "Designer not open"
+    assert link_cell.text() == "Not connected"
     other = designer()
-    qtbot.waitUntil(lambda: link_cell.text() == "Designer connected")
+    qtbot.waitUntil(lambda: link_cell.text() == "Connected: Designer")
     other.send_line("lab 45 60 40")
     qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     red = colour(viewer)
@@ -108,7 +109,7 @@ def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
     other.send_line("lab 45 60 40")
     qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     other.process.kill()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Not connected")
     assert viewer.state.fit.paint.name == "test paint"
     assert "not open" in viewer.window.paint.follow.text()
     assert viewer.window.paint.chooser.list.currentText() == "test paint (closed)"
@@ -128,7 +129,7 @@ def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(sta
     assert viewer.state.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
-    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
+    assert viewer.window.status.cell("link").text() == "Connected: Designer (not following)"
     viewer.window.messages.findChild(QPushButton, "message_action_Follow Designer").click()
     assert viewer.state.fit.paint.name == "test paint"
     assert viewer.window.paint.follow.isChecked()
@@ -143,7 +144,7 @@ def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer
     designer.opened[-1].process.kill()
     qtbot.waitUntil(lambda: "follow" not in viewer.messages())
     designer()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer connected (not following)")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Connected: Designer (not following)")
     assert "follow" not in viewer.messages()
 
 
@@ -157,7 +158,7 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     other.send_line("lab 20 0 0")
     qtbot.waitUntil(lambda: viewer.controller.paint.of_designer.lab_at(45.0)[0] == 20.0)
     assert viewer.state.fit is white
-    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
+    assert viewer.window.status.cell("link").text() == "Connected: Designer (not following)"
     viewer.window.paint.follow.click()
     assert viewer.state.fit.paint.lab_at(45.0)[0] == 20.0
 
@@ -243,10 +244,12 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     assert not section.fit.font().bold()
     # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
     show(solid.with_lab(45.0, (90.0, 0.0, 0.0)))
-    assert section.fit.text().startswith("! Fit: maximum ΔE00 3")
+    assert section.fit.text().startswith("Fit: maximum ΔE00 3")
+    assert section.fit.mark is Mark.BAD
     assert section.fit.font().bold()
     assert "no non-negative sum of the lobes" in section.fit.toolTip()
-    assert "! ΔE 3" in cell.text()
+    assert "ΔE 3" in cell.text()
+    assert cell.mark is Mark.BAD
     assert cell.font().bold()
     assert "no non-negative sum of the lobes" in cell.toolTip()
     words = section.patches.accessibleDescription().split("; ")

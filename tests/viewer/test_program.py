@@ -165,7 +165,7 @@ def test_every_command_has_a_name_and_a_key_only_once(viewer) -> None:
 
     keys = [a.shortcut().toString() for _, a in commands(viewer.window) if not a.shortcut().isEmpty()]
     assert len(keys) == len(set(keys))
-    assert {"1", "2", "3", "4", "F", "Space", "Ctrl+E", "Ctrl+Shift+E", "Ctrl+M"} <= set(keys)
+    assert {"1", "2", "3", "4", "F", "Space", "Ctrl+E", "Ctrl+Shift+E", "Ctrl+Shift+U"} <= set(keys)
 
 
 @pytest.mark.parametrize(

@@ -69,7 +69,7 @@ class ColourMap(SwatchFeature):
         fill_column(inside, head, self.stack, grows=self.stack, spacing=4, margins=(8, 4, 8, 8))
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
-            "view", mark("Colour &Map"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
+            "view", mark("Colour &Map"), "map", self.toggle, "map", icon="map-trifold"
         )
         self.action.setCheckable(True)
         window.toolbar.addAction(self.action)
@@ -78,7 +78,7 @@ class ColourMap(SwatchFeature):
         session.shown_changed.connect(lambda _pane: self._later())
         session.front_changed.connect(self._later)
         session.selection_changed.connect(lambda _pane: self._show_chosen())
-        window.add_command("view", mark("Fra&me All in Map"), "F", self.frame, "frame_map")
+        window.add_command("view", mark("Fra&me All in Map"), "frame", self.frame, "frame_map")
         self.points: MapPoints | None = None
 
     @property

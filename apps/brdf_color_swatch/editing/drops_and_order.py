@@ -34,8 +34,8 @@ class DropsAndOrder(SwatchFeature):
         add = window.add_command
         window.menus["edit"].addSeparator()
         self._of_selected = [
-            add("edit", mark("Move Up"), "Alt+Left", lambda: self.step(-1), "earlier"),
-            add("edit", mark("Move Do&wn"), "Alt+Right", lambda: self.step(1), "later"),
+            add("edit", mark("Move Up"), "earlier", lambda: self.step(-1), "earlier"),
+            add("edit", mark("Move Do&wn"), "later", lambda: self.step(1), "later"),
         ]
         self._fix_order = add(
             "edit", mark("Appl&y Current Sort"), None, self.keep_order, "keep_order",

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, QPoint
-from PySide6.QtGui import QGuiApplication, QKeySequence
+from PySide6.QtGui import QGuiApplication
 
 from brdf_color_swatch.editing.entry_edits import (
     OWNER,
@@ -36,42 +36,40 @@ class EditCommands(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self._cut: Carried | None = None
-        keys = QKeySequence.StandardKey
         add, edit = window.add_command, window.menus["edit"]
         history = session.library.history
-        undo = add("edit", mark("&Undo"), keys.Undo, history.undo, "undo", icon="arrow-counter-clockwise")
-        redo = add("edit", mark("&Redo"), "Ctrl+Shift+Z", history.redo, "redo", icon="arrow-clockwise")
-        redo.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
+        undo = add("edit", mark("&Undo"), "undo", history.undo, "undo", icon="arrow-counter-clockwise")
+        redo = add("edit", mark("&Redo"), "redo", history.redo, "redo", icon="arrow-clockwise")
         edit.addSeparator()
-        self._of_selected = [add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors")]
-        self._copy = add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy")
-        self._paste = add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
+        self._of_selected = [add("edit", mark("Cu&t"), "cut", self.cut, "cut", icon="scissors")]
+        self._copy = add("edit", mark("&Copy"), "copy", self.copy, "copy", icon="copy")
+        self._paste = add("edit", mark("&Paste"), "paste", self.paste, "paste", icon="clipboard")
         self._of_selected += [
-            add("edit", mark("D&uplicate"), "Ctrl+D", self.duplicate, "duplicate"),
-            add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),
+            add("edit", mark("D&uplicate"), "duplicate", self.duplicate, "duplicate"),
+            add("edit", mark("&Delete"), "delete", self.delete, "delete", icon="trash"),
         ]
         edit.addSeparator()
-        add("edit", mark("Select &All"), keys.SelectAll, lambda: self._pane.grid.selectAll(), "select_all")
+        add("edit", mark("Select &All"), "select_all", lambda: self._pane.grid.selectAll(), "select_all")
         add(
             "edit",
             mark("Select N&one"),
-            "Ctrl+Shift+A",
+            "select_none",
             lambda: self._pane.grid.clearSelection(),
             "select_none",
         )
-        add("edit", mark("&Invert Selection"), "Ctrl+I", self.invert, "invert")
+        add("edit", mark("&Invert Selection"), "invert_selection", self.invert, "invert")
         edit.addSeparator()
         self._of_selected += [
             add(
                 "edit",
                 mark("Re&name"),
-                "F2",
+                "rename",
                 lambda: self._pane.rename_current(),
                 "rename",
                 icon="pencil-simple",
             ),
-            add("edit", mark("Ta&gs"), "Ctrl+T", lambda: self._focus("tags"), "tags", icon="tag"),
-            add("edit", mark("Not&es"), "Ctrl+E", lambda: self._focus("notes"), "notes"),
+            add("edit", mark("Ta&gs"), "tags", lambda: self._focus("tags"), "tags", icon="tag"),
+            add("edit", mark("Not&es"), "notes", lambda: self._focus("notes"), "notes"),
         ]
         for action in (undo, redo):
             window.toolbar.addAction(action)

@@ -24,12 +24,12 @@ class GroupCommands(SwatchFeature):
         add = window.add_command
         window.menus["edit"].addSeparator()
         self._new_group = add(
-            "edit", mark("New G&roup"), "Ctrl+G", self.new_group, "new_group", icon="folder-plus",
+            "edit", mark("New G&roup"), "new_group", self.new_group, "new_group", icon="folder-plus",
             tip=mark("New group from selection"),
         )  # fmt: skip
         self._of_group = [
-            add("edit", mark("Rena&me Group"), "Shift+F2", self.rename_group, "rename_group"),
-            add("edit", mark("Dissol&ve Group"), "Ctrl+Shift+G", self.dissolve_group, "dissolve_group"),
+            add("edit", mark("Rena&me Group"), "rename_group", self.rename_group, "rename_group"),
+            add("edit", mark("Dissol&ve Group"), "dissolve_group", self.dissolve_group, "dissolve_group"),
             add("edit", mark("Remo&ve Group and Swatches"), None, self.remove_group, "remove_group"),
         ]
         window.add_library_button(self._new_group)

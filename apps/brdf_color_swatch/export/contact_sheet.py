@@ -77,7 +77,7 @@ class ContactSheets(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self._sheet = window.add_command(
-            "file", mark("Contact S&heet…"), "Ctrl+P", self.open, "sheet", icon="printer",
+            "file", mark("Contact S&heet…"), "print", self.open, "sheet", icon="printer",
             tip=mark("Save or print the visible or selected swatches with their figures"),
         )  # fmt: skip
         self._dialog: SheetDialog | None = None

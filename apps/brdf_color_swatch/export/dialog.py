@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtWidgets import QFileDialog
@@ -45,6 +46,7 @@ class QtExportDialogs(QtDialogs):
         dialog.selectNameFilter(chosen.line)
         dialog.setDefaultSuffix(chosen.ending)
         dialog.selectFile(suggested.name)
+        quieten(dialog)
         accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
         names, line = dialog.selectedFiles(), dialog.selectedNameFilter()
         dialog.deleteLater()

@@ -53,7 +53,7 @@ class PaletteExport(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self._all = window.add_command(
-            "file", mark("&Export Palette…"), "Ctrl+Shift+E", self.export_all, "export", icon="export",
+            "file", mark("&Export Palette…"), "export", self.export_all, "export", icon="export",
             tip=mark("Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
         )  # fmt: skip
         self._some = window.add_command(

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 
 from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.model import VisibleRows
@@ -89,7 +89,7 @@ def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Prog
         title = tr("{count} similar, differences up to ΔE00 {widest}")
         if math.isnan(group.widest):  # not worked out of a group that large
             title = tr("{count} similar")
-        title = title.format(count=len(members), widest=f"{group.widest:.2f}")
+        title = title.format(count=len(members), widest=decimal(f"{group.widest:.2f}"))
         if group.chained:
             title = tr("{title}, by steps").format(title=title)
         parts.append(Part(title, len(places), len(members)))

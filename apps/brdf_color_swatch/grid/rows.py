@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 
 from brdf_color_swatch.grid.tile import Tile
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
@@ -82,7 +82,7 @@ class Rows:
     def tile(self, place: int, picture: object, delta_e: float | None) -> Tile:
         """Return what the grid shows of a row; ``picture`` a QPixmap or None."""
         entry = self.entries[place]
-        below = f"ΔE00 {delta_e:.2f}" if delta_e is not None else entry.code
+        below = decimal(f"ΔE00 {delta_e:.2f}") if delta_e is not None else entry.code
         name, spot = self.name(place), entry.usage == "spot"
         return Tile(name, below, self.codes[place], ANGLES_DEG, entry.is_flat, picture, spot)  # type: ignore[arg-type]  # rows know no pixmaps
 
@@ -112,14 +112,14 @@ class Rows:
         if entry.code:
             lines.append(tr("Code {code}").format(code=entry.code))
         lines += [
-            f"{angle:g}°: L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}"
+            decimal(f"{angle:g}°: L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")
             for angle, lab in zip(ANGLES_DEG, self.lab[place], strict=True)
             if np.isfinite(lab[0]) and not entry.is_flat
         ]
         if isinstance(entry.content, FlatColour):
             lab = self.lab[place, 1]
             lines.append(tr("Flat colour, {model}").format(model=entry.content.model))
-            lines.append(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")
+            lines.append(decimal(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}"))
         else:
             flop, gloss = _number(self.columns.flop[place], 1), _number(self.columns.gloss[place], 0)
             if flop:
@@ -147,7 +147,7 @@ class Rows:
 
 
 def _number(value: float, decimals: int) -> str:
-    return f"{value:.{decimals}f}".replace("-", "−") if np.isfinite(value) else ""
+    return decimal(f"{value:.{decimals}f}").replace("-", "−") if np.isfinite(value) else ""
 
 
 _STEP = 25

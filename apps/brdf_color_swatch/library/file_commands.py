@@ -9,7 +9,6 @@ from brdf_qt.documents.projects import is_project, open_project
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
-from PySide6.QtGui import QKeySequence
 
 from brdf_color_swatch.editing.entry_edits import add_entries
 from brdf_color_swatch.feature import SwatchFeature
@@ -41,10 +40,9 @@ class FileCommands(SwatchFeature):
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
-        keys = QKeySequence.StandardKey
         add = window.add_command
-        new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
-        opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
+        new = add("file", mark("&New Palette"), "new", self.new, "new", icon="file-plus")
+        opened = add("file", mark("&Open…"), "open", lambda: self.open(None), "open", icon="folder-open")
         window.add_recent_menu()
         add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
         self._copy = add(
@@ -52,10 +50,10 @@ class FileCommands(SwatchFeature):
             tip=mark("Copy this palette to a new one that has no file yet"),
         )  # fmt: skip
         window.menus["file"].addSeparator()
-        self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
-        self._save_as = add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
+        self._save = add("file", mark("&Save"), "save", self.save, "save", icon="floppy-disk")
+        self._save_as = add("file", mark("Save &As…"), "save_as", self.save_as, "save_as")
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
-        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close_palette, "close", icon="x")
+        self._close = add("file", mark("&Close Palette"), "close", self.close_palette, "close", icon="x")
         window.menus["file"].addSeparator()
         for action in (new, opened, self._close):
             window.add_library_button(action)

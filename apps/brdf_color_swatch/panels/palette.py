@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import described, icon_button, row_of
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPixmap
@@ -65,4 +66,5 @@ class PalettePanel(QWidget):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(tr("Colour of the Palette"))
         dialog.colorSelected.connect(lambda colour: self.edited.emit("colour", colour.name()))
+        quieten(dialog)
         dialog.open()

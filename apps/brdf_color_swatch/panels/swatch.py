@@ -8,7 +8,7 @@ from datetime import datetime
 import numpy as np
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QTextOption
 from PySide6.QtWidgets import QFormLayout, QLineEdit, QPlainTextEdit, QWidget
@@ -36,7 +36,10 @@ class _Chips(QWidget):
             (name, lab, QColor(*(int(part) for part in code)))
             for (name, lab), code in zip(readings, codes, strict=True)
         ]
-        lines = [f"{name} L* {lab[0]:.1f} a* {lab[1]:.1f} b* {lab[2]:.1f}" for name, lab, _ in self._readings]
+        lines = [
+            decimal(f"{name} L* {lab[0]:.1f} a* {lab[1]:.1f} b* {lab[2]:.1f}")
+            for name, lab, _ in self._readings
+        ]
         self.setAccessibleName(tr("Measured colours"))
         self.setAccessibleDescription("; ".join(lines))
         self.setToolTip(plain_tip("\n".join(lines)))

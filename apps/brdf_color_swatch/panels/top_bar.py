@@ -6,6 +6,7 @@ from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
@@ -100,8 +101,7 @@ class TopBar(QWidget):
         tip = tr("Light for all swatches")
         self.light = described(QuietComboBox(), name="light", spoken=tip, tip=tip)
         for name in lights:
-            label = "Light booth" if name == "booth" else name.replace("_", " ").capitalize()
-            self.light.addItem(tr(label), name)
+            self.light.addItem(title_of(name), name)
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
         self.way = described(QToolButton(), name="way")
         self.way.setAutoRaise(True)
@@ -126,7 +126,7 @@ class TopBar(QWidget):
             button.setProperty("form", key)
             self.forms.addButton(button)
         self.list_button = _form_button(
-            "rows", "as_list", tr("List with columns"), tr("List with columns (Ctrl+L)")
+            "rows", "as_list", tr("List with columns"), tr("List with columns (5)")
         )
         self.list_button.clicked.connect(self.list_chosen)
         self.size_slider = described(

@@ -31,7 +31,7 @@ class ColourSearch(SwatchFeature):
         super().__init__(session, window)
         add = window.add_command
         self._near = add(
-            "paint", mark("Find &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",
+            "paint", mark("Find &Nearest"), "find_nearest", self.find, "nearest", icon="crosshair",
             tip=mark("Sort by mean ΔE00 over 15°, 45° and 110° to the selected swatch"),
         )  # fmt: skip
         self._other = add(

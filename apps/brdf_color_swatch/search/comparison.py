@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
@@ -104,9 +104,9 @@ class ComparePanel(QWidget):
             turn = (lch[1, row, 2] - lch[0, row, 2] + 180.0) % 360.0 - 180.0
             values = [
                 f"{angle:g}°",
-                f"{differences[row]:.2f}",
-                *(f"{value:+.1f}" for value in lab[1, row] - lab[0, row]),
-                f"{lch[1, row, 1] - lch[0, row, 1]:+.1f}",
+                decimal(f"{differences[row]:.2f}"),
+                *(decimal(f"{value:+.1f}") for value in lab[1, row] - lab[0, row]),
+                decimal(f"{lch[1, row, 1] - lch[0, row, 1]:+.1f}"),
                 f"{turn:+.0f}°" if min(lch[:, row, 1]) >= 1.0 else "–",
             ]
             lines.append(f"{values[0]} ΔE00 {values[1]}")
@@ -119,7 +119,7 @@ class ComparePanel(QWidget):
         self.table.setFixedHeight(height + sum(self.table.rowHeight(row) for row in range(len(ANGLES_DEG))))
         figures = []
         if np.isfinite(differences).any():
-            mean, worst = f"{np.nanmean(differences):.2f}", f"{np.nanmax(differences):.2f}"
+            mean, worst = decimal(f"{np.nanmean(differences):.2f}"), decimal(f"{np.nanmax(differences):.2f}")
             figures.append(tr("Mean ΔE00 {mean}, worst {worst}").format(mean=mean, worst=worst))
         flops = [_format_figure(flop) for flop in columns.flop]
         figures.append(tr("Flop {first} and {second}").format(first=flops[0], second=flops[1]))
@@ -137,7 +137,7 @@ class PaintComparison(SwatchFeature):
         self.panel = ComparePanel()
         self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
         self._command = window.add_command(
-            "paint", mark("&Compare the Two Selected"), "Ctrl+Shift+C", self.compare, "compare", icon="scales"
+            "paint", mark("&Compare the Two Selected"), "compare", self.compare, "compare", icon="scales"
         )
         session.selection_changed.connect(lambda _pane: self._show())
         session.shown_changed.connect(lambda _pane: self._show())
@@ -170,4 +170,4 @@ class PaintComparison(SwatchFeature):
 
 
 def _format_figure(value: float) -> str:
-    return f"{value:.1f}" if np.isfinite(value) else "–"
+    return decimal(f"{value:.1f}") if np.isfinite(value) else "–"

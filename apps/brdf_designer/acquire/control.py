@@ -25,7 +25,7 @@ class AcquireControl(Feature, QObject):
         self.action = window.add_command(
             "file",
             tr("Ac&quire…"),
-            "Ctrl+Shift+A",
+            "acquire",
             self.open,
             "acquire",
             tip=tr("From photographs of a painted sphere to a paint, step by step"),

@@ -36,13 +36,13 @@ from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.step_page import AcquirePage
 
 StepState = Literal["todo", "running", "done", "warning"]
-_STATES: dict[StepState, tuple[str, str]] = {
-    "todo": ("circle", mark("pending")),
-    "running": ("hourglass", mark("running")),
-    "done": ("check-circle", mark("done")),
-    "warning": ("warning", mark("check result")),
+_STATES: dict[StepState, tuple[tuple[str, str], str]] = {
+    "todo": (("circle", ""), mark("pending")),
+    "running": (("hourglass", ""), mark("running")),
+    "done": (("check-circle-fill", "good"), mark("done")),
+    "warning": (("warning-fill", "warning"), mark("check result")),
 }
-"""The sign of each state of a step, and its word."""
+"""The sign of each state of a step with its colour, and its word."""
 STEPS = {
     "session": mark("Session"),
     "exposures": mark("Exposures"),
@@ -129,7 +129,9 @@ class AcquireWindow(QWidget):
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
         inside = QWidget()
-        fill_column(inside, self.messages, self.progress, self.stack, line, foot, grows=self.stack, spacing=0)
+        fill_column(inside, self.stack, line, foot, grows=self.stack, spacing=0)
+        for part in (self.messages, self.progress):
+            part.float_over(self.stack, inside)
         self.setLayout(row_of(self.rail, inside, grows=inside, spacing=0))
 
     def _shortcuts(self) -> None:
@@ -163,7 +165,7 @@ class AcquireWindow(QWidget):
         """Show the state of a step, and a few words of what came of it."""
         number, (sign, word) = KEYS.index(key) + 1, _STATES[state]
         item, title = self.rail.item(number - 1), tr(STEPS[key])
-        item.setIcon(icon(sign))
+        item.setIcon(icon(*sign))
         item.setText(f"{number}  {title}\n{text or tr(word)}")
         spoken = tr("Step {number}, {title}: {state}").format(
             number=number, title=title, state=f"{tr(word)} {text}".strip()

@@ -76,7 +76,7 @@ class CoatSection(PaintSection):
             field.gesture_finished.connect(self._end_coat)
         self.haze = computed()
         self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
-        self.note = wrapped()
+        self.note = wrapped(lines=2)
         self.note.hide()
         self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))

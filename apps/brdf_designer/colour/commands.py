@@ -13,13 +13,13 @@ from brdf_designer.window.focus_order import focus_first_number
 from brdf_designer.window.window import DesignerWindow
 
 _MODES = (
-    ("one", mark("Edit &One Angle"), "Alt+1"),
-    ("all", mark("Edit &All Angles"), "Alt+2"),
-    ("flop", mark("Edit &Flop"), "Alt+3"),
+    ("one", mark("Edit &One Angle"), "edit_one"),
+    ("all", mark("Edit &All Angles"), "edit_all"),
+    ("flop", mark("Edit &Flop"), "edit_flop"),
 )
 _SPACES = (
-    ("lab", mark("Colours in &L*a*b*"), "Alt+4"),
-    ("lch", mark("Colours in LC&h"), "Alt+5"),
+    ("lab", mark("Colours in &L*a*b*"), "space_lab"),
+    ("lch", mark("Colours in LC&h"), "space_lch"),
 )
 _SETS = (
     ("e2194", mark("Angles: &3 (15, 45, 110°)")),
@@ -37,7 +37,9 @@ class ColourCommands(Feature, QObject):
         head = window.editors.head
         self._window = window
         window.paint_menu.addSeparator()
-        window.add_command("paint", mark("&Go to First Value"), "Alt+0", self.type_numbers, "type_numbers")
+        window.add_command(
+            "paint", mark("&Go to First Value"), "first_value", self.type_numbers, "type_numbers"
+        )
         # Who makes a new paint wants to say what it is.
         window.new_requested.connect(self.type_numbers)
         for mode, text, keys in _MODES:

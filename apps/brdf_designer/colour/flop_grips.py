@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette, QPen
 
@@ -93,7 +93,7 @@ class FlopOfPaint:
     def describe(self, grip: Grip) -> tuple[str, str]:
         """Return what a grip stands at, in words and in short."""
         value = self.amount(grip)
-        number = "–" if not math.isfinite(value) else f"{value:.{DECIMALS}f}".replace("-", "−")
+        number = "–" if not math.isfinite(value) else decimal(f"{value:.{DECIMALS}f}").replace("-", "−")
         short = f"{tr(grip.handle.label)} {number}{grip.handle.unit}"
         return tr("{value}, from {near:g}° to {far:g}° ({place})").format(
             value=short, near=self.near_deg, far=self.far_deg, place=tr(_PLACES[grip.end])

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import mark, tr
-from brdf_qt.work.fit_error import is_large, large_error_tip, marked
+from brdf_qt.fields.marks import verdict_mark
+from brdf_qt.program.translation import decimal, mark, tr
+from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
@@ -136,7 +137,7 @@ def lab_text(lab: tuple[float, float, float]) -> str:
 
 def one_decimal(value: float) -> str:
     """Return a number with one decimal, a true minus sign, and none where it rounds to 0."""
-    return f"{round(value, 1) + 0.0:.1f}".replace("-", "−")
+    return decimal(f"{round(value, 1) + 0.0:.1f}").replace("-", "−")
 
 
 class ColourPatch:
@@ -172,6 +173,7 @@ class ColourPatch:
         large = error is not None and is_large(error)
         self.field.show_given(given)
         set_font(self.fit, bold=large, italic=True)
+        self.fit.set_mark(fit_mark(error, time_limited and error is not None))
         tip = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}" if large else tr(_FIT_TIP)
         if given is not None:
             tip = f"{lab_text(given.lab)}\n{tip}"
@@ -180,7 +182,7 @@ class ColourPatch:
         if error is None:
             self.fit.set_forms(tr("fit: none"))
             return
-        short = marked(tr("fit ΔE00 {error:.2f}").format(error=error), error)
+        short = tr("fit ΔE00 {error:.2f}").format(error=error)
         if time_limited:
             short = tr("{fit}, time-limited").format(fit=short)
         forms = [short]
@@ -199,6 +201,7 @@ class ColourPatch:
         if patch is not None:
             self.against.set_forms(*patch.forms)
             set_font(self.against, bold=patch.passes is False)
+            self.against.set_mark(verdict_mark(patch.passes))
             self.words.set_forms(*patch.words)
 
 

@@ -6,6 +6,7 @@ import math
 from typing import Protocol
 
 import pyqtgraph as pg
+from brdf_qt.program.translation import decimal
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPen
 from PySide6.QtWidgets import QGraphicsItem
@@ -93,7 +94,7 @@ class TurnAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
 
     def tickStrings(self, values: list[float], _scale: float, _spacing: float) -> list[str]:
         """Return each hue between 0 and 360."""
-        return [f"{value % 360.0:g}" for value in values]
+        return [decimal(f"{value % 360.0:g}") for value in values]
 
 
 class DecadeAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types

@@ -12,7 +12,7 @@ import numpy as np
 import pyqtgraph as pg
 from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.form import fill_column
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QGraphicsItem, QWidget
@@ -213,7 +213,7 @@ class QuantityPlot(QWidget):
             point.set_chosen(accent if self.hasFocus() and number == self._chosen else None)
         if self._angles:
             angle, value = self._angles[self._chosen], float(self._values[self._chosen])
-            reading = f"{value % 360.0 if self._quantity.component == 2 else value:.1f}"
+            reading = decimal(f"{value % 360.0 if self._quantity.component == 2 else value:.1f}")
             text = f"{angle.text}: {tr(self._quantity.axis)} {reading if math.isfinite(value) else '–'}"
             if text != self.accessibleDescription():
                 self.setAccessibleDescription(text)

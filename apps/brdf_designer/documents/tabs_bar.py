@@ -8,7 +8,7 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 
 from brdf_designer.session.state import TabState
@@ -44,6 +44,17 @@ class DocumentTabs(QTabBar):
         self._shown: tuple[tuple[TabState, ...], int] = ((), -1)
         self.currentChanged.connect(lambda place: self.chosen.emit(place) if place >= 0 else None)
         self.tabMoved.connect(self._report_moved)
+
+    def tabSizeHint(self, index: int) -> QSize:
+        """Return the size with the mark of what is not saved, so that none moves when that comes."""
+        hint = super().tabSizeHint(index)
+        if self.tabText(index).startswith(MARK):
+            return hint
+        return QSize(hint.width() + self.fontMetrics().horizontalAdvance(f"{MARK} "), hint.height())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Leave the paint in front where it is."""
+        event.ignore()
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
         """Show the tabs; nothing is emitted."""

@@ -47,7 +47,7 @@ class HandoverControl(Feature, QObject):
         self.action = window.add_command(
             "file",
             tr("&Export…"),
-            "Ctrl+E",
+            "export",
             self.open,
             KEY,
             tip=tr("Export the paint for other programs, or as a report"),

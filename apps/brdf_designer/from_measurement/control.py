@@ -61,7 +61,7 @@ class MeasuredControl(Feature, QObject):
         self.action = window.add_command(
             "file",
             tr("New from &Measurement…"),
-            "Ctrl+Shift+N",
+            "new_from_measurement",
             self.ask,
             "new_from_measurement",
             tip=tr(

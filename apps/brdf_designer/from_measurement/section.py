@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form, fill_column
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
@@ -75,7 +75,11 @@ class MeasuredSection(QWidget):
             self.table.set_text(number, 0, f"{angle:g}°")
             for place, light in enumerate(HELD_OUT_LIGHTS_DEG, 1):
                 row = known.get((light, angle))
-                text = "–" if row is None else f"{row.delta_e_2000:.1f}" + ("" if row.supported else "†")
+                text = (
+                    "–"
+                    if row is None
+                    else decimal(f"{row.delta_e_2000:.1f}") + ("" if row.supported else "†")
+                )
                 self.table.set_text(number, place, text)
         self.table.setVisible(bool(angles))
         self.notices.setText("\n".join(start.notices))
@@ -103,7 +107,7 @@ def _gloss(start: MeasuredStart) -> str:
         return tr("Glossmeter: no reading; {gloss:g} GU at 20° is set, not measured").format(
             gloss=start.paint.gloss.gu_20
         )
-    read = ", ".join(f"{value:.1f} GU {angle}°" for angle, value in readings.items())
+    read = ", ".join(decimal(f"{value:.1f} GU {angle}°") for angle, value in readings.items())
     if start.gloss_used:
         return tr("Glossmeter: {readings}").format(readings=read)
     return tr("Glossmeter: {readings}; {gloss:g} GU at 20° is set instead").format(

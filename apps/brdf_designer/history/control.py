@@ -34,7 +34,7 @@ class HistoryControl(Feature, QObject):
         self.action = window.add_command(
             "view",
             tr("&History"),
-            "F6",
+            "history",
             self._show,
             "history_strip",
             tip=tr("Show or hide the history of this paint"),

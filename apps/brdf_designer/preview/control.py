@@ -58,7 +58,7 @@ class PreviewControl(Feature, QObject):
         self.action = window.add_command(
             "view",
             tr("Previe&w"),
-            "F7",
+            "preview",
             self.show,
             "preview",
             tip=tr("Show or hide the preview on the speed form"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
@@ -19,14 +20,6 @@ from brdf_designer.window.caption import Caption
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
-_LIGHT_NAMES = {
-    "booth": mark("Light booth"),
-    "photo_studio": mark("Photo studio"),
-    "street": mark("Street"),
-    "light_tunnel": mark("Light tunnel"),
-    "overcast": mark("Overcast"),
-    "sunny": mark("Sunny"),
-}
 _TIP = mark(
     "The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, "
     "wheel zooms, Alt drag or right drag rotates the light, F frames."
@@ -58,7 +51,7 @@ class PreviewPanel(QWidget):
         self.light.setAccessibleName(tr("Light of the preview"))
         self.light.setToolTip(tr("Light of the preview"))
         for name in LIGHTS:
-            self.light.addItem(tr(_LIGHT_NAMES[name]), name)
+            self.light.addItem(title_of(name), name)
         # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
         self.light.setFixedHeight(self.fontMetrics().height() + 4)
         self.light.activated.connect(lambda row: self.light_chosen.emit(self.light.itemData(row)))

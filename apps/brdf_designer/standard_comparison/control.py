@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import moment, tr
+from brdf_qt.program.names import title_of
+from brdf_qt.program.translation import decimal, moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -121,7 +122,7 @@ class StandardControl(Feature, QObject):
     def _show_known(self) -> None:
         documents = self._session.documents
         tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
-        shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
+        shipped = [(f"{_SHIPPED}{name}", title_of(name)) for name in paint_names()]
         self.section.show_known(tabs, shipped)
 
     def set_standards(self, standards: Sequence[Standard], chosen: int = 0, source: str = "") -> None:
@@ -318,7 +319,7 @@ class StandardControl(Feature, QObject):
             report = self.report(paint, standard)
             word = verdict_word(report.passes)
             cells = (paint.name, _number(report.largest), _number(report.mean), word)
-            rows.append((cells, report.passes is False, report.sentence(say)))
+            rows.append((cells, report.passes, report.sentence(say)))
         self.section.batches.show_batches(rows)
         self.section.clear_batches.setEnabled(bool(self._of_front.batches))
 
@@ -391,8 +392,8 @@ class StandardControl(Feature, QObject):
 
     def _add_commands(self) -> None:
         add = self._window.add_command
-        add("paint", tr("Use This State as &Standard"), "Ctrl+Shift+D", self.take_present, "take_standard")
-        add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
+        add("paint", tr("Use This State as &Standard"), "take_standard", self.take_present, "take_standard")
+        add("paint", tr("&Load Standard…"), "load_standard", self.ask_standard, "load_standard")
         self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
         self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
 
@@ -413,4 +414,4 @@ def _title(standard: Standard) -> str:
 
 
 def _number(value: float | None) -> str:
-    return "–" if value is None else f"{value:.2f}"
+    return "–" if value is None else decimal(f"{value:.2f}")

@@ -7,6 +7,7 @@ from functools import partial
 
 from brdf_qt.fields.form import Form, fill_column, fill_row
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.marks import verdict_mark
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
@@ -97,6 +98,7 @@ class StandardSection(QWidget):
                 label.setText(text)
             if label in (self.origin, self.more, self.notices):
                 label.setVisible(bool(text))
+        self.verdict.set_mark(verdict_mark(state.passes))
         self.results.show_rows(state.title, state.rows)
 
     def show_known(self, tabs: Sequence[tuple[str, str]], shipped: Sequence[tuple[str, str]]) -> None:

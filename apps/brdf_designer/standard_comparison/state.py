@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 
 from brdf_designer.colour.display import lab_to_codes
 from brdf_designer.session.state import by_angle
@@ -67,6 +67,7 @@ class ResultRow:
     cells: tuple[str, str, str, str, str, str]
     bold: frozenset[int]
     tip: str
+    passes: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ def verdict_word(passes: bool | None) -> str:
 def signed(value: float, decimals: int = 2) -> str:
     """Return a difference with its sign, a true minus, and no sign where it rounds to nothing."""
     text = f"{value:+.{decimals}f}"
-    return text[1:] if float(text) == 0.0 else text.replace("-", "−")
+    return decimal(text[1:] if float(text) == 0.0 else text.replace("-", "−"))
 
 
 def _verdict(report: BatchReport, title: str) -> str:
@@ -151,7 +152,7 @@ def _patches(rows: list[AngleRow], title: str) -> tuple[StandardPatch, ...]:
             found.append(StandardPatch(None, True, (text, "–"), ("",), None, text))
             continue
         code, in_gamut = lab_to_codes(row.standard)
-        value = f"{title} {verdict.difference:.2f}"
+        value = decimal(f"{title} {verdict.difference:.2f}")
         word = "" if verdict.passes is None else verdict_word(verdict.passes)
         words = words_text(row.words, say)
         first = row.words[0].text(say) if row.words else words
@@ -159,7 +160,7 @@ def _patches(rows: list[AngleRow], title: str) -> tuple[StandardPatch, ...]:
             StandardPatch(
                 (int(code[0]), int(code[1]), int(code[2])),
                 bool(in_gamut),
-                (f"{value}  {word}".rstrip(), f"{verdict.difference:.2f} {word}".rstrip()),
+                (f"{value}  {word}".rstrip(), decimal(f"{verdict.difference:.2f} {word}").rstrip()),
                 (words, first) if first != words else (words,),
                 verdict.passes,
                 _tip(row, words),
@@ -177,7 +178,7 @@ def _row(row: AngleRow) -> ResultRow:
     word = "" if verdict.passes is None else verdict_word(verdict.passes)
     cells = (
         row.angle + row.marks,
-        f"{verdict.difference:.2f}",
+        decimal(f"{verdict.difference:.2f}"),
         signed(verdict.lightness),
         signed(verdict.chroma),
         signed(verdict.hue),
@@ -188,13 +189,13 @@ def _row(row: AngleRow) -> ResultRow:
         parts = " ".join(tr(LIMIT_NAMES[name]) for name in verdict.exceeded)
         tip += "\n" + tr("Outside the tolerance: {parts}").format(parts=parts)
     bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
-    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
+    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip, verdict.passes)
 
 
 def _tip(row: AngleRow, words: str) -> str:
     lines = [words]
     if row.standard is not None:
-        lab = ", ".join(f"{value:.2f}" for value in row.standard).replace("-", "−")
+        lab = ", ".join(decimal(f"{value:.2f}") for value in row.standard).replace("-", "−")
         lines.append(tr("Standard L*a*b* {lab}").format(lab=lab))
     if row.computed:
         lines.append(tr("* Read from the standard's reflectance by the virtual spectrophotometer."))

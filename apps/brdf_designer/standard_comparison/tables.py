@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.marks import Mark, verdict_mark
 from brdf_qt.fields.number import parse_number
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from brdf_designer.standard_comparison.settings import PARTS, ToleranceSettings
 from brdf_designer.standard_comparison.state import LIMIT_NAMES, ResultRow
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_MARK = Qt.ItemDataRole.UserRole
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
@@ -51,13 +54,25 @@ class WholeTable(QTableWidget):
                 self.setItem(row, column, item)
         self.setFixedHeight(self.sizeHint().height())
 
-    def set_text(self, row: int, column: int, text: str, *, bold: bool = False, tip: str = "") -> None:
-        """Show a text; nothing where it is shown already."""
+    def set_text(
+        self,
+        row: int,
+        column: int,
+        text: str,
+        *,
+        bold: bool = False,
+        tip: str = "",
+        mark: Mark | None = None,
+    ) -> None:
+        """Show a text, with a mark before it where one is given; nothing where it is shown already."""
         item = self.item(row, column)
         if item is None:
             return
         if item.text() != text:
             item.setText(text)
+        if item.data(_MARK) != (mark and mark.name):
+            item.setData(_MARK, mark and mark.name)
+            item.setIcon(QIcon() if mark is None else mark.icon)
         if item.font().bold() != bold:
             font = item.font()
             font.setBold(bold)
@@ -90,8 +105,16 @@ class ResultTable(WholeTable):
             heading.setToolTip(plain_tip(title))
         self.set_row_count(len(rows))
         for number, row in enumerate(rows):
+            sign = verdict_mark(row.passes)
             for column, text in enumerate(row.cells):
-                self.set_text(number, column, text, bold=column in row.bold, tip=row.tip)
+                self.set_text(
+                    number,
+                    column,
+                    text,
+                    bold=column in row.bold,
+                    tip=row.tip,
+                    mark=sign if column == 5 else None,
+                )
 
 
 class ToleranceTable(WholeTable):
@@ -127,7 +150,7 @@ class ToleranceTable(WholeTable):
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)
-                    text = "" if value is None else f"{value:g}"
+                    text = "" if value is None else decimal(f"{value:g}")
                     self.set_text(row, column, text, tip=tip.format(part=LIMIT_NAMES[part]))
 
     def _on_changed(self, item: QTableWidgetItem) -> None:
@@ -161,9 +184,11 @@ class BatchTable(WholeTable):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.itemActivated.connect(lambda item: self.opened.emit(item.row()))
 
-    def show_batches(self, rows: Sequence[tuple[tuple[str, str, str, str], bool, str]]) -> None:
-        """Show (texts, whether it fails, the difference in words) of each batch."""
+    def show_batches(self, rows: Sequence[tuple[tuple[str, str, str, str], bool | None, str]]) -> None:
+        """Show (texts, whether it passes, the difference in words) of each batch."""
         self.set_row_count(len(rows))
-        for number, (cells, fails, tip) in enumerate(rows):
+        for number, (cells, passes, tip) in enumerate(rows):
             for column, text in enumerate(cells):
-                self.set_text(number, column, text, bold=fails and column == 3, tip=tip)
+                last = column == 3
+                sign = verdict_mark(passes) if last else None
+                self.set_text(number, column, text, bold=last and passes is False, tip=tip, mark=sign)

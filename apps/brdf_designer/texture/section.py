@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from brdf_qt.fields.form import Form, described, fill_column, row_of
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QTableWidgetItem, QWidget
 
@@ -101,7 +101,7 @@ class TextureSection(QWidget):
         )
         self.take.clicked.connect(lambda _=False: self.take_requested.emit())
         self.search.clicked.connect(lambda _=False: self.find_requested.emit())
-        self.answer = wrapped()
+        self.answer = wrapped(lines=1)
         self.answer.setObjectName("texture_answer")
         self.answer.hide()
         fill_column(self, self.table, self.note, form, row_of(None, self.take, self.search), self.answer)
@@ -129,8 +129,12 @@ class TextureSection(QWidget):
         rows = [["–"] * 3 for _ in TARGETS]
         if readings is not None:
             for row, one in zip(rows, readings.sparkle, strict=False):
-                row[:] = f"{100 * one.grade:.1f} %", f"{100 * one.area:.1f} %", f"{one.intensity:.1f}"
-            rows[-1] = [f"{100 * readings.graininess:.2f} %", "", ""]
+                row[:] = (
+                    decimal(f"{100 * one.grade:.1f} %"),
+                    decimal(f"{100 * one.area:.1f} %"),
+                    decimal(f"{one.intensity:.1f}"),
+                )
+            rows[-1] = [decimal(f"{100 * readings.graininess:.2f} %"), "", ""]
         for place, (name, row) in enumerate(zip(names, rows, strict=True)):
             tip = tr(_GRAININESS) if place == len(LIGHTS_DEG) else ""
             if readings is not None and place < len(LIGHTS_DEG):

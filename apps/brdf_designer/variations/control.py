@@ -5,15 +5,16 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from brdf_qt.program.feature import Feature
+from brdf_qt.program.names import ENVIRONMENTS
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.state import say
-from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
+from brdf_designer.variations.section import FORMS, NeighbourState, VariationsSection
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.paint_design.variations import (
@@ -183,7 +184,8 @@ def _state(one: Variation) -> NeighbourState:
     if one.paint is None:
         return NeighbourState(one.direction, tr("{word}: none").format(word=word), one.reason, False)
     colours = "\n".join(
-        f"{m.aspecular_deg:g}°: " + ", ".join(f"{value:.1f}" for value in m.lab).replace("-", "−")
+        decimal(f"{m.aspecular_deg:g}°: ")
+        + ", ".join(decimal(f"{value:.1f}") for value in m.lab).replace("-", "−")
         for m in one.paint.measurements
     )
     if one.is_missed:
@@ -206,8 +208,8 @@ def _kept_step() -> float:
 def _kept_look() -> SwatchLook:
     light, form = (settings().value(key, "", type=str) for key in (_LIGHT, _FORM))
     return _look(
-        light if light in dict(ENVIRONMENTS) else USUAL_LOOK.environment,
-        form if form in dict(SURFACES) else USUAL_LOOK.form,
+        light if light in ENVIRONMENTS else USUAL_LOOK.environment,
+        form if form in FORMS else USUAL_LOOK.form,
     )
 
 

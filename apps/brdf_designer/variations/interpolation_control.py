@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_qt.program.feature import Feature
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -168,7 +169,7 @@ class InterpolationControl(Feature, QObject):
     def _list(self) -> None:
         documents = self._session.documents
         tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
-        shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
+        shipped = [(f"{_SHIPPED}{name}", title_of(name)) for name in paint_names()]
         file_title = tr("From a file…")
         if self._chosen == FILE and self._file is not None:
             file_title = tr("{name}, from a file…").format(name=self._file.name)

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.names import ENVIRONMENTS, title_of
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
@@ -29,15 +30,7 @@ PLACES: dict[Direction, tuple[int, int]] = {
     "darker": (2, 1),
     "less_flop": (2, 2),
 }
-ENVIRONMENTS = (
-    ("booth", mark("Light booth")),
-    ("photo_studio", mark("Photo studio")),
-    ("street", mark("Street")),
-    ("light_tunnel", mark("Light tunnel")),
-    ("overcast", mark("Overcast")),
-    ("sunny", mark("Sunny")),
-)
-SURFACES = (("sphere", mark("Sphere")), ("speed_form", mark("Speed form")))
+FORMS = ("sphere", "speed_form")
 
 
 @dataclass(frozen=True)
@@ -103,7 +96,7 @@ class VariationsSection(QWidget):
             self.buttons[direction] = button
         for column in range(3):
             grid.setColumnStretch(column, 1)
-        self.note = wrapped()
+        self.note = wrapped(lines=1)
         self.note.hide()
         form = Form()
         self.step = NumberField(tr("Step"), "", LEAST_STEP, MOST_STEP, 0.5, 1, USUAL_STEP)
@@ -112,7 +105,7 @@ class VariationsSection(QWidget):
             tr("Step"), self.step, tr("Distance of the neighbours in ΔL*, ΔC* or ΔH*, approximately ΔE*ab")
         )
         self.environment, self.surface = (
-            combo((tr(title), key) for key, title in choices) for choices in (ENVIRONMENTS, SURFACES)
+            combo((title_of(key), key) for key in choices) for choices in (ENVIRONMENTS, FORMS)
         )
         form.add_row(tr("Light"), self.environment, tr("Light of the thumbnails"))
         form.add_row(tr("Form"), self.surface, tr("Shape that the thumbnails show"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.marks import Mark
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSizePolicy
@@ -41,6 +42,10 @@ class Caption(PlainLabel):
         if event.type() == QEvent.Type.FontChange:
             self._widths.clear()
 
+    def set_mark(self, what: Mark | None) -> None:
+        super().set_mark(what)
+        self._choose()
+
     def _wide(self, form: str) -> int:
         """Return the width of a form, px. Digits are as wide as each other, and numbers change in every drag."""
         key = _DIGIT.sub("0", form)
@@ -49,7 +54,7 @@ class Caption(PlainLabel):
         return self._widths[key]
 
     def _choose(self) -> None:
-        fitting = (form for form in self._forms if self._wide(form) <= self.width())
+        fitting = (form for form in self._forms if self._wide(form) <= self.contentsRect().width())
         text = next(fitting, self._forms[-1])
         if text != self.text():
             self.setText(text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.marks import Mark
 from brdf_qt.fields.number import reach_of
 from brdf_qt.fields.parameters import ParameterPanel
 from brdf_qt.fields.text import TextLine, TextNotes
@@ -124,10 +125,15 @@ class ModelSection(PaintSection):
                 "curve through L*a*b*, or a parabola."
             ),
         )
+        self.changed = wrapped(lines=1)
+        self.changed.set_mark(Mark.CHANGED)
+        self.changed.hide()
+        self._opened = ""
+        form.add_wide(self.changed)
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
         self.note = wrapped(tr("Not measured: instruments with three angles do not measure below 15°."))
-        self.notices = wrapped()
+        self.notices = wrapped(lines=2)
         self.box.addWidget(self.note)
         self.box.addWidget(self.notices)
         self.notices.hide()
@@ -139,10 +145,23 @@ class ModelSection(PaintSection):
     def show_paint(self, paint: Paint) -> None:
         """Show the rule and the factor."""
         self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
+        self._opened = self._opened or paint.interpolation
+        self.changed.setText(tr("Opened with: {rule}").format(rule=tr(_RULES[self._opened])))
+        self.changed.setVisible(self.has_changed)
         self.panel.set_values({"near_specular": paint.near_specular})
         nearest = min(abs(m.aspecular_deg) for m in paint.measurements)
         note = tr("Not measured: no reading is closer to the mirror direction than {angle:g}°.")
         self.note.setText(note.format(angle=nearest))
+
+    @property
+    def has_changed(self) -> bool:
+        """Whether the rule is another than that of the paint as it was opened."""
+        return self._opened not in ("", self.rule.currentData())
+
+    def keep_opened(self) -> None:
+        """Take the rule that is shown for that of the paint as it was opened."""
+        self._opened = str(self.rule.currentData())
+        self.changed.hide()
 
     def show_notices(self, notices: tuple[str, ...]) -> None:
         """Show what the model has to say about this paint."""

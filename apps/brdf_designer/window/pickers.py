@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.translation import tr
+from brdf_qt.window.shortcuts import PRESETS, give_keys
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QAction, QColor, QKeySequence
+from PySide6.QtGui import QAction, QColor
 from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
 
 from brdf_designer.session.edits import MakeSolid, PickColour
@@ -37,6 +39,7 @@ class ColourPickers(QObject):
         dialog.setOptions(
             QColorDialog.ColorDialogOption.NoButtons | QColorDialog.ColorDialogOption.DontUseNativeDialog
         )
+        quieten(dialog)
         self.dialogs[index] = dialog
 
         def picked(code: QColor) -> None:
@@ -80,7 +83,8 @@ class ReadingMenus(QObject):
         for number, (index, text) in enumerate(texts, 1):
             name = tr("At {angle}…").format(angle=text)
             pick = self._pick.addAction(name, partial(self._open_picker, index))
-            pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
+            if number <= PRESETS:
+                give_keys(pick, f"pick_{number}")
             self._solid.addAction(text, partial(self._session.edit, MakeSolid(index)))
         return True
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.fields.marks import Mark
+from brdf_qt.program.suite import connected_words
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusLine
-from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from brdf_qt.work.fit_error import fit_mark, fit_tips
 
 from brdf_designer.colour.patches import one_decimal
 from brdf_designer.session.state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
@@ -33,11 +35,21 @@ class PaintStatus:
                 "at the measured angles and between them; then the time of the fit, and "
                 "whether the fit is exact or was stopped by the time limit."
             ),
+            elastic=True,
         )
         self._gamut = line.cell(
-            mark("Gamut"), tr("Whether this screen, taken as sRGB, can show the measured colours.")
+            mark("Gamut"),
+            tr("Whether this screen, taken as sRGB, can show the measured colours."),
+            elastic=True,
+        )
+        self._model = line.cell(
+            mark("Model"),
+            tr("How colours between the measured angles are found, where that has been changed."),
         )
         self._link = line.cell(mark("Link"), tr("Programs that follow the edits of this paint."), right=True)
+        self._model.reserve(tr("Model"))
+        self._fit.reserve(_fit_words("88.88", "88.88", "888.8", tr("time-limited")))
+        self._gamut.reserve(tr("Outside sRGB: {angles}").format(angles="15°, 45°, 110°"))
         self._colours: Colours | None = None
         self._fitted: tuple[Colours | None, FitState] | None = None
         self._fit_text = ""
@@ -48,8 +60,14 @@ class PaintStatus:
         self._colours = colours
         outside = [angle.text for angle in colours.angles if not angle.in_gamut]
         self._gamut.set(
-            tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB")
+            tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB"),
+            mark=Mark.OUTSIDE if outside else None,
         )
+
+    def show_model(self, rule: str, *, changed: bool) -> None:
+        """Show the rule between the angles where it is another than that of the paint as it was opened."""
+        tip = tr("Model changed: {rule}").format(rule=rule) if changed else None
+        self._model.set(tr("Model") if changed else "", tip, mark=Mark.CHANGED if changed else None)
 
     def show_fit(self, state: FitState) -> None:
         """Show the flop that is reached; what the fit gives is shown with the fit between the angles."""
@@ -63,18 +81,18 @@ class PaintStatus:
             return
         colours, state = self._fitted
         worst = state.worst_delta_e
-        text = tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
-            worst=_upward(worst),
-            between=_upward(curves.between_delta_e),
-            time=f"{state.milliseconds:.1f}",
-            kind=tr("time-limited") if state.time_limited else tr("exact"),
+        text = _fit_words(
+            _upward(worst),
+            _upward(curves.between_delta_e),
+            decimal(f"{state.milliseconds:.1f}"),
+            tr("time-limited") if state.time_limited else tr("exact"),
         )
-        self._fit_text = marked(text, worst)
-        large = is_large(worst)
+        self._fit_text = text
+        sign = fit_mark(max(worst, curves.between_delta_e), state.time_limited)
         tip = fit_tips(worst, state.time_limited, state.exact_follows)
         rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
         text = "\n".join((*rows, tip) if tip else rows)
-        self._fit.set(self._fit_text, text, "warning" if large or state.time_limited else "fresh")
+        self._fit.set(self._fit_text, text, "warning" if sign else "fresh", sign)
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""
@@ -86,8 +104,7 @@ class PaintStatus:
 
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show who is linked."""
-        names = ", ".join(role.capitalize() for role in roles)
-        self._link.set(tr("Connected: {programs}").format(programs=names) if roles else tr("Not connected"))
+        self._link.set(connected_words(roles))
 
     def _show_flop(self, asked: FlopIndex | None, reached: FlopIndex | None) -> None:
         if asked is None:
@@ -112,7 +129,13 @@ def _row(angle: AngleColour, state: FitState) -> str:
         angle=angle.text,
         target=_lab(angle.lab),
         fit=_lab(state.given[angle.index].lab),
-        difference=f"{state.delta_e[angle.index]:.2f}",
+        difference=decimal(f"{state.delta_e[angle.index]:.2f}"),
+    )
+
+
+def _fit_words(worst: str, between: str, time: str, kind: str) -> str:
+    return tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
+        worst=worst, between=between, time=time, kind=kind
     )
 
 
@@ -121,9 +144,9 @@ def _lab(lab: Lab) -> str:
 
 
 def _one_decimal(value: float) -> str:
-    return "–" if value != value else f"{value:.1f}"
+    return "–" if value != value else decimal(f"{value:.1f}")
 
 
 def _upward(value: float) -> str:
     """Two decimals, rounded up: the bound that is shown always holds."""
-    return f"{-(-value * 100 // 1) / 100 if value > 1e-6 else 0.0:.2f}"
+    return decimal(f"{-(-value * 100 // 1) / 100 if value > 1e-6 else 0.0:.2f}")

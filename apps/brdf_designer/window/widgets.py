@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from brdf_qt.fields.form import described, fill_row
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.labels import RoomyLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
+from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy, QSplitter, QWidget
 
 
 def make_row(*widgets: QWidget, spacing: int = 8) -> QWidget:
@@ -29,11 +29,9 @@ def split(orientation: Qt.Orientation, *parts: tuple[QWidget, int]) -> QSplitter
     return made
 
 
-def wrapped(text: str = "") -> QLabel:
-    """Return a label that breaks its lines and can be copied from."""
-    label = PlainLabel(text)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+def wrapped(text: str = "", lines: int = 0) -> RoomyLabel:
+    """Return a label that breaks its lines and can be copied from; it has room for ``lines`` also while hidden."""
+    label = RoomyLabel(text, lines)
     label.setMinimumWidth(64)
     return label
 

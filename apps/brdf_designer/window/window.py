@@ -7,12 +7,12 @@ from functools import partial
 
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
@@ -36,13 +36,12 @@ from brdf_suite.documents.paint import Paint
 class DesignerWindow(SuiteWindow):
     """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``,
-    ``viewer_requested``, and those of ``tabs``.
+    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, and
+    those of ``tabs``.
     """
 
     new_requested = Signal()
     shipped_requested = Signal(str)
-    viewer_requested = Signal()
 
     takes_several_files = False
 
@@ -98,9 +97,13 @@ class DesignerWindow(SuiteWindow):
                 section.show_paint(colours.paint)
         self.plot.show_colours(colours)
         self.paint_status.show_colours(colours)
+        self._show_model()
         if self.reading_menus.show_angles(colours.angles):
             # Fields have come or gone with the angles.
             QTimer.singleShot(0, self, self.order_focus)
+
+    def _show_model(self) -> None:
+        self.paint_status.show_model(self.model.rule.currentText(), changed=self.model.has_changed)
 
     def show_fit(self, state: FitState) -> None:
         """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
@@ -163,6 +166,7 @@ class DesignerWindow(SuiteWindow):
         self._centre_box = fill_column(centre, self.tabs, whole, margins=(8, 4, 8, 8))
         self._centre_box.setStretchFactor(whole, 1)
         self.set_centre(centre)
+        self.float_over(whole)
         self.tabs.new_requested.connect(self.new_requested)
 
     def _build_inspector(self, session: PaintSession) -> None:
@@ -179,49 +183,50 @@ class DesignerWindow(SuiteWindow):
         self.add_section("paint", tr("Paint"), self.texts)
 
     def _build_menus(self, session: PaintSession, shipped: Sequence[str]) -> None:
-        keys, documents, file = QKeySequence.StandardKey, session.documents, self.file_menu
-        new = self.add_action(file, mark("&New"), self.new_requested.emit, keys.New, "file-plus")
+        documents, file = session.documents, self.file_menu
+        new = self.add_action(file, mark("&New"), self.new_requested.emit, "new", "file-plus")
         opened = self.add_action(
-            file, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
+            file, mark("&Open…"), lambda: self.open_requested.emit(None), "open", "folder-open"
         )
         shipped_menu = file.addMenu(tr("Open &Sample Paint"))
         for name in shipped:
-            action = shipped_menu.addAction(name.replace("_", " ").capitalize())
+            action = shipped_menu.addAction(title_of(name))
             action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
         self.add_recent_menu()
         file.addSeparator()
         save = self.add_action(
-            file, mark("&Save"), lambda: documents.front.files.save(), keys.Save, "floppy-disk"
+            file, mark("&Save"), lambda: documents.front.files.save(), "save", "floppy-disk"
         )
-        self.add_action(file, mark("Save &As…"), lambda: documents.front.files.save_as(), "Ctrl+Shift+S")
+        self.add_action(file, mark("Save &As…"), lambda: documents.front.files.save_as(), "save_as")
         file.addSeparator()
-        self.add_action(file, mark("&Close Tab"), lambda: documents.close(documents.front), "Ctrl+W", "x")
-        self.reopen_action = self.add_action(
-            file, mark("Reopen Closed &Tab"), documents.reopen, "Ctrl+Shift+T"
-        )
+        self.add_action(file, mark("&Close Tab"), lambda: documents.close(documents.front), "close", "x")
+        self.reopen_action = self.add_action(file, mark("Reopen Closed &Tab"), documents.reopen, "reopen")
         self.reopen_action.setEnabled(False)
         self.add_quit()
         self.undo_action = self.add_action(
-            self.edit_menu, mark("&Undo"), session.undo, keys.Undo, "arrow-counter-clockwise"
+            self.edit_menu, mark("&Undo"), session.undo, "undo", "arrow-counter-clockwise"
         )
         self.redo_action = self.add_action(
-            self.edit_menu, mark("&Redo"), session.redo, "Ctrl+Shift+Z", "arrow-clockwise"
+            self.edit_menu, mark("&Redo"), session.redo, "redo", "arrow-clockwise"
         )
-        self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.reading_menus = ReadingMenus(self.paint_menu, session, self.pick_colour)
         self._step_actions = [
             self.add_action(self.window_menu, text, partial(documents.step, by), keys)
             for text, by, keys in (
-                (mark("&Next Tab"), 1, "Ctrl+Tab"),
-                (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
+                (mark("&Next Tab"), 1, "next_tab"),
+                (mark("&Previous Tab"), -1, "previous_tab"),
             )
         ]
-        for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
-            step.setShortcuts([step.shortcut(), QKeySequence(second)])
-        viewer = self.add_action(
-            self.window_menu, mark("Open &Viewer"), self.viewer_requested.emit, icon="monitor"
-        )
-        for entry in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
+        for entry in (
+            new,
+            opened,
+            save,
+            None,
+            self.undo_action,
+            self.redo_action,
+            None,
+            self.openers["viewer"],
+        ):
             if entry is None:
                 self.toolbar.addSeparator()
             else:
@@ -240,6 +245,8 @@ class DesignerWindow(SuiteWindow):
         self._whole = None
         self.strip.band.keep_opened()
         self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
+        self.model.keep_opened()
+        self._show_model()
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):
                 field.set_default(field.value())

@@ -9,7 +9,7 @@ import numpy as np
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, row_of
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
@@ -175,7 +175,7 @@ class CurvesPlot(LinePlot):
                     name=line.title,
                     rms=number(error.rms),
                     unit=UNIT,
-                    share=f"{100.0 * error.relative:.1f}" if np.isfinite(error.relative) else "–",
+                    share=decimal(f"{100.0 * error.relative:.1f}") if np.isfinite(error.relative) else "–",
                     worst=number(error.worst),
                     angle=degrees(lines.cut.axis, error.worst_deg),
                 )
@@ -239,7 +239,11 @@ def bands_of(angle_deg: Floats, holes: Bools | None, log_x: bool) -> list[tuple[
 
 
 def _short(lines: Lines, error: SliceError) -> str:
-    size = f"{100.0 * error.relative:.1f} %" if np.isfinite(error.relative) else f"{number(error.rms)} {UNIT}"
+    size = (
+        decimal(f"{100.0 * error.relative:.1f} %")
+        if np.isfinite(error.relative)
+        else f"{number(error.rms)} {UNIT}"
+    )
     return tr("Fit: RMS {rms}, worst {worst} {unit} at {angle}").format(
         rms=size, worst=number(error.worst), unit=UNIT, angle=degrees(lines.cut.axis, error.worst_deg)
     )

@@ -76,7 +76,7 @@ class Slices(Feature, QObject):
             window.plots.add(key, tr(_TITLES[key]), plot)
         self.section = SlicesSection(self.state)
         window.add_section("slices", tr("Slices"), self.section, is_open=False)
-        window.add_command("edit", mark("Copy Curves"), "Ctrl+Shift+C", self.copy_curves)
+        window.add_command("edit", mark("Copy Curves"), "copy_curves", self.copy_curves)
         window.add_command("file", mark("Save Curves as CSV…"), None, self._save_curves)
         self._timer = make_timer(self, self.draw_now)
         for signal in session.changes:

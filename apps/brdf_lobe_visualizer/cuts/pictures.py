@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 
 from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
 from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
@@ -106,7 +106,7 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
             error = image_error(targets[column], fits[column])
             notes: tuple[str, ...] = ()
             if error is not None:
-                share = f"{100.0 * error.relative:.{0 if error.relative >= 0.1 else 1}f}"
+                share = decimal(f"{100.0 * error.relative:.{0 if error.relative >= 0.1 else 1}f}")
                 share = share if np.isfinite(error.relative) else "–"
                 notes = (tr("RMS {share} %").format(share=share), f"{share} %")
             pictures[1, column] = _picture(fits[column], request, white, column, None, notes=notes)

@@ -9,7 +9,7 @@ from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
@@ -100,7 +100,7 @@ class FactorsView(SliceImageView):
             angles = angles_at(x, y)
             if angles is None:
                 return title
-            theta, phi = f"{angles[0]:.1f}", f"{angles[1]:.0f}"
+            theta, phi = decimal(f"{angles[0]:.1f}"), decimal(f"{angles[1]:.0f}")
             return tr("{map}: θ {theta}°, φ {phi}°").format(map=title, theta=theta, phi=phi)
         if picture.form == "band":
             return tr("{map}: at {x}").format(map=title, x=f"{x:.2f}")
@@ -153,7 +153,7 @@ class Factors(Feature, QObject):
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         tip = mark("Show or hide the maps of a factored reflectance")
         window.add_command(
-            "view", mark("&Factors"), "Ctrl+M", lambda: self.dock.setVisible(self.dock.isHidden()), tip=tip
+            "view", mark("&Factors"), "factors", lambda: self.dock.setVisible(self.dock.isHidden()), tip=tip
         )
 
     @property
@@ -193,7 +193,7 @@ class Factors(Feature, QObject):
             return
         pictures = factor_pictures(value)
         self.panel.view.show_pictures(pictures, channel, tone, "")
-        alpha = ", ".join(f"{number:.3g}" for number in value.terms[0][0].tolist())
+        alpha = ", ".join(decimal(f"{number:.3g}") for number in value.terms[0][0].tolist())
         texels = ", ".join(f"{one.name} {one.texels}" for one in pictures)
         text = tr("{name}: α {alpha} 1/sr; texels: {texels}")
         self.panel.note.setText(text.format(name=front.title, alpha=alpha, texels=texels))

@@ -6,8 +6,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from brdf_qt.fields.marks import Mark
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Signal
@@ -18,7 +20,7 @@ from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial
-from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, RMS_LIMITS, Verdict, verdict_of, words_of
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, RMS_LIMITS, verdict_of, words_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.progress import Progress
@@ -214,7 +216,7 @@ class LegendControl(QObject):
         session = self._session
         found = self.errors.error(subject.key)
         error, details = "", []
-        verdict: Verdict | None = None
+        verdict: Mark | None = None
         if found is not None:
             away, whole = (_percent(e.relative_rms) for e in (found.errors.away, found.errors.whole))
             error = f"({away})" if self.errors.is_stale(subject.key) else away
@@ -224,7 +226,7 @@ class LegendControl(QObject):
             details.append(text.format(rms=away, all=whole))
             if found.delta_e is not None:
                 text = tr("Mean ΔE00 at 15°, 45°, 110°: {value}")
-                details.append(text.format(value=f"{found.delta_e:.2f}"))
+                details.append(text.format(value=decimal(f"{found.delta_e:.2f}")))
                 verdict = verdict_of(found.delta_e, DELTA_E_LIMITS)
             else:
                 verdict = verdict_of(found.errors.away.relative_rms, RMS_LIMITS)
@@ -247,10 +249,10 @@ class LegendControl(QObject):
 
     def _build_commands(self) -> None:
         add, menu = self._window.add_command, "reflectance"
-        self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
-        self._solo = add(menu, mark("So&lo"), "Ctrl+Shift+H", None)
+        self._shown = add(menu, mark("S&how"), "show", None)
+        self._solo = add(menu, mark("So&lo"), "solo", None)
         tip = mark("Compute differences and errors against this reflectance")
-        self._reference = add(menu, mark("Set as &Reference"), "Ctrl+R", None, tip=tip)
+        self._reference = add(menu, mark("Set as &Reference"), "reference", None, tip=tip)
         session = self._session
         for action, act in (
             (self._shown, lambda key, on: session.set_hidden(key, not on)),
@@ -262,11 +264,9 @@ class LegendControl(QObject):
             action.triggered.connect(lambda on, act=act: self._for_front(lambda key: act(key, on)))
         rename = add(menu, mark("Re&name"), None, lambda: self._for_front(self.legend.edit_title))
         self._build_line_menu()
-        up = add(menu, mark("Move &Up"), "Ctrl+Shift+Up", lambda: self._move(-1))
-        down = add(menu, mark("Move &Down"), "Ctrl+Shift+Down", lambda: self._move(1))
-        gone = add(
-            menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._session.remove), icon="x"
-        )
+        up = add(menu, mark("Move &Up"), "move_up", lambda: self._move(-1))
+        down = add(menu, mark("Move &Down"), "move_down", lambda: self._move(1))
+        gone = add(menu, mark("Re&move"), "remove", lambda: self._for_front(self._session.remove), icon="x")
         self._of_front = [
             self._shown,
             self._solo,
@@ -278,12 +278,12 @@ class LegendControl(QObject):
             gone,
         ]
         self._window.paint_menu.addSeparator()
-        add(menu, mark("Show &All"), "Ctrl+Shift+A", self._session.show_all, icon="eye")
+        add(menu, mark("Show &All"), "show_all", self._session.show_all, icon="eye")
         add(menu, mark("Remove All &Others"), None, lambda: self._for_front(self._remove_others))
-        add(menu, mark("Ne&xt Reflectance"), "Ctrl+Tab", lambda: self._step(1))
-        add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
+        add(menu, mark("Ne&xt Reflectance"), "next_tab", lambda: self._step(1))
+        add(menu, mark("Pre&vious Reflectance"), "previous_tab", lambda: self._step(-1))
         tip = mark("Show the selected reflectance and the reference alternately")
-        self._blink = add(menu, mark("Al&ternate with Reference"), "B", self.blink, tip=tip)
+        self._blink = add(menu, mark("Al&ternate with Reference"), "blink", self.blink, tip=tip)
 
     def _build_line_menu(self) -> None:
         self._line = QMenu(tr("L&ine"), self._window.paint_menu)
@@ -324,6 +324,7 @@ class LegendControl(QObject):
         dialog.currentColorChanged.connect(lambda c: change(key, colour=(c.redF(), c.greenF(), c.blueF())))
         dialog.rejected.connect(lambda: change(key, colour=subject.colour))
         dialog.finished.connect(dialog.deleteLater)
+        quieten(dialog)
         dialog.open()
 
     def _remove_others(self, key: str) -> None:
@@ -345,4 +346,4 @@ class LegendControl(QObject):
 
 def _percent(share: float) -> str:
     """Return a share with three digits and no exponent."""
-    return f"{100.0 * share:.3g} %" if share < 10.0 else f"{100.0 * share:.0f} %"
+    return decimal(f"{100.0 * share:.3g} %" if share < 10.0 else f"{100.0 * share:.0f} %")

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip, set_bold
+from brdf_qt.fields.marks import Mark
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QIcon, QKeyEvent, QPalette
@@ -25,7 +26,7 @@ from PySide6.QtWidgets import (
 from brdf_lobe_visualizer.cuts.pens import LINE_SIZE, line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
-from brdf_lobe_visualizer.verdict import Verdict, verdict_icon, words_of
+from brdf_lobe_visualizer.verdict import words_of
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
@@ -54,7 +55,7 @@ class LegendRow:
     reference: bool
     error: str
     tip: str
-    verdict: Verdict | None = None
+    verdict: Mark | None = None
 
     @property
     def spoken(self) -> str:
@@ -312,7 +313,7 @@ def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio
     for column, on in ((TITLE, row.shown), (SOLO, row.solo), (REFERENCE, row.reference)):
         item.setCheckState(column, Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
     item.setText(ERROR, row.error)
-    item.setIcon(ERROR, QIcon() if row.verdict is None else verdict_icon(row.verdict, ratio))
+    item.setIcon(ERROR, QIcon() if row.verdict is None else row.verdict.icon)
     item.setToolTip(ERROR, plain_tip(row.tip))
     item.setTextAlignment(ERROR, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     item.setData(TITLE, Qt.ItemDataRole.AccessibleTextRole, row.spoken)

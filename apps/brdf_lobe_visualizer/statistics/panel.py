@@ -13,7 +13,7 @@ from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import (
@@ -32,7 +32,7 @@ from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.statistics.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.statistics.work import FiguresWork
-from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_icon, verdict_of
+from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
@@ -91,7 +91,7 @@ class FiguresModel(QAbstractTableModel):
             value = row.values[index.column() - 1]
             if value is None or not row.name.startswith("ΔE00"):
                 return None
-            return verdict_icon(verdict_of(value, DELTA_E_LIMITS), 2.0)
+            return verdict_of(value, DELTA_E_LIMITS).icon
         if role == Qt.ItemDataRole.TextAlignmentRole and index.column() > 0:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.AccessibleTextRole and index.column() > 0:
@@ -124,7 +124,7 @@ class FiguresModel(QAbstractTableModel):
         if value is None:
             return "–"
         # What rounding leaves of a difference of equals is none.
-        return "0" if abs(value) < _NOTHING else f"{value:.4g}".replace("-", "−")
+        return "0" if abs(value) < _NOTHING else decimal(f"{value:.4g}").replace("-", "−")
 
 
 class FiguresTable(QTableView):
@@ -263,14 +263,14 @@ class Numbers(Feature, QObject):
         self.action = window.add_command(
             "view",
             mark("&Numbers"),
-            "Ctrl+N",
+            "numbers",
             lambda: self.dock.setVisible(self.dock.isHidden()),
             icon="table",
             tip=tip,
         )
         tip = mark("Copy the visible table")
-        window.add_command("edit", mark("&Copy Figures"), "Ctrl+Shift+N", self.copy, icon="copy", tip=tip)
-        window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
+        window.add_command("edit", mark("&Copy Figures"), "copy_figures", self.copy, icon="copy", tip=tip)
+        window.add_command("file", mark("&Export Figures…"), "export", self.export, icon="export")
 
     @property
     def is_idle(self) -> bool:
@@ -314,7 +314,7 @@ class Numbers(Feature, QObject):
         named = self._named()
         if not named:
             text = tr("There are no figures to export yet.")
-            todo = tr("Open the panel Numbers (Ctrl+N) and wait until they are computed.")
+            todo = tr("Open the panel Numbers (F5) and wait until they are computed.")
             self._window.show_message(Message("figures", text, todo=todo))
             return
         path = self._ask_path(Path(str(settings().value(_FOLDER_KEY, ""))) / "reflectances.csv")

@@ -135,7 +135,7 @@ class FollowedPaint(Feature, QObject):
             mark("&Follow Designer"),
             mark("Show the paint being edited in Designer and follow every change"),
         )
-        self.action = window.add_command("reflectance", name, "Ctrl+D", self._followed, tip=tip, checked=True)
+        self.action = window.add_command("reflectance", name, "follow", self._followed, tip=tip, checked=True)
         session.subjects_changed.connect(self._look)
 
     @property

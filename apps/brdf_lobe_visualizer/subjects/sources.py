@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
@@ -159,7 +160,7 @@ class MeasuredBins:
 def names() -> dict[str, Sequence[tuple[str, str]]]:
     """Return what comes with the program: title and name of every shipped paint, paint of Table 1, and model."""
     return {
-        "paints": [(name.replace("_", " ").capitalize(), name) for name in paint_names()],
+        "paints": [(title_of(name), name) for name in paint_names()],
         "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],
         "models": [(entry.title, name) for name, entry in MODELS.items()],
     }

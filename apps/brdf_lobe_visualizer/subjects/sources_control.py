@@ -193,7 +193,7 @@ class Sources(Feature, QObject):
         noted = " ".join(found.notes)
         more = ""
         if shown + len(found.refused) < len(found.entries):
-            more = tr("The others are listed in the panel Reflectances (Ctrl+L).")
+            more = tr("The others are listed in the panel Reflectances (Ctrl+Shift+B).")
         if found.refused:
             text = tr("{count} entries of {title} cannot be shown.")
             what = text.format(count=len(found.refused), title=found.title)

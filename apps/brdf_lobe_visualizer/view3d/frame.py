@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 from brdf_qt.gl.segments import Rgba, Segments, polyline, segments
+from brdf_qt.program.translation import decimal
 
 from brdf_suite.arrays import Floats, Singles, triple
 from brdf_suite.geometry.directions import mirror, spherical
@@ -186,7 +187,7 @@ def rings_of(scale: RadiusScale) -> list[tuple[float, str]]:
     for value in values:
         radius = float(scale.radius(value))
         if 0.08 < radius <= 1.001 and all(abs(radius - other) > 0.07 for other, _ in rows):
-            rows.append((radius, f"{value:.3g}"))
+            rows.append((radius, decimal(f"{value:.3g}")))
     return rows
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
@@ -431,9 +431,9 @@ def _notes(sheet: _Sheet) -> list[str]:
 
 def _bar(scale: RadiusScale, title: str, *, signed: bool) -> Bar:
     rounds = [(radius, text) for radius, text in rings_of(scale) if radius < 0.93]
-    rows = [(1.0, f"{scale.full:.3g}"), *rounds]
+    rows = [(1.0, decimal(f"{scale.full:.3g}")), *rounds]
     if not signed:
-        least = f"≤ {scale.value(0.0):.2g}" if scale.kind == "log" else "0"
+        least = decimal(f"≤ {scale.value(0.0):.2g}") if scale.kind == "log" else "0"
         return Bar(value_map(), (*rows, (0.0, least)), title)
     signs = [(0.5 + 0.5 * share, f"+{text}") for share, text in rows]
     signs += [(0.5 - 0.5 * share, f"−{text}") for share, text in rows]

@@ -163,9 +163,9 @@ class Space(Feature, QObject):
     def _add_commands(self) -> None:
         add = self._window.add_command
         for number, (key, title) in enumerate(PRESETS, 1):
-            add("view", title, str(number), lambda key=key: self.go_to(key))
+            add("view", title, f"preset_{number}", lambda key=key: self.go_to(key))
         add("view", mark("Frame the Hemisphere"), None, self.frame)
-        sweep = add("view", mark("Sweep the Incidence"), "Space", self.sweep.set_running, checked=False)
+        sweep = add("view", mark("Sweep the Incidence"), "play", self.sweep.set_running, checked=False)
         self.sweep.running_changed.connect(sweep.setChecked)
         # In the view alone: elsewhere the space bar presses buttons.
         sweep.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.window.message_bar import message_of
 
 from brdf_lobe_visualizer.session import LobeSession
@@ -192,7 +192,7 @@ def sample_points(
         polar = np.degrees(np.arccos(np.clip(samples.wi[:, 2], -1.0, 1.0)))
         nearest = polar[np.argmin(np.abs(polar - session.incidence[0]))]
         text = tr("No samples within {reach}° of this incidence; the nearest is at {angle}°.")
-        return None, text.format(reach=f"{options.within_deg:g}", angle=f"{nearest:.1f}")
+        return None, text.format(reach=decimal(f"{options.within_deg:g}"), angle=decimal(f"{nearest:.1f}"))
     values = values * np.maximum(cosine_of(session.options.cosine, wi, wo), 0.0)[:, None]
     shown = scalar_of(values.astype(np.float32), session.options.channel)
     places = wo * np.minimum(scale.radius(shown), CUT)[:, None]

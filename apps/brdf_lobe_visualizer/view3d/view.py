@@ -16,7 +16,7 @@ from brdf_qt.fields.form import described
 from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
 from brdf_qt.gl.segments import Rgba
 from brdf_qt.gl.space import Region, SpaceView, project
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QMatrix4x4, QMouseEvent, QPainter, QPalette, QVector3D
@@ -411,5 +411,9 @@ def words_of(probe: Probe) -> str:
     value = value_along(probe.surface, probe.grid, view)
     text = tr("θo {theta}°  φo {phi}°  γ {gamma}°  {value} {unit}")
     return text.format(
-        theta=f"{theta:.1f}", phi=f"{phi:.1f}", gamma=f"{gamma:.1f}", value=number(value), unit=UNIT
+        theta=decimal(f"{theta:.1f}"),
+        phi=decimal(f"{phi:.1f}"),
+        gamma=decimal(f"{gamma:.1f}"),
+        value=number(value),
+        unit=UNIT,
     )

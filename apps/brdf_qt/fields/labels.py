@@ -14,6 +14,10 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
+from brdf_qt.fields.marks import SIZE, Mark, draw_mark
+
+_WIDTHS = 16
+"""Of so many widths at most a label knows its heights."""
 _LEAST = 8
 """Characters that an elided label keeps."""
 
@@ -37,12 +41,68 @@ def set_bold(widget: QWidget, bold: bool) -> None:
 
 
 class PlainLabel(QLabel):
-    """A label that draws its text as it is, whatever tags it holds."""
+    """A label that draws its text as it is, whatever tags it holds; a state may be marked before it."""
+
+    _mark: Mark | None = None
 
     def __init__(self, text: str = "", parent: QWidget | None = None, **options: Any) -> None:
         super().__init__(parent, **options)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setText(text)
+
+    @property
+    def mark(self) -> Mark | None:
+        """The mark before the text."""
+        return self._mark
+
+    def set_mark(self, what: Mark | None) -> None:
+        """Show a mark before the text, None: none. Screen readers say its word."""
+        if what is not self._mark:
+            self._mark = what
+            margins = self.contentsMargins()
+            margins.setLeft(0 if what is None else SIZE + 4)
+            self.setContentsMargins(margins)
+            self.setAccessibleDescription("" if what is None else what.word)
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        self._paint_mark()
+
+    def _paint_mark(self) -> None:
+        if self._mark is not None:
+            area = self.contentsRect()
+            lines = self.alignment() & Qt.AlignmentFlag.AlignTop or self.wordWrap()
+            middle = area.top() + self.fontMetrics().height() / 2 if lines else area.center().y() + 0.5
+            draw_mark(QPainter(self), self._mark, self.margin(), middle)
+
+
+class RoomyLabel(PlainLabel):
+    """Text that comes and goes in a place of its own: it breaks its lines, and what lies below stays where it is.
+
+    Its place is as high as ``lines`` from the start, as the longest text so far of this width, and also kept while it
+    is hidden.
+    """
+
+    def __init__(self, text: str = "", lines: int = 0) -> None:
+        super().__init__(text, wordWrap=True)
+        self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._lines = lines
+        self._tallest: dict[int, int] = {}
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(lines > 0)
+        self.setSizePolicy(policy)
+
+    def heightForWidth(self, width: int) -> int:
+        known = self._tallest.get(width, self._lines * self.fontMetrics().lineSpacing())
+        if len(self._tallest) > _WIDTHS:
+            self._tallest.clear()
+        self._tallest[width] = max(known, super().heightForWidth(width))
+        return self._tallest[width]
+
+    def minimumSizeHint(self) -> QSize:
+        hint = super().minimumSizeHint()
+        return QSize(hint.width(), max(hint.height(), self._lines * self.fontMetrics().lineSpacing()))
 
 
 class ElidedLabel(PlainLabel):
@@ -66,7 +126,8 @@ class ElidedLabel(PlainLabel):
 
     def minimumSizeHint(self) -> QSize:
         hint = super().minimumSizeHint()
-        return QSize(min(hint.width(), self.fontMetrics().averageCharWidth() * _LEAST), hint.height())
+        least = self.fontMetrics().averageCharWidth() * _LEAST + self.contentsMargins().left()
+        return QSize(min(hint.width(), least), hint.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self.shown_text == self.text():
@@ -77,3 +138,5 @@ class ElidedLabel(PlainLabel):
         palette, role = self.palette(), self.foregroundRole()
         painter = QPainter(self)
         self.style().drawItemText(painter, area, flags, palette, self.isEnabled(), self.shown_text, role)
+        painter.end()
+        self._paint_mark()

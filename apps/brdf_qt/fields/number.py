@@ -33,7 +33,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QToolTip, QWidge
 from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.text import is_of_window
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from brdf_suite.documents.parameter import Parameter
 
 _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
@@ -153,7 +153,7 @@ class NumberField(QDoubleSpinBox):
 
     def textFromValue(self, value: float) -> str:
         text = f"{value:.{self.decimals()}f}"
-        return text[1:] if float(text) == 0.0 and text.startswith("-") else text
+        return decimal(text[1:] if float(text) == 0.0 and text.startswith("-") else text)
 
     def valueFromText(self, text: str) -> float:
         number = parse_number(text)
@@ -178,7 +178,7 @@ class NumberField(QDoubleSpinBox):
         unit = f" {self.unit}" if self.unit else ""
         below = tr("{number} is below the minimum; the value was set to {end}.")
         above = tr("{number} is above the maximum; the value was set to {end}.")
-        text = (below if low else above).format(number=f"{number:g}{unit}", end=f"{end}{unit}")
+        text = (below if low else above).format(number=f"{decimal(f'{number:g}')}{unit}", end=f"{end}{unit}")
         place = self.mapToGlobal(self.rect().bottomLeft())
         QToolTip.showText(place, plain_tip(text), self, self.rect(), _TIP_MS)
         self.limited.emit(text)

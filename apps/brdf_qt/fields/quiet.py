@@ -1,24 +1,48 @@
 """Fields for an inspector that leave it the wheel: nothing changes because the pointer passed over it.
 
 All drop-down lists, whole numbers and sliders of the programs are of these classes; numbers with a unit are
-:class:`brdf_qt.fields.number.NumberField`.
+:class:`brdf_qt.fields.number.NumberField`. Those in Qt's own dialogs are made quiet by :func:`quieten`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import (
+    QAbstractSpinBox,
     QComboBox,
     QSlider,
     QSpinBox,
     QStyle,
     QStyleOptionSlider,
     QStylePainter,
+    QTabBar,
     QWidget,
 )
+
+
+class _WheelGuard(QObject):
+    """Takes the wheel from what it watches, but for numbers and sliders with the focus."""
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() != QEvent.Type.Wheel:
+            return False
+        if isinstance(watched, QAbstractSpinBox | QSlider) and watched.hasFocus():
+            return False
+        event.ignore()  # what lies below scrolls
+        return True
+
+
+def quieten(dialog: QWidget) -> None:
+    """Let the fields of a dialog that Qt has made leave the wheel, too."""
+    guard = _WheelGuard(dialog)
+    for kind in (QComboBox, QAbstractSpinBox, QSlider, QTabBar):
+        for field in dialog.findChildren(kind):
+            field.installEventFilter(guard)
+            if field.focusPolicy() == Qt.FocusPolicy.WheelFocus:
+                field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
 
 class QuietComboBox(QComboBox):

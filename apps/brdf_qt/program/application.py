@@ -92,7 +92,7 @@ def create_application(
     font.setFeature(QFont.Tag("tnum"), 1)  # digits of equal width: a number does not jump while it changes
     app.setFont(font)
     theme.apply(app, theme_name or theme.current(), remember=False)
-    theme.follow_system(app)
+    theme.follow_changes(app)
     translation.install(app, language)
     _start_log()
     sys.excepthook = _unhandled

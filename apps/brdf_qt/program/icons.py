@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication
 
+from brdf_qt.program.theme import state_colour
 from brdf_suite.errors import FileError
 from brdf_suite.resources import resource
 
@@ -37,12 +38,13 @@ def _family() -> tuple[str, dict[str, str]]:
 
 
 class _GlyphEngine(QIconEngine):
-    """Paints one character in the colour that the palette gives to text."""
+    """Paints one character, in the colour that the palette gives to text where it has none of its own."""
 
-    def __init__(self, character: str, family: str) -> None:
+    def __init__(self, character: str, family: str, state: str) -> None:
         super().__init__()
         self._character = character
         self._font_family = family
+        self._state = state
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
         group = QPalette.ColorGroup.Disabled if mode == QIcon.Mode.Disabled else QPalette.ColorGroup.Active
@@ -54,7 +56,9 @@ class _GlyphEngine(QIconEngine):
         font = QFont(self._font_family)
         font.setPixelSize(max(1, rect.height()))
         painter.save()
-        painter.setPen(QApplication.palette().color(group, role))
+        shown = QApplication.palette()
+        ground = shown.color(QPalette.ColorRole.Window)
+        painter.setPen(QColor(state_colour(self._state, ground)) if self._state else shown.color(group, role))
         painter.setFont(font)
         painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, self._character)
         painter.restore()
@@ -68,11 +72,14 @@ class _GlyphEngine(QIconEngine):
         return pixmap
 
     def clone(self) -> QIconEngine:
-        return _GlyphEngine(self._character, self._font_family)
+        return _GlyphEngine(self._character, self._font_family, self._state)
 
 
 @cache
-def icon(name: str) -> QIcon:
-    """Return the icon of that Phosphor name, as in ``icon("folder-open")``; KeyError for an unknown name."""
+def icon(name: str, state: str = "") -> QIcon:
+    """Return the icon of that Phosphor name, as in ``icon("folder-open")``; KeyError for an unknown name.
+
+    ``state``, one of :func:`~brdf_qt.program.theme.state_colour`, gives its colour; others have that of the text.
+    """
     family, characters = _family()
-    return QIcon(_GlyphEngine(characters[name], family))
+    return QIcon(_GlyphEngine(characters[name], family, state))

@@ -9,13 +9,14 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QRect, QTimer
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program.application import create_application, process_age_s
 from brdf_qt.program.program import Program
 from brdf_qt.program.theme import THEMES
 from brdf_qt.program.translation import languages
+from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.errors import SuiteError
 
 _LARGEST = 20_000
@@ -32,6 +33,15 @@ def window_size(text: str) -> tuple[int, int]:
     raise argparse.ArgumentTypeError(f"{text!r} is no size; give WIDTHxHEIGHT in pixels, as in 1280x800")
 
 
+def window_place(text: str) -> QRect:
+    """Parse ``X,Y,WIDTH,HEIGHT`` in pixels of the screen (an argparse type)."""
+    try:
+        x, y, width, height = (int(n) for n in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is no place; give X,Y,WIDTH,HEIGHT in pixels") from None
+    return QRect(x, y, width, height)
+
+
 def program_parser(
     command: str, description: str, times: str, epilog: str | None = None
 ) -> argparse.ArgumentParser:
@@ -45,6 +55,9 @@ def program_parser(
         "--language", choices=languages(), help="language of this run (default: the last one chosen)"
     )
     parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
+    parser.add_argument(
+        "--place", type=window_place, metavar="X,Y,W,H", help="place of the window on the screen in pixels"
+    )
     parser.add_argument(
         "--screenshot",
         type=Path,
@@ -84,6 +97,12 @@ def run_program(
     if options.size is not None:
         program.window.resize(*options.size)
         program.window.fit_inspector()
+    places = WindowPlaces(program.window)
+    if options.place is not None:
+        program.window.setGeometry(options.place)
+    elif options.size is None:
+        places.step_aside()
+    app.aboutToQuit.connect(places.close)
     program.start_when_painted()
     _Run(app, program, options, parser.prog, actions(options))
     program.window.show()

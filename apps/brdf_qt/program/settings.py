@@ -13,20 +13,22 @@ from PySide6.QtCore import QCoreApplication, QSettings
 
 ORGANISATION = "BRDF Suite"
 FOLDER_VARIABLE = "BRDF_SUITE_SETTINGS"
+SHARED = "shared"
+"""The settings that all programs have in common."""
 
 
 def settings(program: str = "") -> QSettings:
     """Return the settings of a program, by default the running one; cheap to call, all of them share one state."""
-    name = program or QCoreApplication.applicationName() or "shared"
+    name = program or QCoreApplication.applicationName() or SHARED
     folder = os.environ.get(FOLDER_VARIABLE)
     if folder:
         return QSettings(str(Path(folder) / f"{name}.ini"), QSettings.Format.IniFormat)
     return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, ORGANISATION, name)
 
 
-def state_folder(kind: str) -> Path:
-    """Return, and make, the folder ``kind`` (``autosave``, ``log``) beside the settings file."""
-    file = Path(settings().fileName())
+def state_folder(kind: str, program: str = "") -> Path:
+    """Return, and make, the folder ``kind`` (``autosave``, ``log``) beside the settings file of a program."""
+    file = Path(settings(program).fileName())
     folder = file.with_suffix("") / kind
     folder.mkdir(parents=True, exist_ok=True)
     return folder

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import SHARED, settings
 from brdf_qt.program.translation import mark, tr
 
 THEMES = ("dark", "booth", "light", "system")
@@ -60,6 +60,21 @@ _TONES = {
 }
 
 
+_STATES = {
+    "good": ("#6cc070", "#00330f", "#1e6b2a"),
+    "warning": ("#e0a53a", "#3d2800", "#855600"),
+    "bad": ("#ff7468", "#5c0000", "#b3261e"),
+}
+"""Colours of states on dark, middle and light grounds, three to one or more against each."""
+
+
+def state_colour(kind: str, ground: QColor) -> str:
+    """Return the colour of a state, ``good``, ``warning`` or ``bad``, on a window of grey ``ground``."""
+    dark, middle, light = _STATES[kind]
+    level = ground.lightnessF()
+    return dark if level < 0.33 else middle if level < 0.66 else light
+
+
 def palette(name: str) -> QPalette:
     """Return the palette of theme ``dark``, ``booth`` or ``light``; ``system`` becomes dark or light."""
     if name == "system":
@@ -100,27 +115,47 @@ def palette(name: str) -> QPalette:
 
 
 def current() -> str:
-    """Return the name of the chosen theme, from the settings."""
-    name = str(settings().value(_KEY, DEFAULT))
+    """Return the name of the theme that was chosen in any of the programs."""
+    name = str(settings(SHARED).value(_KEY, DEFAULT))
     return name if name in THEMES else DEFAULT
 
 
+def shown() -> str:
+    """Return the name of the theme of this run, which may be another than the chosen one."""
+    app = QApplication.instance()
+    return str((app and app.property("theme")) or current())
+
+
 def apply(app: QApplication, name: str, *, remember: bool = True) -> None:
-    """Give the whole program theme ``name``; remembered for the next start."""
+    """Give the whole program theme ``name``; remembered for all programs."""
     app.setPalette(palette(name))
     app.setProperty("theme", name)
     if remember:
-        settings().setValue(_KEY, name)
+        settings(SHARED).setValue(_KEY, name)
 
 
-def follow_system(app: QApplication) -> None:
-    """Change with the system's light or dark setting while the theme is ``system``."""
+def follow_changes(app: QApplication) -> None:
+    """Change with the system's light or dark setting while the theme is ``system``, and with the other programs.
+
+    What was chosen in another program is taken up when this one is used next.
+    """
 
     def scheme_changed() -> None:
         if app.property("theme") == "system":
             app.setPalette(palette("system"))
 
+    known = current()
+
+    def used(state: Qt.ApplicationState) -> None:
+        nonlocal known
+        if state == Qt.ApplicationState.ApplicationActive:
+            settings(SHARED).sync()
+            if current() != known:
+                known = current()
+                apply(app, known, remember=False)
+
     QGuiApplication.styleHints().colorSchemeChanged.connect(scheme_changed)
+    app.applicationStateChanged.connect(used)
 
 
 def theme_menu(parent: QWidget | None = None) -> QMenu:
@@ -136,9 +171,8 @@ def theme_menu(parent: QWidget | None = None) -> QMenu:
         menu.addAction(action)
 
     def tick() -> None:
-        shown = (app and app.property("theme")) or current()
         for action in group.actions():
-            action.setChecked(action.data() == shown)
+            action.setChecked(action.data() == shown())
 
     def choose(action: QAction) -> None:
         if isinstance(app, QApplication):

@@ -8,22 +8,68 @@ tool that collects them reads the source. Messages of the core (files, fits) are
 from __future__ import annotations
 
 import re
+import string
 from datetime import datetime
 from functools import cache
+from numbers import Real
+from typing import Any
 
 from PySide6.QtCore import QCoreApplication, QDate, QLibraryInfo, QLocale, QTranslator
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import SHARED, settings
 from brdf_suite.resources import resource, resource_names
 
 SYSTEM = "system"
 SOURCE = "en"
 _ENDING = ".qm"
 _KEY = "language"
-_SHARED = "shared"
-"""Where the choice is stored: one for all programs."""
+
+
+_NUMBER = re.compile(r"[-+−]?\d+\.\d+(e[-+−]?\d+)?")
+
+
+class _Numbers(string.Formatter):
+    """Fills places in a text, and writes numbers there as the language has them, also those that are texts already."""
+
+    def format_field(self, value: Any, format_spec: str) -> Any:
+        text = super().format_field(value, format_spec)
+        number = (
+            _NUMBER.fullmatch(text) if isinstance(value, str) else format_spec and isinstance(value, Real)
+        )
+        return decimal(text) if number else text
+
+
+_NUMBERS = _Numbers()
+
+
+class Text(str):
+    """A text of the program's language: numbers that are put into its places have the decimal sign of that."""
+
+    __slots__ = ()
+
+    def format(self, *args: object, **named: object) -> str:
+        if point() == ".":
+            return super().format(*args, **named)
+        return _NUMBERS.vformat(self, args, named)
+
+
+@cache
+def point() -> str:
+    """Return the decimal sign of the program's language."""
+    app = QCoreApplication.instance()
+    code = app.property(_KEY) if app is not None else None
+    return "." if code in (None, SOURCE) else QLocale(str(code)).decimalPoint()
+
+
+def decimal(text: str) -> str:
+    """Return a number that Python has written with the decimal sign of the program's language.
+
+    For what is shown alone: files, clipboards for other programs and options of commands keep the point.
+    """
+    sign = point()
+    return text if sign == "." else text.replace(".", sign)
 
 
 @cache
@@ -33,7 +79,7 @@ def tr(text: str, comment: str | None = None) -> str:
     ``comment`` distinguishes two meanings of one English word. A drag asks for the same forty texts a hundred times a
     second, so they are kept.
     """
-    return QCoreApplication.translate("", text, comment)
+    return Text(QCoreApplication.translate("", text, comment))
 
 
 def mark(text: str, _comment: str | None = None) -> str:
@@ -48,13 +94,13 @@ def languages() -> list[str]:
 
 def chosen() -> str:
     """Return the language that the user chose in any of the programs: a code, or ``system``."""
-    code = str(settings(_SHARED).value(_KEY, SYSTEM))
+    code = str(settings(SHARED).value(_KEY, SYSTEM))
     return code if code in languages() else SYSTEM
 
 
 def remember(code: str) -> None:
     """Choose the language that every program has from its next start on."""
-    settings(_SHARED).setValue(_KEY, code)
+    settings(SHARED).setValue(_KEY, code)
 
 
 def install(app: QCoreApplication, code: str | None = None) -> str:
@@ -65,6 +111,7 @@ def install(app: QCoreApplication, code: str | None = None) -> str:
     tr.cache_clear()
     taken = _installed(app, code)
     app.setProperty(_KEY, taken)
+    point.cache_clear()
     return taken
 
 
@@ -95,15 +142,19 @@ def _installed(app: QCoreApplication, code: str | None) -> str:
     return wanted
 
 
+def language_names() -> dict[str, str]:
+    """Return what can be chosen: each language in its own words, by its code, and the system's first."""
+    names = {SYSTEM: tr("System Default")}
+    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
+    return names | {SOURCE: "English"}
+
+
 def language_menu(parent: QMenu) -> QMenu:
     """Return the menu that chooses the language of all programs from their next start on."""
     menu = QMenu(tr("&Language"), parent)
     menu.setToolTipsVisible(True)
     group = QActionGroup(menu)
-    names = {SYSTEM: tr("System Default")}
-    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
-    names[SOURCE] = "English"
-    for code, name in names.items():
+    for code, name in language_names().items():
         action = QAction(name, menu, checkable=True, checked=code == chosen())
         action.setObjectName(f"language_{code}")
         action.setToolTip(tr("For all programs, from their next start on"))

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QMessageBox, QWidget
 
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 
@@ -115,6 +116,7 @@ class QtDialogs:
 def _chosen(dialog: QFileDialog) -> Path | None:
     """Ask, and return the file that was named; ``None`` where the user gives up."""
     without_icons(dialog)
+    quieten(dialog)
     accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
     names = dialog.selectedFiles()
     dialog.deleteLater()

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QPushButto
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import SHARED, settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import without_icons
 from brdf_qt.window.main_window import SuiteWindow
@@ -67,7 +67,7 @@ class FitChoice:
 def stored_choice() -> FitChoice:
     """Return the choice of the last time, in any of the programs; the default one where there is none."""
     try:
-        kept = json.loads(str(settings("shared").value(_STORED, "{}")))
+        kept = json.loads(str(settings(SHARED).value(_STORED, "{}")))
         known = vars(FitChoice())
         return FitChoice(**{name: type(known[name])(kept[name]) for name in known if name in kept})
     except (ValueError, TypeError):
@@ -193,7 +193,7 @@ class FitCommand(QObject):
     def choose(self, choice: FitChoice) -> None:
         """Keep a choice whose basis can be read, for all programs, and report its settings."""
         chosen = choice.settings()
-        settings("shared").setValue(_STORED, json.dumps(asdict(choice)))
+        settings(SHARED).setValue(_STORED, json.dumps(asdict(choice)))
         self._window.dismiss_message(_MESSAGE)
         self.changed.emit(chosen)
 

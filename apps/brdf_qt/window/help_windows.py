@@ -5,12 +5,13 @@ from __future__ import annotations
 from importlib.metadata import version
 
 from PySide6.QtCore import Qt, qVersion
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeySequence, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
     QHeaderView,
     QLabel,
+    QLineEdit,
     QMainWindow,
     QTreeWidget,
     QTreeWidgetItem,
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
 from brdf_qt.fields.form import fill_column
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.command_palette import commands
+from brdf_qt.window.shortcuts import PRESETS, SHORTCUTS, sequences
 
 GESTURES = (
     (mark("Drag a number sideways"), mark("Change it; Shift fine, Ctrl coarse")),
@@ -33,28 +35,58 @@ GESTURES = (
 
 
 class ShortcutsWindow(QDialog):
-    """Every command that has a shortcut, and the gestures of mouse and wheel."""
+    """The table of keys: what this window has, the gestures of mouse and wheel, and what other programs have."""
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Keyboard Shortcuts"))
-        self.resize(520, 560)
+        self.resize(680, 600)
         rows = QTreeWidget()
         rows.setHeaderLabels([tr("Command"), tr("Keys")])
         rows.setRootIsDecorated(False)
         rows.setAlternatingRowColors(True)
         rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        here: set[str] = set()
         for text, action in commands(window, also_disabled=True):
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            if keys:
-                rows.addTopLevelItem(QTreeWidgetItem([text, keys]))
+            if action.shortcuts():
+                rows.addTopLevelItem(QTreeWidgetItem([text, keys_text(action.shortcuts())]))
+                here.add(str(action.property("command")))
         for gesture, meaning in GESTURES:
             rows.addTopLevelItem(QTreeWidgetItem([tr(gesture), tr(meaning)]))
+        elsewhere: dict[str, list[QKeySequence]] = {}
+        for command, shortcut in SHORTCUTS.items():
+            if command not in here:
+                elsewhere.setdefault(shortcut.meaning, []).extend(sequences(command))
+        for meaning, keys in elsewhere.items():
+            row = QTreeWidgetItem([tr("Other programs: {what}").format(what=tr(meaning)), keys_text(keys)])
+            row.setForeground(0, rows.palette().brush(QPalette.ColorRole.PlaceholderText))
+            rows.addTopLevelItem(row)
+        find = QLineEdit()
+        find.setPlaceholderText(tr("Search"))
+        find.setAccessibleName(tr("Search"))
+        find.setClearButtonEnabled(True)
+        find.textChanged.connect(lambda text: _keep(rows, text))
         rows.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         rows.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         rows.header().setStretchLastSection(False)
-        fill_column(self, rows).setContentsMargins(8, 8, 8, 8)
+        fill_column(self, find, rows).setContentsMargins(8, 8, 8, 8)
+
+
+def keys_text(keys: list[QKeySequence]) -> str:
+    """Return keys as they are written on this system; of a row of digits the first and the last."""
+    texts = [one.toString(QKeySequence.SequenceFormat.NativeText) for one in keys]
+    if len(texts) == PRESETS and all(text.endswith(str(n)) for n, text in enumerate(texts, 1)):
+        return f"{texts[0]} … {texts[-1]}"
+    return ", ".join(texts)
+
+
+def _keep(rows: QTreeWidget, text: str) -> None:
+    """Show the rows that have a text in either column."""
+    for number in range(rows.topLevelItemCount()):
+        row = rows.topLevelItem(number)
+        if row is not None:
+            row.setHidden(text.casefold() not in f"{row.text(0)} {row.text(1)}".casefold())
 
 
 class AboutWindow(QDialog):

@@ -6,6 +6,7 @@ A program adds its centre widget, its sections and its commands. Nothing here kn
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, QTimer, Signal
@@ -26,18 +27,22 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.icons import icon as icon_of
 from brdf_qt.program.settings import settings
+from brdf_qt.program.suite import MEMBERS, start_member
 from brdf_qt.program.theme import theme_menu
 from brdf_qt.program.translation import language_menu, mark, tr
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
+from brdf_qt.window.manual import Manual
 from brdf_qt.window.message_bar import Message, MessageBar
+from brdf_qt.window.placement import halves
 from brdf_qt.window.progress_strip import ProgressStrip
 from brdf_qt.window.section import Inspector, Section
+from brdf_qt.window.settings_window import SettingsWindow
+from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
 
 LAYOUT_VERSION = 1
 _SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}
-Shortcut = str | QKeySequence | QKeySequence.StandardKey
 
 
 class Panel(QDockWidget):
@@ -100,6 +105,9 @@ class SuiteWindow(QMainWindow):
         self._put_away: list[QDockWidget] = []
         self._sections: dict[str, Section] = {}
         self.docks: dict[str, QDockWidget] = {}
+        self.openers: dict[str, QAction] = {}
+        self.settings_window: SettingsWindow | None = None
+        self.manual: Manual | None = None
         self._file_end: QAction | None = None
         self.setAcceptDrops(True)
         titles = (tr("&File"), tr("&Edit"), tr("&View"), tr("&Paint"), tr("&Window"), tr("&Help"))
@@ -116,9 +124,10 @@ class SuiteWindow(QMainWindow):
         self.setStatusBar(self.status)
         self.messages = MessageBar()
         self.progress = ProgressStrip()
-        inside = QWidget()
-        self._column = fill_column(inside, self.messages, self.progress, spacing=0)
-        self.setCentralWidget(inside)
+        self._inside = QWidget()
+        self._column = fill_column(self._inside, spacing=0)
+        self.setCentralWidget(self._inside)
+        self.float_over(self._inside)
         self.panels_menu = QMenu(tr("&Panels"), self)
         self.inspector = Inspector()
         self.inspector_dock = self.add_panel(mark("Inspector"), self.inspector)
@@ -130,13 +139,14 @@ class SuiteWindow(QMainWindow):
         menu: QMenu,
         text: str,
         slot: Callable[[], object] | None = None,
-        shortcut: Shortcut | None = None,
+        shortcut: str | None = None,
         icon: str | None = None,
         tip: str = "",
     ) -> QAction:
         """Add a command to ``menu``; its object name is ``action_`` and the text without ``&`` and dots.
 
-        ``text`` and ``tip`` are English, marked for translation.
+        ``text`` and ``tip`` are English, marked for translation; ``shortcut`` is a command of
+        :data:`~brdf_qt.window.shortcuts.SHORTCUTS`.
         """
         shown = tr(text)
         action = QAction(shown, self)
@@ -145,7 +155,7 @@ class SuiteWindow(QMainWindow):
         if icon:
             action.setIcon(icon_of(icon))
         if shortcut is not None:
-            action.setShortcut(QKeySequence(shortcut))
+            give_keys(action, shortcut)
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         action.setToolTip(plain_tip(f"{plain} ({keys})" if keys else plain))
         action.setStatusTip("")
@@ -206,7 +216,7 @@ class SuiteWindow(QMainWindow):
         self,
         menu: str,
         text: str,
-        shortcut: Shortcut | None,
+        shortcut: str | None,
         slot: Callable[..., object] | None,
         key: str = "",
         *,
@@ -216,7 +226,8 @@ class SuiteWindow(QMainWindow):
     ) -> QAction:
         """Add a command to a menu, one of the keys of ``menus``; Ctrl+K finds it by its text. Quit stays last in File.
 
-        ``text`` and ``tip`` are English, marked for translation. ``key`` is its object name after ``action_``, the
+        ``text`` and ``tip`` are English, marked for translation; ``shortcut`` is a command of the table of keys, which
+        need not be ``key``. ``key`` is its object name after ``action_``, the
         text where none is given. With ``checked`` it can be ticked, and ``slot`` is called with whether it is.
         """
         action = self.add_action(
@@ -262,12 +273,17 @@ class SuiteWindow(QMainWindow):
         self.messages.dismiss(key)
 
     def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
-        """Put ``widget`` under the messages; with ``tab_hides_panels`` Tab on it toggles the panels."""
-        self._column.insertWidget(self._column.count() - 1, widget, 1)
+        """Let ``widget`` take the middle; with ``tab_hides_panels`` Tab on it toggles the panels."""
+        self._column.addWidget(widget, 1)
         if tab_hides_panels:
-            shortcut = QShortcut(QKeySequence(Qt.Key.Key_Tab), widget)
+            shortcut = QShortcut(sequences("panels_of_picture")[0], widget)
             shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             shortcut.activated.connect(self.toggle_panels)
+
+    def float_over(self, below: QWidget) -> None:
+        """Let messages and progress lie over ``below``, a widget in the middle: by default over all of it."""
+        for part in (self.messages, self.progress):
+            part.float_over(below, self._inside)
 
     def toggle_panels(self) -> None:
         """Hide every panel, or show again those that were hidden so."""
@@ -315,19 +331,72 @@ class SuiteWindow(QMainWindow):
         self.view_menu.addMenu(theme_menu(self.view_menu))
         self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
-        self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "F4")
+        for role, member in MEMBERS.items():
+            if member.name != self._program:
+                text = tr("Open {program}").format(program=member.name)
+                beside = partial(self.open_beside, role)
+                action = self.add_action(self.window_menu, text, beside, f"open_{role}", member.icon)
+                action.setObjectName(f"action_open_{role}")
+                self.openers[role] = action
+        self.window_menu.addSeparator()
+        self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "panels")
         self.palette_window = palette = CommandPalette(self)
         add, menu = self.add_action, self.help_menu
-        add(menu, mark("Find a &Command…"), palette.open, "Ctrl+K", "magnifying-glass")
-        add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "F1", "keyboard")
+        add(self.view_menu, mark("Se&ttings…"), self._show_settings, "settings", "gear-six")
+        add(menu, mark("&Manual"), self._show_manual, "manual", "book-open")
+        add(menu, mark("Find a &Command…"), palette.open, "find_command", "magnifying-glass")
+        add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "shortcuts", "keyboard")
         add(menu, mark("&About BRDF Suite"), lambda: AboutWindow(self, self._program).show(), icon="info")
         add(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
-        add(self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "F11", "corners-out")
+        add(self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "full_screen", "corners-out")
 
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""
         self._file_end = self.file_menu.addSeparator()
-        self.add_action(self.file_menu, mark("&Quit"), self.close, "Ctrl+Q", "sign-out")
+        self.add_action(self.file_menu, mark("&Quit"), self.close, "quit", "sign-out")
+
+    def _show_settings(self) -> None:
+        if self.settings_window is None:
+            self.settings_window = SettingsWindow(self)
+        self.settings_window.show_choices()
+        self.settings_window.show()
+        self.settings_window.raise_()
+
+    def _show_manual(self) -> None:
+        if self.manual is None:
+            self.manual = Manual(self, self._program.lower().replace(" ", "_"))
+        self.manual.show()
+        self.manual.raise_()
+
+    def open_beside(self, role: str) -> None:
+        """Open another program of the suite: this window takes the left half of the screen, that one the right.
+
+        On a screen too narrow for both, this window stays, and the other one keeps out of its way.
+        """
+        shares = (
+            None if self.isFullScreen() else halves(self.screen().availableGeometry(), self.minimumSize())
+        )
+        beside = None
+        if shares is not None:
+            self.showNormal()
+            frame, inside = self.frameGeometry(), self.geometry()
+            ours, beside = (
+                share.adjusted(
+                    inside.left() - frame.left(),
+                    inside.top() - frame.top(),
+                    inside.right() - frame.right(),
+                    inside.bottom() - frame.bottom(),
+                )
+                for share in shares
+            )
+            self.setGeometry(ours)
+        if start_member(role, beside):
+            self.dismiss_message("start")
+            return
+        member = MEMBERS[role]
+        what = tr("{program} could not be started.").format(program=member.name)
+        todo = tr("Start it from a terminal: {command}.").format(command=member.command)
+        self.show_message(Message("start", what, todo=todo, severity="error"))
 
     def _toggle_full_screen(self) -> None:
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)

@@ -1,4 +1,4 @@
-"""Messages in the window and not over it: what happened, where, and what to do about it.
+"""Messages over the picture, and in no dialog: what happened, where, and what to do about it.
 
 A message has a key. Showing another one with the same key replaces it, and ``dismiss(key)`` takes it away
 once its reason is gone, so a drag through an unreachable value leaves no pile behind.
@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -27,10 +27,16 @@ from brdf_qt.fields.form import icon_button
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.floating import Floating
+from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import FileError, SuiteError
 
 Severity = Literal["info", "warning", "error"]
-_ICONS = {"info": "info", "warning": "warning", "error": "warning-octagon"}
+_ICONS = {
+    "info": ("info", ""),
+    "warning": ("warning-fill", "warning"),
+    "error": ("warning-octagon-fill", "bad"),
+}
 _WORDS = {"info": mark("Note"), "warning": mark("Warning"), "error": mark("Error")}
 
 
@@ -118,7 +124,7 @@ class _Row(QFrame):
             self._draw_sign()
 
     def _draw_sign(self) -> None:
-        self._sign.setPixmap(icon(_ICONS[self.message.severity]).pixmap(16, 16))
+        self._sign.setPixmap(icon(*_ICONS[self.message.severity]).pixmap(16, 16))
 
     @property
     def is_brief(self) -> bool:
@@ -152,22 +158,24 @@ class _Row(QFrame):
         slot()
 
 
-class MessageBar(QWidget):
-    """A stack of messages over the picture; takes no room while there is none.
+class MessageBar(Floating):
+    """A stack of messages over the picture. Notes go away by themselves, unless the pointer is on them.
 
     One is shown whole, the newest or the one that was asked for; the others take a line each, so that several of
     them leave the picture its room.
     """
 
     most = 4
+    note_ms = 10_000
+    """How long a note stays that asks for nothing."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(Qt.Edge.TopEdge, parent)
         self.setObjectName("messages")
         self._rows: dict[str, _Row] = {}
         self._open = ""
         self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(8, 8, 8, 0)
+        self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(4)
         self.hide()
 
@@ -187,6 +195,9 @@ class MessageBar(QWidget):
         row.closed.connect(self.dismiss)
         row.opened.connect(self.open)
         self._rows[message.key] = row
+        if message.severity == "info" and message.closable and not message.actions:
+            leaves = make_timer(row, lambda: self._leave(message.key, leaves), self.note_ms)
+            leaves.start()
         self._box.insertWidget(place, row)
         self.open(message.key)
         self.show()
@@ -212,6 +223,12 @@ class MessageBar(QWidget):
     def shown(self) -> dict[str, Message]:
         """Return the messages that are shown, by key."""
         return {key: row.message for key, row in self._rows.items()}
+
+    def _leave(self, key: str, timer: QTimer) -> None:
+        if self._rows[key].underMouse():
+            timer.start()  # it is being read
+        else:
+            self.dismiss(key)
 
     def _drop(self, key: str) -> None:
         row = self._rows.pop(key)

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QProgressBar, QPushButton, QWidget
 
 from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import ElidedLabel
 from brdf_qt.program.translation import tr
+from brdf_qt.window.floating import Floating
 
 _LEAST_BAR = 64
 
 
-class _Line(QWidget):
+class _Line(QFrame):
     """One job: what is done, how far it is, and a button where it can be cancelled."""
 
     def __init__(self, cancel: Callable[[], None] | None) -> None:
@@ -35,6 +36,9 @@ class _Line(QWidget):
             button = QPushButton(tr("Cancel"))
             button.clicked.connect(lambda: cancel())
             row.addWidget(button)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAutoFillBackground(True)
+        self.setBackgroundRole(QPalette.ColorRole.AlternateBase)
         self._paint_grey()
 
     def set(self, fraction: float, text: str) -> None:
@@ -55,13 +59,16 @@ class _Line(QWidget):
         self._bar.setPalette(colours)
 
 
-class ProgressStrip(QWidget):
-    """Hidden while there is no work; ``cancelled`` is emitted when the user asks to stop some. Work has a key."""
+class ProgressStrip(Floating):
+    """Over the picture, at its lower edge; hidden while there is no work. Work has a key.
+
+    ``cancelled`` is emitted when the user asks to stop some.
+    """
 
     cancelled = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(Qt.Edge.BottomEdge, parent)
         self._lines: dict[str, _Line] = {}
         self._box = fill_column(self, spacing=0)
         self.hide()

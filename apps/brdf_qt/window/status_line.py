@@ -5,19 +5,22 @@ from __future__ import annotations
 from typing import Literal
 
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QPaintEvent, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
+from brdf_qt.fields.marks import SIZE, Mark
 from brdf_qt.program.translation import tr
 
 State = Literal["fresh", "stale", "warning"]
+_MOST_CHARACTERS, _FEWEST_CHARACTERS = 48, 8
 
 
 class StatusCell(ElidedLabel):
-    """One value; stale values are dimmed and bracketed, warnings are bold: never by colour alone.
+    """One value; stale values are dimmed and bracketed, warnings are bold and have a mark: never by colour alone.
 
-    An ``elastic`` one gives way where the line is too short for all: it ends in an ellipsis, and its tip has the whole.
+    It keeps the width of the longest text that it has had, so that the others stay where they are. An ``elastic``
+    one gives way where the line is too short for all: it ends in an ellipsis, and its tip has the whole.
     """
 
     def __init__(self, name: str, tip: str = "", *, elastic: bool = False) -> None:
@@ -30,14 +33,22 @@ class StatusCell(ElidedLabel):
         # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.
         self.setAutoFillBackground(True)
         self._tip = tip
-        self._shown: tuple[str, str | None, State] | None = None
+        self._shown: tuple[str, str | None, State, Mark | None] | None = None
+        self._widest = 0
+        self._character = self.fontMetrics().averageCharWidth()  # in bold type it would be another
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.setSizePolicy(policy)
         self.hide()
 
-    def set(self, text: str, tip: str | None = None, state: State = "fresh") -> None:
-        """Show ``text``; empty text hides the cell."""
-        if (text, tip, state) == self._shown:
+    def set(
+        self, text: str, tip: str | None = None, state: State = "fresh", mark: Mark | None = None
+    ) -> None:
+        """Show ``text``; empty text hides the cell. A warning has the mark of one where ``mark`` is none."""
+        if (text, tip, state, mark) == self._shown:
             return
-        self._shown = (text, tip, state)
+        self._shown = (text, tip, state, mark)
+        self.set_mark(Mark.WARNING if mark is None and state == "warning" and text else mark)
         self.setText(f"({text})" if state == "stale" and text else text)
         whole = text if self._elastic else ""
         self.setToolTip(plain_tip("\n".join(part for part in (whole, tip, self._tip) if part)))
@@ -50,8 +61,24 @@ class StatusCell(ElidedLabel):
             self.setForegroundRole(role)
         self.setVisible(bool(text))
 
+    def reserve(self, text: str) -> None:
+        """Keep room for a text of this length with a mark, from the start."""
+        font = QFont(self.font())
+        font.setBold(True)
+        wide = QFontMetrics(font).horizontalAdvance(text) + SIZE + 4 + 2 * self.margin()
+        self._widest = max(self._widest, wide)
+        self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        hint = super().sizeHint()
+        longest = self._character * _MOST_CHARACTERS if self._elastic else hint.width()
+        self._widest = max(self._widest, min(hint.width(), longest))
+        return QSize(self._widest, hint.height())
+
     def minimumSizeHint(self) -> QSize:
-        return super().minimumSizeHint() if self._elastic else PlainLabel.minimumSizeHint(self)
+        hint = self.sizeHint()
+        least = self._character * _FEWEST_CHARACTERS + SIZE
+        return QSize(min(hint.width(), least), hint.height()) if self._elastic else hint
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._elastic:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.fields.marks import Mark
+from brdf_qt.program.translation import decimal, mark, tr
 
 LARGE_DELTA_E = 1.0
 """ΔE00 above which two plain patches side by side are seen as different colours."""
-
-MARK = "!"
 
 
 def is_large(delta_e_2000: float) -> bool:
@@ -15,9 +14,14 @@ def is_large(delta_e_2000: float) -> bool:
     return delta_e_2000 > LARGE_DELTA_E
 
 
-def marked(text: str, delta_e_2000: float) -> str:
-    """Return ``text`` with a mark before it where the error is large: bold type alone may be overlooked."""
-    return f"{MARK} {text}" if is_large(delta_e_2000) else text
+def fit_mark(worst_delta_e: float | None, time_limited: bool = False) -> Mark | None:
+    """Return the mark of a fit: its error is large, or the time limit stopped it; None where neither is.
+
+    ``worst_delta_e`` is its largest ΔE00, at the readings and between them; None where there is nothing to compare.
+    """
+    if worst_delta_e is not None and is_large(worst_delta_e):
+        return Mark.BAD
+    return Mark.LIMITED if time_limited else None
 
 
 LIMITED_TIP = mark(
@@ -41,7 +45,7 @@ def large_error_tip(time_limited: bool, exact_follows: bool = False) -> str:
             "ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they "
             "do give."
         )
-    return text.format(limit=f"{LARGE_DELTA_E:g}")
+    return text.format(limit=decimal(f"{LARGE_DELTA_E:g}"))
 
 
 def fit_tips(worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> str:

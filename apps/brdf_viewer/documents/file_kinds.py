@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QFileDialog, QWidget
@@ -91,6 +92,7 @@ def ask_save(parent: QWidget, title: str, name: str, form: str, ending: str, kin
         # Added by the dialog and not afterwards, so that it asks about the file that is really written.
         dialog.setDefaultSuffix(ending)
     dialog.selectFile(name + ending)
+    quieten(dialog)
     accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
     path = dialog.selectedFiles()[0] if accepted else ""
     dialog.deleteLater()

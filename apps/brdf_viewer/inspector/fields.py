@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 from brdf_qt.fields.form import fill_row, icon_button
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import RoomyLabel, plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
+from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, quieten
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap
@@ -36,10 +35,9 @@ class ChoiceBox(QuietComboBox):
         self.setCurrentIndex(self.findData(key))
 
 
-def note(text: str = "") -> QLabel:
-    """Return a small label for facts under a field; hidden while it is empty."""
-    label = PlainLabel(wordWrap=True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+def note(text: str = "", lines: int = 0) -> RoomyLabel:
+    """Return a small label for facts under a field, hidden while it is empty; its room for ``lines`` is kept."""
+    label = RoomyLabel(lines=lines)
     set_note(label, text)
     return label
 
@@ -108,11 +106,6 @@ class Source:
 
     key: str
     title: str
-
-
-def title_of(key: str, titles: dict[str, str]) -> str:
-    """Return what a source is called: the title of a shipped one, the file's name of a path."""
-    return tr(titles.get(key, "")) or (Path(key).name if "/" in key or "\\" in key else key.replace("_", " "))
 
 
 class SourceChooser(QWidget):
@@ -199,6 +192,7 @@ class ColourButton(QPushButton):
         dialog.setWindowTitle(self._title)
         options = QColorDialog.ColorDialogOption
         dialog.setOptions(options.NoButtons | options.DontUseNativeDialog)
+        quieten(dialog)
         self.picker = dialog
         dialog.currentColorChanged.connect(
             lambda code: self.edited.emit((code.redF(), code.greenF(), code.blueF()))

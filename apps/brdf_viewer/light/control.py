@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.timer import make_timer
 
 from brdf_suite.documents.view import View
@@ -127,7 +127,7 @@ class LightingControl(ViewerFeature):
         self._show_exposure(view)
 
     def _show_exposure(self, view: View) -> None:
-        text, tip = f"{view.exposure_ev:+.1f} EV", tr("Exposure, locked")
+        text, tip = decimal(f"{view.exposure_ev:+.1f} EV"), tr("Exposure, locked")
         if view.exposure_mode == "automatic":
             total = exposed(view, self._state.metered_ev).exposure_ev
             text = tr("{total:+.1f} EV automatic").format(total=total)

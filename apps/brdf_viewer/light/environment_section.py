@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent, QPalette
@@ -19,6 +19,7 @@ _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen
 
 _LEAST_SUN = 0.005
+_LINES = 5
 
 
 class HistogramBars(QWidget):
@@ -34,7 +35,10 @@ class HistogramBars(QWidget):
     def set_histogram(self, histogram: Histogram) -> None:
         """Show a histogram; one without bars leaves the place empty."""
         self.histogram = histogram
-        words = [f"{self._edge(i):+.0f}: {100.0 * share:.3g} %" for i, share in enumerate(histogram.shares)]
+        words = [
+            decimal(f"{self._edge(i):+.0f}: {100.0 * share:.3g} %")
+            for i, share in enumerate(histogram.shares)
+        ]
         text = tr("Share of the sphere by log2 of luminance; {shares}")
         self.setAccessibleDescription(text.format(shares=", ".join(words)))
         self.update()
@@ -60,8 +64,8 @@ class HistogramBars(QWidget):
                 painter.fillRect(QRectF(i * width, floor - tall, max(width - 1.0, 1.0), tall), colour)
         painter.setPen(palette.color(QPalette.ColorRole.WindowText))
         under = QRectF(0.0, floor + 1.0, self.width(), self.height() - floor - 1.0)
-        painter.drawText(under, Qt.AlignmentFlag.AlignLeft, f"{2.0 ** self._edge(0):.3g}")
-        painter.drawText(under, Qt.AlignmentFlag.AlignRight, f"{2.0 ** self._edge(len(shares)):.3g}")
+        painter.drawText(under, Qt.AlignmentFlag.AlignLeft, decimal(f"{2.0 ** self._edge(0):.3g}"))
+        painter.drawText(under, Qt.AlignmentFlag.AlignRight, decimal(f"{2.0 ** self._edge(len(shares)):.3g}"))
         painter.drawText(under, Qt.AlignmentFlag.AlignHCenter, tr("luminance, by stops"))
 
     def event(self, event: QEvent) -> bool:
@@ -83,12 +87,15 @@ class HistogramBars(QWidget):
 
 
 class EnvironmentFigures(QWidget):
-    """The figures under the chooser; hidden until they are there."""
+    """The figures under the chooser; their place is empty until they are there."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.text, self.bars = note(), HistogramBars()
+        self.text, self.bars = note(lines=_LINES), HistogramBars()
         fill_column(self, self.text, self.bars, spacing=4)
+        policy = self.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self.setSizePolicy(policy)
         self.setVisible(False)
 
     def set_statistics(self, statistics: EnvironmentStatistics | None) -> None:

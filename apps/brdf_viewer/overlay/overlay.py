@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from brdf_qt.program.translation import decimal
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
@@ -176,8 +177,8 @@ def _scale(painter: QPainter, metrics: QFontMetricsF, area: QRectF, scale: Scale
     under = QRectF(bar.left(), bar.bottom(), bar.width(), metrics.height() + 0.5 * _PADDING)
     flags = Qt.AlignmentFlag
     painter.drawText(under, flags.AlignLeft | flags.AlignBottom, "0")
-    painter.drawText(under, flags.AlignHCenter | flags.AlignBottom, f"{0.5 * scale.end:g}")
-    painter.drawText(under, flags.AlignRight | flags.AlignBottom, f"≥ {scale.end:g}")
+    painter.drawText(under, flags.AlignHCenter | flags.AlignBottom, decimal(f"{0.5 * scale.end:g}"))
+    painter.drawText(under, flags.AlignRight | flags.AlignBottom, decimal(f"≥ {scale.end:g}"))
     return box.top()
 
 

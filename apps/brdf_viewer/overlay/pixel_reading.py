@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -151,7 +151,7 @@ def lab_words(lab: Lab) -> str:
     'L* 45.0  a* −3.2  b* 0.0'
     """
     return "  ".join(
-        f"{name} {value:.1f}".replace("-", "−").replace("−0.0", "0.0")
+        decimal(f"{name} {value:.1f}".replace("-", "−").replace("−0.0", "0.0"))
         for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
     )
 
@@ -161,7 +161,7 @@ def short_words(reading: CursorReading) -> str:
     first = reading.readings[0]
     words = f"{first.which}  {lab_words(first.lab)}".strip()
     if reading.delta_e is not None:
-        words = f"ΔE00 {reading.delta_e:.2f}"
+        words = decimal(f"ΔE00 {reading.delta_e:.2f}")
     if reading.angles is None:
         return words
     view, aspecular = reading.angles
@@ -180,7 +180,7 @@ def long_lines(reading: CursorReading) -> list[str]:
             light = "   " + tr("radiance") + " " + "  ".join(f"{value:.3g}" for value in one.radiance)
         lines.append(f"{one.which}  {lab_words(one.lab)}{light}".strip())
     if reading.delta_e is not None:
-        lines.append(f"ΔE00 {reading.delta_e:.2f}")
+        lines.append(decimal(f"ΔE00 {reading.delta_e:.2f}"))
     point = reading.readings[0].point
     if point is None or reading.angles is None:
         lines.append(tr("background"))

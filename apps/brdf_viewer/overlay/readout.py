@@ -10,7 +10,7 @@ from collections import deque
 from statistics import median
 
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusCell
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -143,7 +143,7 @@ class FrameMeter(QObject):
     def _show(self) -> None:
         tip = tr("Frame time: median of the last {count}; slowest {slowest:.1f} ms")
         tip = tip.format(count=len(self._frames), slowest=max(self._frames))
-        self._cell.set(f"{median(self._frames):.1f} ms", tip)
+        self._cell.set(decimal(f"{median(self._frames):.1f} ms"), tip)
         self.shown.emit()
 
 
@@ -187,4 +187,4 @@ def how(view: View) -> str:
     if view.sparkle.mode != "off":
         sparkle = tr("{sparkle}, {count} lights").format(sparkle=sparkle, count=view.sparkle.light_count)
     tone, fresnel = tr(TONE_TITLES[view.tone_curve]), tr(FRESNEL_WORDS[view.fresnel])
-    return "   ".join((tone, f"{view.exposure_ev:+.1f} EV", fresnel, sparkle))
+    return "   ".join((tone, decimal(f"{view.exposure_ev:+.1f} EV"), fresnel, sparkle))

@@ -8,10 +8,12 @@ from typing import Any
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
-from brdf_qt.program.translation import tr
+from brdf_qt.program.names import title_of
+from brdf_qt.program.suite import connected_words
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
-from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from brdf_qt.work.fit_error import fit_mark, fit_tips
 from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.paint import Paint
@@ -34,7 +36,7 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -202,7 +204,7 @@ class PaintControl(ViewerFeature):
     def _load(self, key: str) -> None:
         """Load and fit what is no paint document in the background; the paint on show stays until it is there."""
         self._loading = key
-        title = title_of(key, {})
+        title = title_of(key)
         self._window.set_busy(_KEY, 0.0, title)
         loaded = partial(self._loaded, key)
         work = partial(_load_and_fit, self._state.fitting)
@@ -280,20 +282,21 @@ class PaintControl(ViewerFeature):
         limited = ", " + tr("time-limited") if fit.time_limited else ""
         count = tr("{count} lobes").format(count=len(fit.weights.exponents))
         self._window.status.cell("lobes").set(count, tr("Cosine lobes of the fit"))
-        large, message = False, ""
+        message, sign = "", fit_mark(worst, fit.time_limited)
         tip = tr("Duration of the lobe fit; no measured angles to compare with")
         if worst is not None:
-            large, message = is_large(worst), f" · {marked(f'ΔE {worst:.2f}', worst)}"
+            message = decimal(f" · ΔE {worst:.2f}")
             tip = tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")
         self._window.status.cell("fit").set(
             tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",
             f"{tip}\n{fit_tips(worst, fit.time_limited, follows)}".strip(),
-            "warning" if large or fit.time_limited else "fresh",
+            "warning" if sign else "fresh",
+            sign,
         )
 
     def _show_choice(self) -> None:
         key = self._state.paint_key
-        title = self._designer_title() if key == DESIGNER else title_of(key, {})
+        title = self._designer_title() if key == DESIGNER else title_of(key)
         self._window.paint.chooser.show_source(key, "" if is_swatch(key) else title)
 
     def _show_place(self, key: str) -> None:
@@ -314,12 +317,10 @@ class PaintControl(ViewerFeature):
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
-        text = tr("Designer not open")
-        if linked:
-            text = tr("Designer connected") if following else tr("Designer connected (not following)")
-        others = ", ".join(self._link.peers) or tr("none")
-        tip = tr("Other programs on the link: {programs}").format(programs=others)
-        self._window.status.cell("link", right=True).set(text, tip)
+        text = connected_words(self._link.peers)
+        if linked and not following:
+            text = tr("{link} (not following)").format(link=text)
+        self._window.status.cell("link", right=True).set(text)
 
     def _offer(self, linked: bool, following: bool) -> None:
         """Say once that a Designer is open, where Viewer was asked to show another paint at its start."""
@@ -336,13 +337,13 @@ class PaintControl(ViewerFeature):
             self._window.messages.show_message(message)
 
     def _shipped(self) -> list[Source]:
-        return [Source(name, title_of(name, {}).capitalize()) for name in self._names]
+        return [Source(name, title_of(name)) for name in self._names]
 
     def _list(self) -> None:
         files = self._recent.paths()
         swatches = [Source(key, paint.name) for key, paint in self._paints.items()]
         chooser = self._window.paint.chooser
-        chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p, {})) for p in files])
+        chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p)) for p in files])
         commands = self._window.commands
         commands.set_recent(_KEY, files)
         commands.set_recent("palette", self._recent_palettes.paths())

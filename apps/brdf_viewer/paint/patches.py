@@ -7,8 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import tr
-from brdf_qt.work.fit_error import is_large, large_error_tip, marked
+from brdf_qt.fields.marks import SIZE, draw_mark
+from brdf_qt.program.translation import decimal, tr
+from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
@@ -86,8 +87,13 @@ class PaintPatches(QWidget):
             font = painter.font()
             font.setBold(is_large(patch.delta_e_2000))
             painter.setFont(font)
-            angle = marked(f"{patch.aspecular_deg:g}°", patch.delta_e_2000)
+            angle = f"{patch.aspecular_deg:g}°"
             painter.drawText(under, Qt.AlignmentFlag.AlignCenter, angle)
+            sign = fit_mark(patch.delta_e_2000)
+            if sign is not None:
+                wide = painter.fontMetrics().horizontalAdvance(angle)
+                left = max(box.left(), under.center().x() - wide / 2 - SIZE - 2)
+                draw_mark(painter, sign, left, under.center().y())
         if self.names_lights:
             self._paint_lights(painter, label)
 
@@ -125,7 +131,7 @@ class PaintPatches(QWidget):
             angles.format(light=patch.illumination_deg, aspecular=patch.aspecular_deg),
             tr("target") + " " + lab.format(*patch.lab),
             tr("fit") + " " + lab.format(*patch.lab_fitted),
-            f"ΔE00 {patch.delta_e_2000:.2f}",
+            decimal(f"ΔE00 {patch.delta_e_2000:.2f}"),
         ]
         if is_large(patch.delta_e_2000):
             lines.append(large_error_tip(self.time_limited, self.exact_follows))

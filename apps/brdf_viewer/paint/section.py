@@ -6,7 +6,7 @@ from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
-from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from brdf_qt.work.fit_error import fit_mark, fit_tips, is_large
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_viewer.inspector.fields import SourceChooser, note, set_note
@@ -22,7 +22,7 @@ class PaintSection(Section):
         self.follow.setToolTip(tr("Show the paint that is being edited in Designer, at every change"))
         self.chooser = SourceChooser(tr("Open a paint (.brdfpaint) or a measured file"))
         self.patches = PaintPatches()
-        self.fit, self.facts = note(), note()
+        self.fit, self.facts = note(lines=2), note()
         form = self.add(Form())
         form.add_row("", self.follow)
         form.add_row(tr("Paint"), self.chooser, tr("Choosing another paint stops following Designer"))
@@ -35,8 +35,9 @@ class PaintSection(Section):
             text = tr("Fit: no measured angles to compare with{limited}").format(limited=limited)
         else:
             bound = tr("Fit: maximum ΔE00 {worst:.2f} at the measured angles{limited}")
-            text = marked(bound.format(worst=worst_delta_e, limited=limited), worst_delta_e)
+            text = bound.format(worst=worst_delta_e, limited=limited)
         set_note(self.fit, text)
+        self.fit.set_mark(fit_mark(worst_delta_e, time_limited))
         set_bold(self.fit, worst_delta_e is not None and is_large(worst_delta_e))
         self.fit.setToolTip(plain_tip(fit_tips(worst_delta_e, time_limited, exact_follows)))
 

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.names import title_of
+from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
@@ -26,24 +27,11 @@ from brdf_suite.pipeline.scene import (
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note, title_of
+from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.light.environment_section import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
-
-SHIPPED_TITLES = {
-    "photo_studio": mark("Photo studio"),
-    "street": mark("Street"),
-    "light_tunnel": mark("Light tunnel"),
-    "booth": mark("Light booth"),
-    "sunny": mark("Sunny sky"),
-    "overcast": mark("Overcast sky"),
-    "speed_form": mark("Speed form"),
-    "sphere": mark("Sphere"),
-    "panel": mark("Curved panel"),
-    "car": mark("Car"),
-}
 
 
 class SceneControl(ViewerFeature):
@@ -66,7 +54,7 @@ class SceneControl(ViewerFeature):
         self._watch.changed.connect(self._changed_on_disk)
         for kind, chooser in self._choosers.items():
             group = window.commands.sources[kind]
-            group.add({name: title_of(name, SHIPPED_TITLES) for name in self._names[kind]})
+            group.add({name: title_of(name) for name in self._names[kind]})
             for signal in (chooser.chosen, group.picked):
                 signal.connect(partial(self.open, kind))
             self._list(kind)
@@ -257,7 +245,7 @@ class SceneControl(ViewerFeature):
             self._begin(kind, default, keep_message=True)  # a picture with a message beats a message alone
 
     def _complain(self, kind: str, error: Exception) -> None:
-        shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
+        shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind))
         todo = tr(
             "The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
         )
@@ -265,7 +253,7 @@ class SceneControl(ViewerFeature):
         self.failed.emit(kind, str(error))
 
     def _moved(self, kind: str, fraction: float, what: str) -> None:
-        title = title_of(self._loading.get(kind, ""), SHIPPED_TITLES)
+        title = title_of(self._loading.get(kind, ""))
         self._window.set_busy(kind, fraction, f"{title}: {what}")
 
     def _ended(self, kind: str) -> None:
@@ -281,9 +269,9 @@ class SceneControl(ViewerFeature):
         return "" if present is None else present.key
 
     def _list(self, kind: str) -> None:
-        shipped = [Source(name, title_of(name, SHIPPED_TITLES)) for name in self._names[kind]]
+        shipped = [Source(name, title_of(name)) for name in self._names[kind]]
         files = self._recent[kind].paths()
-        self._choosers[kind].set_sources(shipped, [Source(p, title_of(p, {})) for p in files])
+        self._choosers[kind].set_sources(shipped, [Source(p, title_of(p)) for p in files])
         self._window.commands.set_recent(kind, files)
 
     def _show(self, kind: str) -> None:
@@ -300,7 +288,7 @@ class SceneControl(ViewerFeature):
             # An edit that makes it faulty keeps picture and watch: the next save may put it right.
             if (key if on_disk else "") != self._watch.path and (on_disk or not loading):
                 self._watch.watch(key if on_disk else "")
-        self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
+        self._choosers[kind].show_source(key, title_of(key))
         self._window.commands.sources[kind].show_choice(key)
         self._show_environment_cell()
 
@@ -323,7 +311,7 @@ class SceneControl(ViewerFeature):
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
-        title = title_of(loading or self._state.edited_light or self._state.view.environment, SHIPPED_TITLES)
+        title = title_of(loading or self._state.edited_light or self._state.view.environment)
         cell, present = self._window.status.cell("environment"), self._state.environment
         if present is None or present.value.is_final:
             cell.set(title, tr("Loading") if loading else tr("Environment"), "stale" if loading else "fresh")
@@ -333,13 +321,13 @@ class SceneControl(ViewerFeature):
         if not present.value.draft:
             text = tr("{title}, maps {made} of {wanted}")
             tip = tr("Refining reflections") if loading else tr("Stopped; select the light again to finish")
-        title = title_of(present.key, SHIPPED_TITLES)
+        title = title_of(present.key)
         cell.set(text.format(title=title, made=made, wanted=wanted), tip, "stale")
 
 
 def _surface_facts(mesh: Mesh) -> str:
     low, high = mesh.bounds()
-    size = " × ".join(f"{edge:.3g}" for edge in high - low)
+    size = " × ".join(decimal(f"{edge:.3g}") for edge in high - low)
     one, many = tr("{triangles:,} triangles, 1 part"), tr("{triangles:,} triangles, {parts} parts")
     text = one if len(mesh.parts) == 1 else many
     count = text.format(triangles=mesh.triangle_count, parts=len(mesh.parts))

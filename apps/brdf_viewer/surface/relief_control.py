@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner
 
@@ -13,7 +14,7 @@ from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, title_of
+from brdf_viewer.inspector.fields import Source
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
@@ -31,7 +32,7 @@ class ReliefControl(ViewerFeature):
         self._runner = TaskRunner(self, threads=1)
         self._request = ImageRequest()
         section = self._section
-        paints = [Source(name, title_of(name, {})) for name in paint_names()]
+        paints = [Source(name, title_of(name)) for name in paint_names()]
         section.paint.set_sources([Source("", tr("None")), *paints], [])
         section.edited.connect(lambda part, field, value: state.change_part(part, **{field: value}))
         section.browse_requested.connect(self._browse)
@@ -60,7 +61,7 @@ class ReliefControl(ViewerFeature):
     def _show(self, view: View) -> None:
         paint = view.two_tone.paint
         self._section.set_relief(view.relief)
-        self._section.set_two_tone(view.two_tone, tr("None") if paint is None else title_of(paint, {}))
+        self._section.set_two_tone(view.two_tone, tr("None") if paint is None else title_of(paint))
         request = ImageRequest.of(view)
         if request == self._request:
             return

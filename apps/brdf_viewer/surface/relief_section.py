@@ -5,6 +5,7 @@ from __future__ import annotations
 from brdf_qt.fields.form import Form, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
+from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
-from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note, set_note, title_of
+from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note, set_note
 
 PROJECTION_TITLES = {
     "uv": mark("Tiled"),
@@ -38,7 +39,7 @@ class FileChoice(QWidget):
 
     def set_path(self, path: str | None) -> None:
         """Show a file's name, or that there is none."""
-        self.name.setText(tr("None") if path is None else title_of(path, {}))
+        self.name.setText(tr("None") if path is None else title_of(path))
         self.name.setToolTip(plain_tip(path or ""))
         self.clear.setEnabled(path is not None)
 

@@ -145,14 +145,14 @@ class SurfaceSection(Section):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Surface"), "surface", parent)
         self.chooser = SourceChooser(tr("Open a mesh (.glb, .gltf, .obj, .stl, .ply)"))
-        self.facts = note()
+        self.facts = note(lines=2)
         self.occlusion = self._check("occlusion", tr("Occlusion"))
         self.occlusion.setToolTip(tr("Darkens recesses; computed once per surface in the background"))
         self.ground = self._check("ground", tr("Ground with contact shadow"))
         self.ground.setToolTip(
             tr("Ground at the lowest point of the surface, with its shadow in the environment's light")
         )
-        self.baking = note()
+        self.baking = note(lines=1)
         self.again = QPushButton(tr("Compute"))
         self.again.setToolTip(tr("Restart the cancelled computation"))
         self.again.hide()

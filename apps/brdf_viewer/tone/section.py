@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QCheckBox, QWidget
 
@@ -46,7 +46,7 @@ class ToneSection(Section):
             tr("Mark colours outside the screen's gamut: grey stripes in the other direction, or blue")
         )
         self.style_box = ChoiceBox(STYLE_TITLES)
-        self.counted = note()
+        self.counted = note(lines=1)
         self.profile = QCheckBox(tr("Monitor profile"))
         self.profile.setToolTip(tr("Convert colours with the system's profile of this monitor"))
         self.profile_note = note()
@@ -100,4 +100,4 @@ def _share(part: int, whole: int) -> str:
     if part == 0:
         return tr("none")
     share = 100.0 * part / whole
-    return tr("less than 0.1 %") if share < 0.1 else f"{share:.1f} %"
+    return tr("less than 0.1 %") if share < 0.1 else decimal(f"{share:.1f} %")

@@ -81,7 +81,7 @@ class RendererSection(Section):
         self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
         self._buttons = QWidget()
         fill_row(self._buttons, self.stop, self.resume, self.save, spacing=4, even=True)
-        self.state, self.facts = note(), note()
+        self.state, self.facts = note(lines=1), note()
         form = self.add(Form())
         form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")

@@ -8,6 +8,7 @@ from brdf_designer.colour.quantity_plot import QuantityPlot
 from brdf_designer.session.edits import PickColour
 from brdf_designer.session.state import GivenColour
 from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.marks import Mark
 from brdf_qt.fields.number import NumberField
 from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import Qt
@@ -146,7 +147,8 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(own_des
     type_in(window.editors.editors[2].fields[0], "80")
     asked = own_designer.store.value
     patches = window.patches.patches
-    assert patches[2].fit.text().startswith("! fit ΔE00")
+    assert patches[2].fit.text().startswith("fit ΔE00")
+    assert patches[2].fit.mark is Mark.BAD
     given = patches[2].field.given
     assert given is not None
     assert given != patches[2].field.grab().toImage().pixelColor(30, 30), (
@@ -229,16 +231,18 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
 
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(own_designer, qtbot):
     patches, fit = own_designer.window.patches.patches, own_designer.window.status.cell("Fit")
-    assert not any(patch.fit.font().bold() or patch.fit.text().startswith("!") for patch in patches)
+    assert not any(patch.fit.font().bold() or patch.fit.mark for patch in patches)
     dict(commands(own_designer.window))["Paint ▸ Make Solid From ▸ 45°"].trigger()
     # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
     type_in(own_designer.window.editors.editors[1].fields[0], "90")
     assert [patch.fit.font().bold() for patch in patches] == [False, True, False]
-    assert patches[1].fit.text().startswith("! fit ΔE00 ")
+    assert patches[1].fit.text().startswith("fit ΔE00 ")
+    assert [patch.fit.mark for patch in patches] == [None, Mark.BAD, None]
     assert "no non-negative sum of the lobes" in patches[1].fit.toolTip()
     assert "no non-negative sum" not in patches[0].fit.toolTip()
     qtbot.waitUntil(lambda: own_designer.controller.is_idle)
-    assert fit.text().startswith("! Fit")
+    assert fit.text().startswith("Fit")
+    assert fit.mark is Mark.BAD
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
     own_designer.session.undo()
@@ -252,7 +256,8 @@ def test_the_status_bar_shows_target_and_fit(own_designer, qtbot):
     flop, fit = (own_designer.window.status.cell(name) for name in ("Flop index", "Fit"))
     assert flop.text() == "Flop 13.9, achieved 13.9"
     assert fit.text().endswith(", exact")
-    rows = fit.toolTip().splitlines()
+    whole, *rows = fit.toolTip().splitlines()
+    assert whole == fit.text()
     assert rows[0] == "15°: target 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
     # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
     type_in(own_designer.window.editors.editors[2].fields[0], "55")
@@ -261,11 +266,12 @@ def test_the_status_bar_shows_target_and_fit(own_designer, qtbot):
     lightness = [row.lab_fitted[0] for row in own_designer.session.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
     assert achieved == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
-    assert fit.text().startswith("! Fit ΔE00 ≤ ")
+    assert fit.text().startswith("Fit ΔE00 ≤ ")
+    assert fit.mark is Mark.BAD
     worst = max(row.delta_e_2000 for row in own_designer.session.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
     given = own_designer.session.fit.readings[2].lab_fitted
-    assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
+    assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[3]
     # Of a paint that cannot be, only what is asked is said.
     type_in(own_designer.window.coat.panel.fields["gloss.gu_20"], "199")
     assert "achieved" not in flop.text()

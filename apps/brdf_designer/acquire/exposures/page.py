@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem
@@ -141,8 +141,13 @@ class ExposuresPage(PositionPage):
                     abs(shot.exif_s / shot.exposure_s - 1.0) > _SAME_TIME
                 )
                 self.differing += other
-                read = "–" if shot.exif_s is None else f"{1e3 * shot.exif_s:.4g}"
-                texts = (f"{1e3 * shot.exposure_s:.4g}", read, percent(shot.clipped), percent(shot.dark))
+                read = "–" if shot.exif_s is None else decimal(f"{1e3 * shot.exif_s:.4g}")
+                texts = (
+                    decimal(f"{1e3 * shot.exposure_s:.4g}"),
+                    read,
+                    percent(shot.clipped),
+                    percent(shot.dark),
+                )
                 for column, text in enumerate(texts):
                     self.table.set_text(row, column, text, bold=column == 1 and other, tip=shot.file)
             self.table.selectRow(self._chosen)
@@ -201,7 +206,7 @@ def percent(share: float) -> str:
     >>> percent(0.0001)
     '< 0.1 %'
     """
-    return "< 0.1 %" if 0.0 < share < 0.001 else f"{100.0 * share:.1f} %"
+    return "< 0.1 %" if 0.0 < share < 0.001 else decimal(f"{100.0 * share:.1f} %")
 
 
 def _thumb(shot: Shot) -> QPixmap:

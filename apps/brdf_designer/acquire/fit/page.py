@@ -7,7 +7,7 @@ import math
 import numpy as np
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QSignalBlocker, Signal
 
 from brdf_designer.acquire.plots.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
@@ -183,7 +183,7 @@ def fit_facts(found: FileFit) -> list[tuple[str, str, str]]:
     return [
         (
             tr("Mean |ln|"),
-            f"{errors.l1_mean:.4f}",
+            decimal(f"{errors.l1_mean:.4f}"),
             tr(
                 "Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 "
                 "divided by its number of terms"
@@ -191,17 +191,17 @@ def fit_facts(found: FileFit) -> list[tuple[str, str, str]]:
         ),
         (
             tr("RMS ln"),
-            f"{errors.log_rms:.4f}",
+            decimal(f"{errors.log_rms:.4f}"),
             tr("Root mean square of ln(fit/measured) over every measured bin"),
         ),
         (
             tr("Median"),
-            f"{100.0 * errors.median_relative:.1f} %",
+            decimal(f"{100.0 * errors.median_relative:.1f} %"),
             tr("Median relative difference over every measured bin"),
         ),
         (
             tr("Energy"),
-            f"{fit.energy:.1f}",
+            decimal(f"{fit.energy:.1f}"),
             tr("Equation 2 of Günther et al. 2005 over the samples of the solver"),
         ),
         (
@@ -238,8 +238,8 @@ def with_error(value: float, error: float) -> str:
     """
     value, error = float(value), float(error)
     if not math.isfinite(error):
-        return f"{value:.3g} ± ?"
+        return decimal(f"{value:.3g} ± ?")
     if error <= 0.0:
-        return f"{value:.4g}"
+        return decimal(f"{value:.4g}")
     digits = max(0, -math.floor(math.log10(error)))
-    return f"{value:.{digits}f} ± {error:.{digits}f}"
+    return decimal(f"{value:.{digits}f} ± {error:.{digits}f}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from numpy.typing import NDArray
 from PySide6.QtCore import Signal
 
@@ -82,11 +82,11 @@ class CoveragePage(AcquirePage):
             self.cell.show_rows([(tr("Cell"), "–", tr("θh and θd under the cursor"))])
             return
         share, error = state.share[row, column], state.error[row, column]
-        where = f"θh {state.theta_h_deg[column]:.3g}°, θd {state.theta_d_deg[row]:.3g}°"
+        where = decimal(f"θh {state.theta_h_deg[column]:.3g}°, θd {state.theta_d_deg[row]:.3g}°")
         known = np.isfinite(share) and share > 0.0
         measured = f"{100.0 * share:.0f} %" if known else tr("no")
-        pixels = f"{state.pixels[row, column]:.0f}" if known else "–"
-        spread = f"{100.0 * error:.2g} %" if known and np.isfinite(error) else "–"
+        pixels = decimal(f"{state.pixels[row, column]:.0f}") if known else "–"
+        spread = decimal(f"{100.0 * error:.2g} %") if known and np.isfinite(error) else "–"
         self.cell.show_rows(
             [
                 (tr("Cell"), where, tr("θh and θd under the cursor")),

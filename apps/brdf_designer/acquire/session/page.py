@@ -43,7 +43,11 @@ NUMBERS = (
 )
 """Key in the session, name and explanation."""
 _MM = 1e3
-_SIGNS = {"error": "warning-octagon", "warning": "warning", "info": "info"}
+_SIGNS = {
+    "error": ("warning-octagon-fill", "bad"),
+    "warning": ("warning-fill", "warning"),
+    "info": ("info", ""),
+}
 _MOST_ROWS = 8
 _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note")}
 
@@ -208,7 +212,7 @@ def fill_problems(rows: QTreeWidget, problems: Sequence[Problem]) -> None:
     order = ("error", "warning", "info")
     for problem in sorted(problems, key=lambda one: order.index(one.severity)):
         item = QTreeWidgetItem([tr(_WORDS[problem.severity]), problem.file, problem.reason])
-        item.setIcon(0, icon(_SIGNS[problem.severity]))
+        item.setIcon(0, icon(*_SIGNS[problem.severity]))
         for column in range(3):
             item.setTextAlignment(column, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
             item.setToolTip(column, plain_tip(problem.reason))

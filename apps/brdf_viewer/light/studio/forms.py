@@ -8,7 +8,7 @@ from typing import Any
 from brdf_qt.fields.form import Form, fill_column, fill_row
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
@@ -141,7 +141,7 @@ class LampForm(Form):
         ):
             field.set_value(angle_of(size, place[2]))
             label.setText(tr(text))
-            field.setToolTip(plain_tip(tip.format(side=tr(text), metres=f"{size:.3g} m")))
+            field.setToolTip(plain_tip(tip.format(side=tr(text), metres=decimal(f"{size:.3g} m"))))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
         for field, value in zip((self.facing_azimuth, self.facing_elevation), facing_deg(lamp), strict=True):

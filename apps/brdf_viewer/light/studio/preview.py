@@ -170,7 +170,7 @@ class StudioPreview(QWidget):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         index = self.lamp_at(event.position())
-        if index < 0 or not isinstance(self._light, Studio):
+        if index < 0 or not isinstance(self._light, Studio) or not self.hasFocus():
             event.ignore()  # the panel scrolls
             return
         self.scaled.emit(index, 1.05 ** (event.angleDelta().y() / _NOTCH))

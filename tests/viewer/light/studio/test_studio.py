@@ -218,8 +218,11 @@ def test_the_wheel_sizes_a_lamp_and_arrow_keys_move_it(edited, qtbot) -> None:
         False,
     )
     QApplication.sendEvent(preview, event)
-    assert value(edited).lamps[0].size_m[0] > before.size_m[0]
+    assert value(edited).lamps[0] == before
     preview.setFocus()
+    qtbot.waitUntil(preview.hasFocus)
+    QApplication.sendEvent(preview, event)
+    assert value(edited).lamps[0].size_m[0] > before.size_m[0]
     QTest.keyClick(preview, Qt.Key.Key_Up)
     assert value(edited).lamps[0].position_m[1] > before.position_m[1]
 

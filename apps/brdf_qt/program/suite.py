@@ -1,0 +1,44 @@
+"""The programs of the suite: what each is called, and how one opens another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QProcess, QRect
+
+from brdf_qt.program.translation import tr
+from brdf_suite.processes import child_command
+
+
+@dataclass(frozen=True)
+class Member:
+    """A program: its name, its package, the command that starts it, and its icon."""
+
+    name: str
+    package: str
+    command: str
+    icon: str
+
+
+MEMBERS = {
+    "designer": Member("Designer", "brdf_designer", "brdf-designer", "paint-brush"),
+    "viewer": Member("Viewer", "brdf_viewer", "brdf-viewer", "monitor"),
+    "lobes": Member("Lobe Visualizer", "brdf_lobe_visualizer", "brdf-lobes", "cube"),
+    "swatch": Member("Color Swatch", "brdf_color_swatch", "brdf-swatch", "swatches"),
+}
+"""The programs by their roles on the live link."""
+
+
+def start_member(role: str, place: QRect | None = None) -> bool:
+    """Start a program, with its window at ``place`` of the screen where one is given; False where it cannot be."""
+    at = [] if place is None else [f"--place={place.x()},{place.y()},{place.width()},{place.height()}"]
+    program, *arguments = child_command(MEMBERS[role].package, *at)
+    started, _ = QProcess.startDetached(program, arguments)
+    return started
+
+
+def connected_words(roles: Iterable[str]) -> str:
+    """Return how a status bar names the programs that are on the link."""
+    names = ", ".join(MEMBERS[role].name if role in MEMBERS else role for role in roles)
+    return tr("Connected: {programs}").format(programs=names) if names else tr("Not connected")
