@@ -6,6 +6,7 @@ import math
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.fields.choices import title_of
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
@@ -13,6 +14,7 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.fit_choice import FitCommand
 from brdf_qt.window.message_bar import Message
+from brdf_qt.window.view_titles import SHIPPED_TITLES
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QProcess, QTimer, Signal
@@ -39,13 +41,12 @@ from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
-from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
+from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl

@@ -7,7 +7,9 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.fields.choices import Source, set_note, title_of
+from brdf_qt.program.translation import tr
+from brdf_qt.window.view_titles import SHIPPED_TITLES
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
@@ -20,24 +22,10 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environ
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note, title_of
 from brdf_viewer.light.environment_section import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
-
-SHIPPED_TITLES = {
-    "photo_studio": mark("Photo studio"),
-    "street": mark("Street"),
-    "light_tunnel": mark("Light tunnel"),
-    "booth": mark("Light booth"),
-    "sunny": mark("Sunny sky"),
-    "overcast": mark("Overcast sky"),
-    "speed_form": mark("Speed form"),
-    "sphere": mark("Sphere"),
-    "panel": mark("Curved panel"),
-    "car": mark("Car"),
-}
 
 
 class SceneControl(ViewerFeature):
