@@ -69,7 +69,7 @@ def occlusion(folder: Path) -> Iterator[Path]:
 
 def lobe_maps(folder: Path) -> Iterator[Path]:
     """Write the filtered maps of the light that a new user sees first, for a picture and for Designer's small one."""
-    from brdf_designer.preview.scene import LIGHT_WIDTH
+    from brdf_designer.picture.scene import LIGHT_WIDTH
 
     from brdf_suite.lighting.filter.prefilter import prefilter
     from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key, pack_maps

@@ -63,7 +63,7 @@ class Walk:
         for editor, lab in zip(self.window.editors.editors, BLUE.values(), strict=True):
             for field, value in zip(editor.fields, lab, strict=True):
                 self.type(field, f"{value:g}")
-        self.type(self.window.coat.panel.fields["gloss.gu_20"], f"{GLOSS:g}")
+        self.type(self.window.coat.daily.fields["gloss.gu_20"], f"{GLOSS:g}")
         self.type(self.window.texts.name, "Blue")
         self.see(self.window.section("colour"))
         paint = self.designer.store.value

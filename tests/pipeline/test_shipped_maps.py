@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_designer.preview.scene import LIGHT_WIDTH
+from brdf_designer.picture.scene import LIGHT_WIDTH
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError

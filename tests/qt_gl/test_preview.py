@@ -7,9 +7,9 @@ import threading
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_designer.preview.control import PreviewControl
-from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
-from brdf_designer.preview.scene import LIGHT_WIDTH
+from brdf_designer.picture.control import PreviewControl
+from brdf_designer.picture.pace import FAST_MS, REST_MS, PreviewPace
+from brdf_designer.picture.scene import LIGHT_WIDTH
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from brdf_qt.work import pictures

@@ -55,7 +55,7 @@ class FlopStrip(QWidget):
         self._head: tuple[str, ...] = tuple(map(tr, _FRESH))
         # The active grip, or the strip.
         self.band.described.connect(lambda forms: self.caption.set_forms(*(forms or self._head)))
-        fill_column(self, self.caption, self.band, spacing=4)
+        fill_column(self, self.band, self.caption, None, spacing=4)
 
     def show_curves(self, curves: Curves) -> None:
         """Show the strip, fresh."""

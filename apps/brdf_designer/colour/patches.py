@@ -20,7 +20,9 @@ OUTSIDE_TIP = mark(
     "Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped."
 )
 CORNER = 14.0
-GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
+_TALL = 64
+"""Pixels of height: the colours are a strip below the picture."""
+GIVEN_SHARE, GIVEN_MOST = 0.34, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
 _FIT_TIP = mark("Colour difference CIEDE2000 between the target and the fitted lobes.")
 
@@ -49,10 +51,10 @@ class ColourField(QWidget):
         self.given: QColor | None = None
         self.standard: QColor | None = None
         self._standard_in_gamut = True
-        self.setMinimumSize(72, 16)
+        self.setMinimumSize(48, _TALL)
         # It covers all of its place: what lies behind need not be drawn.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of one measurement."""
@@ -82,7 +84,7 @@ class ColourField(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(260, 200)
+        return QSize(260, _TALL)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -116,9 +118,9 @@ class ColourField(QWidget):
         return rect.adjusted(0, 0, 0, -round(band))
 
 
-def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 3) -> None:
+def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 2) -> None:
     """Write what a part is at its lower edge, in black or white, where it has the room of some ``rows``."""
-    inner = rect.adjusted(6, 2, -6, -4)
+    inner = rect.adjusted(6, 1, -6, -2)
     metrics = painter.fontMetrics()
     if metrics.horizontalAdvance(text) > inner.width() or rows * metrics.height() > inner.height():
         return
