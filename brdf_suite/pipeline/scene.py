@@ -142,7 +142,6 @@ def load_environment(
     progress: Progress | None = None,
     *,
     layout: str = AUTOMATIC,
-    columns: int | None = None,
     basis: LobeBasis | None = None,
     cache: MapCache | None = None,
     partial: Partial | None = None,
@@ -156,8 +155,6 @@ def load_environment(
         file, which is drawn.
     layout
         How the image is laid out, where its shape does not determine it; see :func:`read_environment`.
-    columns
-        A wider light is averaged to about so many columns, for small pictures; see :func:`narrowed`.
     partial
         Called, on the same thread, as soon as there is something to show: the diffuse map, the broad lobes and the
         background; then after each sharper map. Never where the maps come from the cache.
@@ -172,8 +169,6 @@ def load_environment(
     name, path = find_environment(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
     environment = read_environment(path, layout, subrange(progress, 0.0, _READING_SHARE))
-    if columns is not None:
-        environment = narrowed(environment, columns)
     store = cache or MapCache()
     before = len(store.notices)
     prepared = prepare_environment(

@@ -68,23 +68,20 @@ def occlusion(folder: Path) -> Iterator[Path]:
 
 
 def lobe_maps(folder: Path) -> Iterator[Path]:
-    """Write the filtered maps of the light that a new user sees first, for a picture and for Designer's small one."""
-    from brdf_designer.picture.scene import LIGHT_WIDTH
-
+    """Write the filtered maps of the light that a new user sees first."""
     from brdf_suite.lighting.filter.prefilter import prefilter
     from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key, pack_maps
     from brdf_suite.pipeline.environments import read_environment
-    from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
+    from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents
 
     for old in folder.glob(f"*{PACKAGED_ENDING}"):
         old.unlink()
     name, source = find_environment(default_view().environment)
     light = read_environment(source)
-    for environment in (light, narrowed(light, LIGHT_WIDTH)):
-        key = cache_key(environment, map_exponents())
-        path = folder / f"{key}{PACKAGED_ENDING}"
-        path.write_bytes(pack_maps(prefilter(environment, map_exponents()), key, name))
-        yield path
+    key = cache_key(light, map_exponents())
+    path = folder / f"{key}{PACKAGED_ENDING}"
+    path.write_bytes(pack_maps(prefilter(light, map_exponents()), key, name))
+    yield path
 
 
 KINDS: dict[str, Callable[[Path], Iterator[Path]]] = {

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_designer.picture.scene import LIGHT_WIDTH
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
@@ -32,14 +31,13 @@ def forbid_filtering(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cache, "prefilter", prefilter)
 
 
-@pytest.mark.parametrize("columns", [None, LIGHT_WIDTH])
 def test_the_default_light_comes_filtered_and_as_the_filter_makes_it(
-    columns: int | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     forbid_filtering(monkeypatch)
     partial: list[object] = []
     store = MapCache(tmp_path)
-    shipped = load_environment(View().environment, columns=columns, cache=store, partial=partial.append)
+    shipped = load_environment(View().environment, cache=store, partial=partial.append)
     assert shipped.from_cache
     assert partial == []
     assert list(tmp_path.iterdir()) == []  # nothing is copied into the user's folder

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.labels import plain_tip, set_small
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.fit_error import is_large, large_error_tip, marked
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
@@ -147,6 +147,8 @@ class ColourPatch:
     def __init__(self) -> None:
         self.field = ColourField()
         self.angle, self.numbers, self.fit, self.against, self.words = (Caption() for _ in range(5))
+        for caption in (self.numbers, self.fit, self.against, self.words):
+            set_small(caption)
         set_font(self.angle, bold=True)
         set_font(self.fit, italic=True)
         self.fit.setToolTip(tr(_FIT_TIP))

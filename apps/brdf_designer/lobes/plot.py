@@ -72,7 +72,7 @@ class LobesPlot(QWidget):
             painter.drawPolyline(_outline(lines.view_deg, share, foot, radius))
 
     def _paint_rings(self, painter: QPainter, foot: QPointF, radius: float) -> None:
-        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Mid), 1.0))
+        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Light), 1.0))
         painter.drawLine(QLineF(foot - QPointF(radius, 0.0), foot + QPointF(radius, 0.0)))
         for share in (0.5, 1.0):
             reach = share * radius
@@ -81,7 +81,7 @@ class LobesPlot(QWidget):
         metrics = painter.fontMetrics()
         for angle in _RINGS_DEG:
             way = QPointF(math.sin(math.radians(angle)), -math.cos(math.radians(angle)))
-            painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Mid), 1.0))
+            painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Light), 1.0))
             painter.drawLine(QLineF(foot, foot + way * radius))
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
             text = f"{abs(angle)}°"

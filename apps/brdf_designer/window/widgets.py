@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from brdf_qt.fields.form import described, fill_row
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.labels import PlainLabel, set_small
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QLabel, QPushButton, QSizePolicy, QSplitter, QWidget
@@ -32,6 +32,7 @@ def split(orientation: Qt.Orientation, *parts: tuple[QWidget, int]) -> QSplitter
 def wrapped(text: str = "") -> QLabel:
     """Return a label that breaks its lines and can be copied from."""
     label = PlainLabel(text)
+    set_small(label)
     label.setWordWrap(True)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setMinimumWidth(64)

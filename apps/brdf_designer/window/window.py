@@ -40,8 +40,8 @@ TABS = (
     Tab("compare", mark("Compare"), "scales", mark("The paint against a standard, and its neighbours")),
     Tab("export", mark("Export"), "export", mark("Files for other programs, and reports")),
 )
-_DEEP, _HEAD = 420, 44
-"""Pixels that a drawer at the left is wide, and that the head and the frame of one at the bottom take."""
+_DEEP = 420
+"""Pixels that a drawer at the left is wide."""
 
 
 class DesignerWindow(SuiteWindow):
@@ -81,11 +81,10 @@ class DesignerWindow(SuiteWindow):
         self, key: str, title: str, widget: QWidget, edge: Edge, shortcut: str, icon: str, tip: str
     ) -> Drawer:
         """Add a drawer that slides over the picture, and the command that opens and closes it."""
-        extent = _DEEP if edge == "left" else widget.sizeHint().height() + _HEAD
         action = self.add_command(
             "view", title, shortcut, None, f"drawer_{key}", icon=icon, tip=tip, checked=False
         )
-        return self.stage.add_drawer(key, title, widget, edge, extent, action)
+        return self.stage.add_drawer(key, title, widget, edge, _DEEP, action)
 
     def complete(self) -> None:
         """Settle what depends on every part: letters of the menus, size and place of the panels."""

@@ -113,7 +113,10 @@ class Stage(QWidget):
     def add_drawer(
         self, key: str, title: str, widget: QWidget, edge: Edge, extent: int, action: QAction
     ) -> Drawer:
-        """Add a drawer with ``widget``, ``extent`` pixels deep, that ``action`` (checkable) opens and closes."""
+        """Add a drawer with ``widget`` that ``action`` (checkable) opens and closes.
+
+        One at the left is ``extent`` pixels wide; one at the bottom is as high as its widget wants.
+        """
         drawer = self.drawers[key] = Drawer(key, title, widget, edge, extent)
         drawer.setParent(self)
         drawer.setVisible(drawer.is_open)
@@ -141,7 +144,7 @@ class Stage(QWidget):
         self.bar.move(_MARGIN, _MARGIN)
         low = whole.height()
         for drawer in self._at("bottom"):
-            deep = min(max(drawer.extent, drawer.minimumSizeHint().height()), whole.height())
+            deep = min(drawer.sizeHint().height(), whole.height())
             top = low - round(drawer.reach * deep)
             drawer.setGeometry(0, top, whole.width(), deep)
             low = top

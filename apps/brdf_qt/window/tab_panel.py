@@ -17,6 +17,7 @@ from brdf_qt.window.section import Inspector, Section, SomeSection
 
 _LINE = 3
 _ICON = 22
+_LEAST_WIDTH = 372
 
 
 @dataclass(frozen=True)
@@ -117,6 +118,9 @@ class TabPanel(QWidget):
             group.addButton(button)
         fill_row(bar, *self.buttons.values(), spacing=0, even=True)
         bar.setVisible(len(tabs) > 1)
+        if tabs:
+            # Wide enough for what is in a fold, too: nothing is moved by opening one.
+            self.setMinimumWidth(_LEAST_WIDTH)
         fill_column(self, bar, self._stack, spacing=4)
         for key in self.buttons or ("inspector",):
             self.pages[key] = page = Page(key)
@@ -159,7 +163,7 @@ class TabPanel(QWidget):
 
     def sizeHint(self) -> QSize:
         width = max(page.sizeHint().width() for page in self.pages.values())
-        return QSize(width, 640)
+        return QSize(max(width, self.minimumWidth()), 640)
 
     def _chooser(self, key: str) -> Callable[[], None]:
         return lambda: self.show_page(key)
