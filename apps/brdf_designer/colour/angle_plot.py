@@ -24,7 +24,7 @@ from brdf_designer.window.caption import Caption
 if TYPE_CHECKING:
     from brdf_designer.colour.quantity_plot import QuantityPlot
 
-_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Curves"))
+_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Over angle"))
 _STALE = (
     mark("L*, C* and h: last possible paint"),
     mark("Curves of the last possible paint"),
