@@ -24,7 +24,7 @@ from brdf_designer.window.caption import Caption
 if TYPE_CHECKING:
     from brdf_designer.colour.quantity_plot import QuantityPlot
 
-_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Over angle"))
+_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"))
 _STALE = (
     mark("L*, C* and h: last possible paint"),
     mark("Curves of the last possible paint"),
@@ -52,7 +52,7 @@ class AnglePlot(QWidget):
         self.setMinimumHeight(90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._box = fill_column(self, spacing=4)
-        self.caption = Caption(*map(tr, _FRESH))
+        self.caption = Caption(*map(tr, _FRESH), "")
         self.caption.setToolTip(
             tr("Points are the targets at the measured angles; drag one up or down to change it.")
         )
@@ -103,7 +103,7 @@ class AnglePlot(QWidget):
     def show_curves(self, curves: Curves) -> None:
         """Show model and lobes, fresh."""
         self._curves, self._new_curves = curves, True
-        self.caption.set_forms(*map(tr, _FRESH))
+        self.caption.set_forms(*map(tr, _FRESH), "")
         if self.plots and self.isVisible():
             self._drawing.start()
 
