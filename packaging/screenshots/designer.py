@@ -134,10 +134,9 @@ class Walk:
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
     def see(self, section: Any) -> None:
-        """Bring a section to the top of the inspector."""
-        section.set_open(True)
+        """Bring a section in sight, in its tab."""
+        self.window.panel.bring_in_sight(section)
         self.wait(lambda: True)
-        self.window.inspector.verticalScrollBar().setValue(section.y())
 
     def wait(self, until: Callable[[], bool]) -> None:
         """Let the program run until it is so."""

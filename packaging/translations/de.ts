@@ -432,6 +432,10 @@
         <translation>&amp;Voriger Reiter</translation>
     </message>
     <message>
+        <source>Panel &amp;Tabs</source>
+        <translation>Reiter des &amp;Bedienfelds</translation>
+    </message>
+    <message>
         <source>Open &amp;Viewer</source>
         <translation>&amp;Viewer öffnen</translation>
     </message>

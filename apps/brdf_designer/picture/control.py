@@ -143,7 +143,7 @@ class PictureControl(Feature, QObject):
         self._loader.load(kind, name, look=look, basis=self._session.fitting.basis)
 
     def _loaded(self, kind: str, name: str, value: object) -> None:
-        # Told apart by kind: their modules are not imported for the window.
+        # By kind and not by class: their modules are not imported for the window.
         if kind == _LIGHT:
             self._take_light(name, value)  # type: ignore[arg-type]
         else:

@@ -13,7 +13,7 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.window.stage import Drawer, Edge, Stage
 from brdf_qt.window.tab_panel import Tab
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
@@ -235,6 +235,12 @@ class DesignerWindow(SuiteWindow):
         ]
         for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
             step.setShortcuts([step.shortcut(), QKeySequence(second)])
+        tabs_menu = self.view_menu.addMenu(tr("Panel &Tabs"))
+        for number, tab in enumerate(TABS, 1):
+            show = self.add_action(
+                tabs_menu, tab.title, partial(self.show_tab, tab.key), f"Ctrl+{number}", tab.icon
+            )
+            show.setObjectName(f"action_tab_{tab.key}")
         viewer = self.add_action(
             self.window_menu, mark("Open &Viewer"), self.viewer_requested.emit, icon="monitor"
         )
@@ -243,6 +249,12 @@ class DesignerWindow(SuiteWindow):
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(entry)
+
+    def show_tab(self, key: str) -> None:
+        """Bring a tab of the panel to the front, with the keyboard in it."""
+        self.inspector_dock.show()
+        self.panel.show_page(key)
+        self.panel.buttons[key].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     # The picker, drops and the end.
 
