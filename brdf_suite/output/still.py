@@ -121,15 +121,14 @@ def loaded_scene(
     view: View,
     progress: Progress | None = None,
     *,
-    columns: int | None = None,
     largest_face: int | None = None,
     fitting: FitSettings | None = None,
 ) -> Iterator[LoadedScene]:
     """Load surface and environment of a view into a windowless scene, which goes with the block.
 
     The light is filtered for the exponents of ``fitting``, and a second paint fitted as it says; the paints that are
-    shown must be fitted so too. Where only small pictures are drawn, ``columns`` is how wide the light needs to be
-    before it is filtered, and ``largest_face``, in texels, how fine its maps after that.
+    shown must be fitted so too. Where only small pictures are drawn, ``largest_face``, in texels, is how fine the maps
+    of the light need to be.
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
@@ -141,7 +140,6 @@ def loaded_scene(
             view.environment,
             light,
             layout=view.environment_layout,
-            columns=columns,
             basis=None if fitting is None else fitting.basis,
         )
         if largest_face is not None:

@@ -10,6 +10,8 @@ from brdf_designer.lobes.plot import LobeLines, LobesPlot
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import layers_of
 from brdf_designer.window.window import DesignerWindow
+from brdf_suite.inspection.slices.cuts import plane_slice
+from brdf_suite.inspection.slices.values import channel_of, evaluate, radius_of
 from brdf_suite.pipeline.lobe_fit import LobeFit
 
 _OWNER = "lobes"
@@ -49,10 +51,6 @@ class LobesControl(Feature, QObject):
 
 def lobe_lines(fit: LobeFit) -> LobeLines:
     """Return model and lobes of a fit in the plane of the light that most readings have, the model's peak at 1."""
-    # Deferred: a start with the drawer closed does without.
-    from brdf_suite.inspection.slices.cuts import plane_slice
-    from brdf_suite.inspection.slices.values import channel_of, evaluate, radius_of
-
     light = fit.paint.main_light_deg
     cut = plane_slice(light, 0.0)
     layers = layers_of(fit)

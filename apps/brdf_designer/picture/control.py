@@ -16,7 +16,7 @@ from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
-from brdf_designer.picture.contents import PictureContents, recall, remember
+from brdf_designer.picture.contents import PictureContents, remember
 from brdf_designer.picture.pace import PicturePace
 from brdf_designer.picture.pages import ViewPages
 from brdf_designer.picture.panel import PicturePanel
@@ -27,13 +27,11 @@ from brdf_suite.realtime.camera import Bounds, dolly_to, orbit, pan, resolve
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
-    from brdf_qt.work.scene_loading import SceneLoader
 
     from brdf_designer.picture.drawer import PictureDrawer
+    from brdf_designer.picture.scene import PictureScene
     from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.pipeline.scene import PreparedEnvironment
-    from brdf_suite.progress import Progress
-    from brdf_suite.realtime.gl.context import Context
     from brdf_suite.surface.mesh import Mesh
     from brdf_suite.surface.occlusion.rays import BakedMesh
 
@@ -57,7 +55,7 @@ class PictureControl(Feature, QObject):
         super().__init__(window)
         self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=2)
-        self._loader: SceneLoader | None = None
+        self._loader: PictureScene | None = None
         self._contents = PictureContents()
         self._drawer: PictureDrawer | None = None
         self._pending: set[str] = set()
@@ -120,17 +118,15 @@ class PictureControl(Feature, QObject):
 
     def _load_first(self) -> None:
         # Deferred, as what it brings is not needed for the window.
-        from brdf_qt.work.scene_loading import SceneLoader
+        from brdf_designer.picture.scene import PictureScene
 
-        from brdf_suite.pipeline.scene import default_view
-
-        loader = self._loader = SceneLoader(self._tasks, self)
+        loader = self._loader = PictureScene(self._tasks, self)
         loader.loaded.connect(self._loaded)
         loader.partly_loaded.connect(self._take_light)
         loader.failed.connect(lambda kind, _key, error: self._report(kind, error))
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
-        self._show(recall() or default_view())
+        self._show(loader.first)
         self._load(_FORM, self.view.surface)
         self._load(_LIGHT, self.view.environment)
 
@@ -165,20 +161,15 @@ class PictureControl(Feature, QObject):
 
     def _bake(self) -> None:
         """Work out what the ground and the form's own shadows need, where the view shows them and it is not there."""
-        from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
-        from brdf_suite.pipeline.surface import wants_baking
-
-        form = self._contents.form
-        if form is None or self._contents.baked is not None or not wants_baking(self.view.surface_look):
+        form, loader = self._contents.form, self._loader
+        if form is None or loader is None or self._contents.baked is not None:
+            return
+        if not loader.wants_baking(self.view.surface_look):
             return
         self._pending.add(_BAKED)
-
-        def work(mesh: Mesh, progress: Progress) -> BakedMesh:
-            return baked_occlusion(mesh, progress)
-
         self._tasks.submit(
             _BAKED,
-            work,
+            loader.bake,
             form,
             lambda baked: self._take_baked(form, baked),
             lambda error: self._report(_BAKED, error),
@@ -252,17 +243,13 @@ class PictureControl(Feature, QObject):
             drawer.pace.end_frame(milliseconds)
 
     def _new_surface(self) -> GlSurface:
-        # Deferred: the widget brings moderngl, which only a screen with OpenGL needs.
-        from brdf_qt.gl.surface import GlSurface
+        # Deferred: it brings moderngl, which only a screen with OpenGL needs.
+        from brdf_designer.picture.surface import make_surface
 
-        # The renderer averages its samples by itself, in linear light.
-        return GlSurface(self._new_drawer, samples=0)
+        return make_surface(self._contents, self.panel, self._take_drawer, self._draw_later)
 
-    def _new_drawer(self, context: Context) -> PictureDrawer:
-        from brdf_designer.picture.drawer import PictureDrawer
-
-        self._drawer = PictureDrawer(context, self._contents, self.panel.grey, self._draw_later)
-        return self._drawer
+    def _take_drawer(self, drawer: PictureDrawer) -> None:
+        self._drawer = drawer
 
     # The view: by the tabs Light and Form, and by hand.
 
