@@ -246,7 +246,7 @@ class PictureControl(Feature, QObject):
         # Deferred: it brings moderngl, which only a screen with OpenGL needs.
         from brdf_designer.picture.surface import make_surface
 
-        return make_surface(self._contents, self.panel, self._take_drawer, self._draw_later)
+        return make_surface(self._contents, lambda: self.panel.grey(), self._take_drawer, self._draw_later)
 
     def _take_drawer(self, drawer: PictureDrawer) -> None:
         self._drawer = drawer

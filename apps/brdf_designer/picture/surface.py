@@ -3,32 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from brdf_qt.gl.surface import GlSurface
 
 from brdf_designer.picture.contents import PictureContents
-from brdf_designer.picture.drawer import PictureDrawer
+from brdf_designer.picture.drawer import Grey, PictureDrawer
 from brdf_suite.realtime.gl.context import Context
-
-if TYPE_CHECKING:
-    from brdf_designer.picture.panel import PicturePanel
 
 
 def make_surface(
     contents: PictureContents,
-    panel: PicturePanel,
+    surround: Callable[[], Grey],
     made: Callable[[PictureDrawer], None],
     better: Callable[[], None],
 ) -> GlSurface:
     """Return the widget that draws ``contents``; ``made`` is called with the drawer of each new context.
 
-    ``panel`` gives the grey that is shown before there is a picture; ``better`` is called when the same contents would
-    be drawn with better weights.
+    ``surround`` and ``better`` as for :class:`PictureDrawer`.
     """
 
     def make(context: Context) -> PictureDrawer:
-        drawer = PictureDrawer(context, contents, panel.grey, better)
+        drawer = PictureDrawer(context, contents, surround, better)
         made(drawer)
         return drawer
 

@@ -154,7 +154,7 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(own_des
     )
     qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
-    end, height = strip.width() - 30, strip.height() // 2
+    end, height = strip.width() - 16, strip.height() // 2
     above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
     assert above - below > 40, "the strip shows what the lobes give under what is asked"
     qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
