@@ -238,7 +238,7 @@ class DesignerWindow(SuiteWindow):
         tabs_menu = self.view_menu.addMenu(tr("Panel &Tabs"))
         for number, tab in enumerate(TABS, 1):
             show = self.add_action(
-                tabs_menu, tab.title, partial(self.show_tab, tab.key), f"Ctrl+{number}", tab.icon
+                tabs_menu, tab.title, partial(self.show_tab, tab.key), f"Ctrl+F{number}", tab.icon
             )
             show.setObjectName(f"action_tab_{tab.key}")
         viewer = self.add_action(
