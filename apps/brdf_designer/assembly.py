@@ -30,7 +30,8 @@ from brdf_designer.documents.tabs import Documents
 from brdf_designer.export.control import HandoverControl
 from brdf_designer.from_measurement.control import MOST_TABS, MeasuredControl
 from brdf_designer.history.control import HistoryControl
-from brdf_designer.preview.control import PreviewControl
+from brdf_designer.lobes.control import LobesControl
+from brdf_designer.picture.control import PictureControl
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.texture.control import TextureControl
@@ -56,7 +57,8 @@ PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     CoatControl,
     TextureControl,
     NearestOffer,
-    PreviewControl,
+    PictureControl,
+    LobesControl,
     HistoryControl,
     StandardControl,
     VariationsControl,

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import partial
 
+from brdf_qt.fields.choices import Source
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.shortcuts import give_keys
+from brdf_qt.window.view_titles import BACKGROUND_TITLES, FRESNEL_TITLES, LOOK_UP_TITLES, PRESETS, TONE_TITLES
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from brdf_viewer.camera.section import PRESETS
 from brdf_viewer.compare.section import MODE_TITLES
-from brdf_viewer.inspector.fields import Source
-from brdf_viewer.light.environment_section import BACKGROUND_TITLES
-from brdf_viewer.paint.sparkle_section import FRESNEL_TITLES, LOOK_UP_TITLES, SPARKLE_TITLES
-from brdf_viewer.tone.section import TONE_TITLES
+from brdf_viewer.paint.sparkle_section import SPARKLE_TITLES
 from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 _OPENED = (

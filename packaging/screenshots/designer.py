@@ -63,7 +63,7 @@ class Walk:
         for editor, lab in zip(self.window.editors.editors, BLUE.values(), strict=True):
             for field, value in zip(editor.fields, lab, strict=True):
                 self.type(field, f"{value:g}")
-        self.type(self.window.coat.panel.fields["gloss.gu_20"], f"{GLOSS:g}")
+        self.type(self.window.coat.daily.fields["gloss.gu_20"], f"{GLOSS:g}")
         self.type(self.window.texts.name, "Blue")
         self.see(self.window.section("colour"))
         paint = self.designer.store.value
@@ -134,10 +134,9 @@ class Walk:
         QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
     def see(self, section: Any) -> None:
-        """Bring a section to the top of the inspector."""
-        section.set_open(True)
+        """Bring a section in sight, in its tab."""
+        self.window.panel.bring_in_sight(section)
         self.wait(lambda: True)
-        self.window.inspector.verticalScrollBar().setValue(section.y())
 
     def wait(self, until: Callable[[], bool]) -> None:
         """Let the program run until it is so."""

@@ -364,6 +364,34 @@
         <translation>Lack</translation>
     </message>
     <message>
+        <source>Colours, gloss and flakes of the paint</source>
+        <translation>Farben, Glanz und Flakes des Lacks</translation>
+    </message>
+    <message>
+        <source>The light that the paint stands in</source>
+        <translation>Das Licht, in dem der Lack steht</translation>
+    </message>
+    <message>
+        <source>The form that carries the paint, and from where it is seen</source>
+        <translation>Die Form, die den Lack trägt, und von wo sie zu sehen ist</translation>
+    </message>
+    <message>
+        <source>The paint against a standard, and its neighbours</source>
+        <translation>Der Lack gegen einen Standard, und seine Nachbarn</translation>
+    </message>
+    <message>
+        <source>Files for other programs, and reports</source>
+        <translation>Dateien für andere Programme, und Berichte</translation>
+    </message>
+    <message>
+        <source>Show or hide L*, C* and h over the aspecular angle</source>
+        <translation>L*, C* und h über dem Aspekularwinkel ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Gloss and flakes</source>
+        <translation>Glanz und Flakes</translation>
+    </message>
+    <message>
         <source>&amp;New</source>
         <translation>&amp;Neu</translation>
     </message>
@@ -374,6 +402,10 @@
     <message>
         <source>Open &amp;Sample Paint</source>
         <translation>&amp;Beispiellack öffnen</translation>
+    </message>
+    <message>
+        <source>Panel &amp;Tabs</source>
+        <translation>Reiter des &amp;Bedienfelds</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
@@ -1412,10 +1444,6 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Preview</source>
-        <translation>Vorschau</translation>
-    </message>
-    <message>
         <source>Colour map</source>
         <translation>Farbkarte</translation>
     </message>
@@ -1558,6 +1586,10 @@
     <message>
         <source>Open Color Swatch</source>
         <translation>Color Swatch öffnen</translation>
+    </message>
+    <message>
+        <source>Tab of the panel</source>
+        <translation>Reiter des Bedienfelds</translation>
     </message>
     <message>
         <source>Full screen</source>
@@ -1742,10 +1774,6 @@
     <message>
         <source>Losses:</source>
         <translation>Verluste:</translation>
-    </message>
-    <message>
-        <source>&amp;History</source>
-        <translation>&amp;Verlaufsstreifen</translation>
     </message>
     <message>
         <source>Show or hide the history of this paint</source>
@@ -2422,20 +2450,32 @@ angegeben {stated}</translation>
         <translation>{illuminant}, {observer}°-Beobachter</translation>
     </message>
     <message>
-        <source>Previe&amp;w</source>
-        <translation>&amp;Vorschau</translation>
+        <source>Preparing the light: {name}</source>
+        <translation>Licht wird vorbereitet: {name}</translation>
     </message>
     <message>
-        <source>Show or hide the preview on the speed form</source>
-        <translation>Die Vorschau auf der Speedform zeigen oder verbergen</translation>
+        <source>Loading the form: {name}</source>
+        <translation>Form wird geladen: {name}</translation>
+    </message>
+    <message>
+        <source>Preparing the ground and shadows of the form</source>
+        <translation>Boden und Schatten der Form werden vorbereitet</translation>
     </message>
     <message>
         <source>The picture is unchanged.</source>
         <translation>Das Bild ist unverändert.</translation>
     </message>
     <message>
-        <source>The paint on the speed form</source>
-        <translation>Der Lack auf der Speedform</translation>
+        <source>Rendering</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Camera and shadows</source>
+        <translation>Kamera und Schatten</translation>
+    </message>
+    <message>
+        <source>The paint on the form</source>
+        <translation>Der Lack auf der Form</translation>
     </message>
     <message>
         <source>Light booth</source>
@@ -2454,32 +2494,8 @@ angegeben {stated}</translation>
         <translation>Straße</translation>
     </message>
     <message>
-        <source>The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, wheel zooms, Alt drag or right drag rotates the light, F frames.</source>
-        <translation>Der Lack auf der Speedform, gezeichnet wie in Viewer. Ziehen umkreist, Mausrad zoomt, Ziehen mit Alt oder rechts dreht das Licht, F rahmt ein.</translation>
-    </message>
-    <message>
-        <source>Light of the preview</source>
-        <translation>Licht der Vorschau</translation>
-    </message>
-    <message>
-        <source>Speed form: last possible paint</source>
-        <translation>Speedform: letzter möglicher Lack</translation>
-    </message>
-    <message>
-        <source>Speed form (earlier)</source>
-        <translation>Speedform (früher)</translation>
-    </message>
-    <message>
-        <source>On the speed form</source>
-        <translation>Auf der Speedform</translation>
-    </message>
-    <message>
         <source>Speed form</source>
         <translation>Speedform</translation>
-    </message>
-    <message>
-        <source>No preview: OpenGL is not available on this screen. Numbers, patches and curves are complete. Open the paint file in Viewer on another computer to see it.</source>
-        <translation>Keine Vorschau: OpenGL ist auf diesem Bildschirm nicht verfügbar. Zahlen, Felder und Kurven sind vollständig. Öffnen Sie die Lackdatei in Viewer auf einem anderen Rechner, um sie zu sehen.</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -8178,8 +8194,60 @@ Ungespeicherte Änderungen.</translation>
         <translation>Drehung</translation>
     </message>
     <message>
+        <source>Rotates the light; also Alt drag in the picture</source>
+        <translation>Dreht das Licht; auch durch Ziehen mit Alt im Bild</translation>
+    </message>
+    <message>
+        <source>What is seen behind the form</source>
+        <translation>Was hinter der Form zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Bright highlights have a halo, as in the eye</source>
+        <translation>Helle Glanzlichter haben einen Hof wie im Auge</translation>
+    </message>
+    <message>
         <source>Colour of the background</source>
         <translation>Farbe des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>Colour of a plain background</source>
+        <translation>Farbe eines einfarbigen Hintergrunds</translation>
+    </message>
+    <message>
+        <source>Mapping of radiance to the screen</source>
+        <translation>Abbildung der Strahldichte auf den Bildschirm</translation>
+    </message>
+    <message>
+        <source>Reflectance towards grazing angles; for developers</source>
+        <translation>Reflexion bei streifendem Blick; für Entwickler</translation>
+    </message>
+    <message>
+        <source>Direction in which a lobe is looked up; for developers</source>
+        <translation>Richtung, in der eine Keule nachgeschlagen wird; für Entwickler</translation>
+    </message>
+    <message>
+        <source>Looks at the form from there</source>
+        <translation>Blickt von dort auf die Form</translation>
+    </message>
+    <message>
+        <source>Fill the picture with the form (F)</source>
+        <translation>Das Bild mit der Form füllen (F)</translation>
+    </message>
+    <message>
+        <source>The form stands on a ground</source>
+        <translation>Die Form steht auf einem Boden</translation>
+    </message>
+    <message>
+        <source>View from</source>
+        <translation>Ansicht von</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Parts of the form darken each other where they are close</source>
+        <translation>Teile der Form verdunkeln einander, wo sie nahe beieinander sind</translation>
     </message>
     <message>
         <source>Edit Light</source>
@@ -9836,6 +9904,46 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Contents</source>
         <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Close {name}</source>
+        <translation>{name} schließen</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Tabs of the panel</source>
+        <translation>Reiter des Bedienfelds</translation>
+    </message>
+    <message>
+        <source>Show or hide the lobes in the plane of the light</source>
+        <translation>Die Keulen in der Ebene des Lichts ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Reflectance in the plane of the light, as seen from each side; the radius is its cube root. Solid: the model; dashed: the fitted lobes.</source>
+        <translation>Reflexion in der Ebene des Lichts, aus jeder Richtung gesehen; der Radius ist ihre dritte Wurzel. Durchgezogen: das Modell; gestrichelt: die angepassten Keulen.</translation>
+    </message>
+    <message>
+        <source>Lobes in the plane of the light</source>
+        <translation>Keulen in der Ebene des Lichts</translation>
+    </message>
+    <message>
+        <source>No lobes yet</source>
+        <translation>Noch keine Keulen</translation>
+    </message>
+    <message>
+        <source>The paint, drawn by the renderer of Viewer. Drag orbits, Shift drag pans, wheel zooms, Alt drag or right drag rotates the light, F frames.</source>
+        <translation>Der Lack, gezeichnet vom Renderer des Viewers. Ziehen umkreist, Ziehen mit Umschalt verschiebt, das Mausrad zoomt, Ziehen mit Alt oder der rechten Taste dreht das Licht, F füllt das Bild.</translation>
+    </message>
+    <message>
+        <source>⚠ Last possible paint</source>
+        <translation>⚠ Letzter möglicher Lack</translation>
+    </message>
+    <message>
+        <source>No picture: OpenGL is not available on this screen. Numbers, patches and curves are complete. Open the paint file in Viewer on another computer to see it.</source>
+        <translation>Kein Bild: OpenGL ist auf diesem Bildschirm nicht verfügbar. Zahlen, Farbfelder und Kurven sind vollständig. Öffnen Sie die Lackdatei auf einem anderen Rechner im Viewer, um ihn zu sehen.</translation>
     </message>
 </context>
 </TS>

@@ -16,6 +16,12 @@ import numpy as np
 
 NAME = "designer"
 BOUNDS = {
+    "picture_share": (
+        ">=",
+        0.55,
+        "",
+        "share of the window's area that the picture has at 1920 x 1080 as it starts, drawers that are open taken off",
+    ),
     "update_median_ms": (
         "<=",
         5.0,
@@ -38,7 +44,7 @@ BOUNDS = {
 }
 NOTES = {
     "update_median_ms": "strip and curves follow in the next turn of the event loop: followed_median_ms",
-    "update_p99_ms": "without the preview, which this platform cannot draw",
+    "update_p99_ms": "without drawing the picture, which this platform cannot; a slow frame waits for a rest",
 }
 _WARM_UP = 30
 
@@ -55,6 +61,7 @@ def run(progress=None):
     names = ("update", "cpu", "values", "followed")
     update, cpu, values, followed = (times[name][_WARM_UP:] for name in names)
     return {
+        "picture_share": times["picture_share"],
         "update_median_ms": median(update),
         "update_p99_ms": float(np.percentile(update, 99)),
         "update_cpu_median_ms": median(cpu),

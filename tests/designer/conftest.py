@@ -50,6 +50,12 @@ class ScriptedDialogs:
         return self.path
 
 
+def open_drawers(designer: Designer) -> None:
+    """Show curves, lobes and history, which a first start has beyond the edges of the picture."""
+    for drawer in designer.window.stage.drawers.values():
+        drawer.set_open(True)
+
+
 @pytest.fixture(autouse=True)
 def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """No test touches a user's settings, or speaks with a program that is open."""
@@ -76,6 +82,7 @@ def own_designer(qtbot, dialogs, monkeypatch) -> Designer:
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
+    open_drawers(designer)
     qtbot.waitUntil(lambda: designer.window.plot.is_built)
     yield designer
     designer.close()
@@ -98,6 +105,7 @@ def lasting(qapp, tmp_path_factory):
         patched.setattr(pictures, "child_command", lambda _module: [])
         designer = Designer(dialogs=lambda _window: dialogs)
         designer.window.show()
+        open_drawers(designer)
         while not designer.window.plot.is_built:
             QCoreApplication.processEvents()
     yield designer, dialogs
@@ -118,6 +126,7 @@ def fresh(lasting, own_session):
             documents.close(document)
     vars(dialogs).update(vars(ScriptedDialogs()))
     first.pristine = True
+    designer.window.panel.show_page("paint")
     for key in designer.window.messages.shown():
         designer.window.dismiss_message(key)
     return designer, dialogs

@@ -175,7 +175,7 @@ def test_an_unreachable_gloss_is_reported_in_the_window_and_mended(designer, qtb
     window = designer.window
     qtbot.waitUntil(lambda: designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
-    gloss = window.coat.panel.fields["gloss.gu_20"]
+    gloss = window.coat.daily.fields["gloss.gu_20"]
     type_in(gloss, "199")
     assert designer.store.value.gloss.gu_20 == 199.0
     assert "199 GU" in window.messages.shown()["fit"].what
@@ -195,7 +195,7 @@ def test_an_unreachable_gloss_is_reported_in_the_window_and_mended(designer, qtb
 
 def test_the_60_degree_reading_is_optional(designer):
     coat = designer.window.coat
-    type_in(coat.panel.fields["gloss.gu_20"], "40")
+    type_in(coat.daily.fields["gloss.gu_20"], "40")
     assert not coat.panel.fields["gloss.gu_60"].isEnabled()
     # At once, before the work that is done at idle: the reading is of this paint, and not of the one before.
     _, due = total_gloss(designer.session.fit.reflectance.base, designer.session.fit.reflectance.coat)
@@ -214,7 +214,7 @@ def test_the_60_degree_reading_is_optional(designer):
 
 def test_flakes_and_model_are_edited(designer):
     window = designer.window
-    type_in(window.flakes.panel.fields["flakes.size_um"], "33")
+    type_in(window.flakes.daily.fields["flakes.size_um"], "33")
     assert designer.store.value.flakes.size_um == 33.0
     window.flakes.has_flakes.click()
     assert designer.store.value.flakes is None
@@ -375,7 +375,7 @@ def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, t
     paint = load_shipped_paint("satin_blue")
     save_paint(paint, file)
     assert designer.documents.open(file)
-    gloss = designer.window.coat.panel.fields["gloss.gu_20"]
+    gloss = designer.window.coat.daily.fields["gloss.gu_20"]
     lightness = designer.window.editors.editors[0].fields[0]
     for field, value in ((gloss, gloss.value() + 3.0), (lightness, 20.0)):
         opened = field.value()

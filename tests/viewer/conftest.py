@@ -117,7 +117,7 @@ def shared_scene(
 
     The sphere is a coarse one unless a test draws as the user's Viewer does: see :func:`one_sample`.
     """
-    from brdf_viewer.scene import loading
+    from brdf_qt.work import scene_loading as loading
     from brdf_viewer.surface import control
 
     first_light = str(lights["dim"])

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from brdf_qt.fields.choices import Source, SourceChooser
 from brdf_qt.program.settings import settings
-from brdf_viewer.inspector.fields import Source, SourceChooser
 from PySide6.QtCore import QCoreApplication, QEvent, QMetaMethod, QObject, SignalInstance
 from PySide6.QtGui import QAction, QUndoStack
 from PySide6.QtOpenGLWidgets import QOpenGLWidget

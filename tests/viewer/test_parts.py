@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.documents.recent_files import MOST_RECENT, RecentFiles
-from brdf_viewer.camera.section import PRESETS, look_from, signed_deg
+from brdf_qt.fields.choices import SliderField, Source, SourceChooser, title_of
+from brdf_qt.window.view_titles import PRESETS
+from brdf_viewer.camera.section import look_from, signed_deg
 from brdf_viewer.compare import frozen_paints
 from brdf_viewer.compare.frozen_paints import freeze, touch
 from brdf_viewer.documents.file_kinds import kind_of
-from brdf_viewer.inspector.fields import SliderField, Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches
 from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings

@@ -41,7 +41,8 @@ _SLOPE_TIP = mark("Root mean square slope of the waves. A tenth of a degree is v
 
 
 class CoatSection(PaintSection):
-    """Gloss readings, the clearcoat that gives them, and its waviness.
+    """Gloss readings, the clearcoat that gives them, and its waviness; ``daily`` is the gloss at 20°
+    alone, and ``note``, which stands with it, why no coat has it.
 
     While index or roughness is edited, the other stays as it was at the start of the gesture. ``gloss_requested()``
     comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
@@ -52,7 +53,8 @@ class CoatSection(PaintSection):
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
         self._last_peel = DEFAULT_PEEL
-        self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
+        self.daily = self.make_panel("gloss.gu_20")
+        self.panel = self.add_panel("gloss.gu_60")
         self.has_60 = QCheckBox(tr("Specify 60° gloss"))
         self.has_60.setToolTip(
             tr(
@@ -78,7 +80,6 @@ class CoatSection(PaintSection):
         self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
         self.note = wrapped(lines=2)
         self.note.hide()
-        self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))
         self.has_peel.setToolTip(tr("Waviness of a sprayed coat. Viewer renders it; a view can override it."))
         self.has_peel.clicked.connect(
@@ -101,7 +102,7 @@ class CoatSection(PaintSection):
         """Show the readings and the orange peel."""
         field = self.panel.fields["gloss.gu_60"]
         known = paint.gloss.gu_60 is not None
-        self.panel.set_values({"gloss.gu_20": paint.gloss.gu_20})
+        self.daily.set_values({"gloss.gu_20": paint.gloss.gu_20})
         if paint.gloss.gu_60 is not None:
             field.set_value(paint.gloss.gu_60)
             self._show_haze(haze_units(paint.gloss.gu_20, paint.gloss.gu_60), tr("from the readings"))

@@ -18,9 +18,9 @@ _DRAWN = mark(
 
 
 class FlakesSection(PaintSection):
-    """The flakes of the document."""
+    """The flakes of the document; ``daily`` are their density and size."""
 
-    _KEYS = ("density_per_mm2", "size_um", "roughness", "colour_spread")
+    _DAILY, _KEYS = ("density_per_mm2", "size_um"), ("roughness", "colour_spread")
 
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
@@ -29,7 +29,7 @@ class FlakesSection(PaintSection):
         self.has_flakes.clicked.connect(
             lambda on: session.edit(SetField("flakes", self._last if on else None))
         )
-        self.box.addWidget(self.has_flakes)
+        self.daily = self.make_panel(*(f"flakes.{key}" for key in self._DAILY))
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
 
     def part_of(self, paint: Paint) -> object:
@@ -39,7 +39,9 @@ class FlakesSection(PaintSection):
     def show_paint(self, paint: Paint) -> None:
         """Show the flakes; without any, the numbers that switching on would give, disabled."""
         self.has_flakes.setChecked(paint.flakes is not None)
-        self.panel.setEnabled(paint.flakes is not None)
+        for panel in (self.daily, self.panel):
+            panel.setEnabled(paint.flakes is not None)
         flakes: Flakes = paint.flakes or self._last
         self._last = flakes
-        self.panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in self._KEYS})
+        for panel, keys in ((self.daily, self._DAILY), (self.panel, self._KEYS)):
+            panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in keys})

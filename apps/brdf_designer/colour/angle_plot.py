@@ -14,7 +14,7 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QPalette, QResizeEvent
+from PySide6.QtGui import QPalette, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, QUANTITIES, LineKey
@@ -24,7 +24,7 @@ from brdf_designer.window.caption import Caption
 if TYPE_CHECKING:
     from brdf_designer.colour.quantity_plot import QuantityPlot
 
-_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Curves"))
+_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"))
 _STALE = (
     mark("L*, C* and h: last possible paint"),
     mark("Curves of the last possible paint"),
@@ -52,7 +52,7 @@ class AnglePlot(QWidget):
         self.setMinimumHeight(90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self._box = fill_column(self, spacing=4)
-        self.caption = Caption(*map(tr, _FRESH))
+        self.caption = Caption(*map(tr, _FRESH), "")
         self.caption.setToolTip(
             tr("Points are the targets at the measured angles; drag one up or down to change it.")
         )
@@ -97,14 +97,14 @@ class AnglePlot(QWidget):
     def show_colours(self, colours: Colours) -> None:
         """Show the readings as points."""
         self._colours, self._new_colours = colours, True
-        if self.plots:
+        if self.plots and self.isVisible():
             self._drawing.start()
 
     def show_curves(self, curves: Curves) -> None:
         """Show model and lobes, fresh."""
         self._curves, self._new_curves = curves, True
-        self.caption.set_forms(*map(tr, _FRESH))
-        if self.plots:
+        self.caption.set_forms(*map(tr, _FRESH), "")
+        if self.plots and self.isVisible():
             self._drawing.start()
 
     def mark_stale(self) -> None:
@@ -141,6 +141,11 @@ class AnglePlot(QWidget):
             self._wanted.remove(number)
         settings().setValue(_SHOWN_KEY, "".join(map(str, self._wanted)))
         self._show_chosen()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self.plots:
+            self._drawing.start()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

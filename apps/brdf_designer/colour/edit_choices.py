@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.form import Form, described, fill_column, fill_row, row_of
-from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.form import Form, described, fill_row, row_of
+from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
@@ -70,16 +70,15 @@ class ColourHead(QWidget):
         self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
         further = QWidget()
         fill_row(further, self.angle, self.add)
-        form = Form()
-        form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
-        form.add_row(tr("Add angle"), further)
+        self.rest = Form()
+        """Which angles there are; it stands elsewhere."""
+        self.rest.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
+        self.rest.add_row(tr("Add angle"), further)
         self.spaces = _Choice(_SPACES, "designer/space", tr("Colour space"))
         self.modes = _Choice(_MODES, None, tr("Angles that an edit changes"))
-        form.add_row(tr("Colour space"), self.spaces)
-        form.add_row(tr("Edit"), self.modes)
         self.spaces.chosen.connect(self.space_chosen)
         self.modes.chosen.connect(self.mode_chosen)
-        fill_column(self, form, margins=(0, 0, 0, 4))
+        self.setLayout(row_of(PlainLabel(tr("Edit")), self.modes, None, self.spaces, margins=(0, 0, 0, 4)))
 
     @property
     def space(self) -> Space:

@@ -6,7 +6,7 @@ import math
 
 from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.form import fill_column
-from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.labels import plain_tip, set_small
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
@@ -51,11 +51,12 @@ class FlopStrip(QWidget):
     def __init__(self, session: PaintSession) -> None:
         super().__init__()
         self.caption = Caption(*map(tr, _FRESH))
+        set_small(self.caption)
         self.band = Band(session)
         self._head: tuple[str, ...] = tuple(map(tr, _FRESH))
         # The active grip, or the strip.
         self.band.described.connect(lambda forms: self.caption.set_forms(*(forms or self._head)))
-        fill_column(self, self.caption, self.band, spacing=4)
+        fill_column(self, self.band, self.caption, None, spacing=4)
 
     def show_curves(self, curves: Curves) -> None:
         """Show the strip, fresh."""

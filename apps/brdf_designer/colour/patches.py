@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.labels import plain_tip, set_small
 from brdf_qt.fields.marks import verdict_mark
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
@@ -21,7 +21,9 @@ OUTSIDE_TIP = mark(
     "Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped."
 )
 CORNER = 14.0
-GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
+_TALL = 64
+"""Pixels of height: the colours are a strip below the picture."""
+GIVEN_SHARE, GIVEN_MOST = 0.34, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
 _FIT_TIP = mark("Colour difference CIEDE2000 between the target and the fitted lobes.")
 
@@ -50,10 +52,10 @@ class ColourField(QWidget):
         self.given: QColor | None = None
         self.standard: QColor | None = None
         self._standard_in_gamut = True
-        self.setMinimumSize(72, 16)
+        self.setMinimumSize(48, _TALL)
         # It covers all of its place: what lies behind need not be drawn.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_colour(self, colour: AngleColour) -> None:
         """Show the colour of one measurement."""
@@ -83,7 +85,7 @@ class ColourField(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(260, 200)
+        return QSize(260, _TALL)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -117,9 +119,9 @@ class ColourField(QWidget):
         return rect.adjusted(0, 0, 0, -round(band))
 
 
-def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 3) -> None:
+def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 2) -> None:
     """Write what a part is at its lower edge, in black or white, where it has the room of some ``rows``."""
-    inner = rect.adjusted(6, 2, -6, -4)
+    inner = rect.adjusted(6, 1, -6, -2)
     metrics = painter.fontMetrics()
     if metrics.horizontalAdvance(text) > inner.width() or rows * metrics.height() > inner.height():
         return
@@ -146,6 +148,8 @@ class ColourPatch:
     def __init__(self) -> None:
         self.field = ColourField()
         self.angle, self.numbers, self.fit, self.against, self.words = (Caption() for _ in range(5))
+        for caption in (self.numbers, self.fit, self.against, self.words):
+            set_small(caption)
         set_font(self.angle, bold=True)
         set_font(self.fit, italic=True)
         self.fit.setToolTip(tr(_FIT_TIP))

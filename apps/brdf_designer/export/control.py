@@ -43,7 +43,7 @@ class HandoverControl(Feature, QObject):
         self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=2)
         self.section = HandoverSection(NAMES)
-        self.host = window.add_section(KEY, tr("Export"), self.section, after="variations", is_open=False)
+        self.host = window.add_section(KEY, tr("Export"), self.section, tab="export")
         self.action = window.add_command(
             "file",
             tr("&Export…"),
@@ -55,15 +55,13 @@ class HandoverControl(Feature, QObject):
         self.section.choose(str(settings().value(_FORMAT, NAMES[0][0], type=str)))
         self.section.format_chosen.connect(self._chosen)
         self.section.export_requested.connect(self.ask)
-        self.host.toggled.connect(lambda _on: self._later())
+        self.host.seen.connect(self._later)
         session.paint_changed.connect(lambda _paint: self._later())
 
     def open(self) -> None:
         """Open the section with the keyboard in its list: what is lost is read before anything is written."""
-        self._window.inspector_dock.show()
-        self.host.set_open(True)
+        self._window.show_section(KEY)
         self.section.formats.setFocus()
-        self._window.inspector.bring_in_sight(self.host)
         self._later()
 
     def ask(self) -> None:
@@ -133,7 +131,7 @@ class HandoverControl(Feature, QObject):
 
     def _later(self) -> None:
         """Update once the edits pause, and only what is visible."""
-        if self.host.is_open:
+        if self.host.is_seen:
             self._session.at_idle(_LOSSES, self._report)
 
     def _report(self) -> None:

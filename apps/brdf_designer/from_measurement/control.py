@@ -54,7 +54,7 @@ class MeasuredControl(Feature, QObject):
         self._tasks = TaskRunner(self, threads=1)
         self._kept: dict[int, tuple[str, MeasuredStart]] = {}
         self.section = MeasuredSection()
-        self.host = window.add_section(KEY, tr("Measurement"), self.section, after="model")
+        self.host = window.add_section(KEY, tr("Measurement"), self.section, tab="paint")
         self.host.hide()
         self.section.again_requested.connect(self.read_again)
         self.section.standard_requested.connect(self._take_standard)

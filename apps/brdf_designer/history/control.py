@@ -5,19 +5,17 @@ from __future__ import annotations
 from functools import partial
 
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, QPoint
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu
 
 from brdf_designer.history.strip import HistoryState, HistoryStrip
-from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
+from brdf_designer.picture.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 
 _OWNER = "history"
-_SHOWN = "history/shown"
 LOW_WINDOW = 760
 """Below this height of the window, pixels, the strip gives way to the plots."""
 
@@ -30,17 +28,16 @@ class HistoryControl(Feature, QObject):
         self._session = session
         self._pictures = window.pictures
         self.strip = HistoryStrip(partial(thumbnail, self._pictures))
-        window.add_history(self.strip)
-        self.action = window.add_command(
-            "view",
-            tr("&History"),
+        self.drawer = window.add_drawer(
             "history",
-            self._show,
-            "history_strip",
-            tip=tr("Show or hide the history of this paint"),
-            checked=True,
+            tr("History"),
+            self.strip,
+            "bottom",
+            "history",
+            "clock-counter-clockwise",
+            tr("Show or hide the history of this paint"),
         )
-        self.action.setChecked(bool(settings().value(_SHOWN, True, type=bool)))
+        self.drawer.toggled.connect(self._later)
         self.strip.chosen.connect(session.go_to)
         self.strip.menu_requested.connect(self._open_menu)
         session.paint_changed.connect(self._later)
@@ -64,7 +61,7 @@ class HistoryControl(Feature, QObject):
 
     def refresh(self) -> None:
         """Show the history as it is now; nothing while the strip is hidden, also where it was asked for before."""
-        if not self.action.isChecked():
+        if not self.drawer.is_open:
             return
         store = self._session.documents.front.store
         states = [HistoryState(step, paint) for step, paint in store.states()]
@@ -75,13 +72,8 @@ class HistoryControl(Feature, QObject):
             self._pictures.request(_OWNER, [states[place].paint for place in near], USUAL_LOOK)
 
     def _later(self, *_: object) -> None:
-        if self.action.isChecked():
+        if self.drawer.is_open:
             self._session.at_idle(_OWNER, self.refresh)
-
-    def _show(self, on: bool) -> None:
-        self.strip.setVisible(on)
-        settings().setValue(_SHOWN, on)
-        self._later()
 
     def _open_menu(self, place: int, where: QPoint) -> None:
         menu = self.menu_of(place)

@@ -51,7 +51,7 @@ class StandardControl(Feature, QObject):
         self._shown = False
         self._angles: list[float] | None = None
         self.section = StandardSection()
-        self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
+        self.host = window.add_section(KEY, tr("Standard"), self.section, tab="compare")
         self._add_commands()
         section = self.section
         section.take_requested.connect(self.take_present)

@@ -144,8 +144,9 @@ class StandardSection(QWidget):
         self.name, self.origin, self.verdict, self.sentence, self.more, self.notices = (
             wrapped() for _ in range(6)
         )
-        set_font(self.name, bold=True)
-        set_font(self.verdict, bold=True)
+        for label in (self.name, self.verdict):
+            label.setFont(self.font())  # results, not remarks
+            set_font(label, bold=True)
         self.sentence.setAccessibleName(tr("Differences in words"))
         self.results = ResultTable()
         self.results.setToolTip(

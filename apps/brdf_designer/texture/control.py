@@ -53,13 +53,15 @@ class TextureControl(Feature, QObject):
         """Those that are shown."""
         self.section = TextureSection()
         self.section.tolerance.set_value(_kept_tolerance())
-        self.host = window.add_section(KEY, tr("Texture"), self.section, after="flakes", is_open=False)
+        self.host = window.add_section(
+            KEY, tr("Texture"), self.section, "flakes", tab="paint", more=True, is_open=False
+        )
         self._pause = make_timer(self, self._measure, _PAUSE_MS)
         self.section.targets_edited.connect(self._take_targets)
         self.section.tolerance_edited.connect(self._take_tolerance)
         self.section.take_requested.connect(self._use_readings)
         self.section.find_requested.connect(self.find)
-        self.host.toggled.connect(lambda _on: self._later())
+        self.host.seen.connect(self._later)
         session.fit_changed.connect(lambda _fit: self._later())
         session.refused.connect(lambda _error: self._forget())
         session.document_switched.connect(self._switched)
@@ -89,7 +91,7 @@ class TextureControl(Feature, QObject):
     # Readings.
 
     def _later(self) -> None:
-        if not self.host.is_open:
+        if not self.host.is_seen:
             self._pause.stop()
             return
         fit = self._session.fit

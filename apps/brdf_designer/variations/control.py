@@ -11,7 +11,7 @@ from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
+from brdf_designer.picture.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.state import say
 from brdf_designer.variations.section import FORMS, NeighbourState, VariationsSection
@@ -66,11 +66,11 @@ class VariationsControl(Feature, QObject):
         self._step, self._look = _kept_step(), _kept_look()
         self.section = VariationsSection()
         self.section.show_choices(self._step, self._look.environment, self._look.form)
-        self.host = window.add_section(KEY, tr("Variations"), self.section, after="standard", is_open=False)
+        self.host = window.add_section(KEY, tr("Variations"), self.section, tab="compare", is_open=False)
         self.section.taken.connect(self.take)
         self.section.step_edited.connect(self.set_step)
         self.section.scene_chosen.connect(self.set_scene)
-        self.host.toggled.connect(lambda _on: self._later())
+        self.host.seen.connect(self._later)
         session.paint_changed.connect(self._later)
         session.gesture_ended.connect(self._later)
         self._pictures.arrived.connect(lambda _keys: self._show_pictures())
@@ -79,7 +79,7 @@ class VariationsControl(Feature, QObject):
     @property
     def is_idle(self) -> bool:
         """Whether every picture that is wanted is there, or never will be."""
-        if not self.host.is_open or self._pictures.problem(self._look):
+        if not self.host.is_seen or self._pictures.problem(self._look):
             return True
         wanted = [self._session.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         present = self._of is not None and self._of.paint is self._session.paint
@@ -113,7 +113,7 @@ class VariationsControl(Feature, QObject):
     def refresh(self) -> None:
         """Work out the neighbours of the paint as it is now."""
         request = _Request(self._session.paint, self._step)
-        if not self.host.is_open or (request == self._of and self._of.paint is request.paint):
+        if not self.host.is_seen or (request == self._of and self._of.paint is request.paint):
             return
         self._of = request
         self.neighbours = variations(request.paint, request.step)
@@ -130,7 +130,7 @@ class VariationsControl(Feature, QObject):
             self._fitter.close()
 
     def _later(self, *_: object) -> None:
-        if self.host.is_open:
+        if self.host.is_seen:
             if not self._session.in_gesture:
                 # The states of a drag are not drawn; the one that it ends with is.
                 self._of = None
@@ -162,13 +162,13 @@ class VariationsControl(Feature, QObject):
         self.section.show_neighbours([_state(one) for one in self.neighbours])
 
     def _request_pictures(self) -> None:
-        if not self.host.is_open or self._of is None:
+        if not self.host.is_seen or self._of is None:
             return
         paints = [self._of.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         self._pictures.request(KEY, paints, self._look)
 
     def _show_pictures(self) -> None:
-        if not self.host.is_open or self._of is None:
+        if not self.host.is_seen or self._of is None:
             return
         present = self._of.paint
         self.section.present.show_picture(thumbnail(self._pictures, present, self._look))

@@ -14,7 +14,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.from_measurement.section import standard_patterns
-from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
+from brdf_designer.picture.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection
 from brdf_designer.window.window import DesignerWindow
@@ -55,7 +55,7 @@ class InterpolationControl(Feature, QObject):
         self._file: Standard | None = None
         self.section = InterpolationSection()
         self.host = window.add_section(
-            KEY, tr("Interpolate"), self.section, after="variations", is_open=False
+            KEY, tr("Interpolate"), self.section, tab="compare", more=True, is_open=False
         )
         section = self.section
         section.other_chosen.connect(self.choose)
@@ -63,7 +63,7 @@ class InterpolationControl(Feature, QObject):
         section.gesture_started.connect(session.begin_gesture)
         section.gesture_finished.connect(session.end_gesture)
         section.stop_taken.connect(self.take)
-        self.host.toggled.connect(lambda _on: self._list_later())
+        self.host.seen.connect(self._list_later)
         session.paint_changed.connect(self._paint_changed)
         session.document_switched.connect(self._forget)
         session.documents.row_changed.connect(self._list_later)
@@ -163,7 +163,7 @@ class InterpolationControl(Feature, QObject):
     # Showing.
 
     def _list_later(self) -> None:
-        if self.host.is_open:
+        if self.host.is_seen:
             self._session.at_idle(KEY, self._list)
 
     def _list(self) -> None:
@@ -182,7 +182,7 @@ class InterpolationControl(Feature, QObject):
         return [] if way is None else [mixed(way.first, way.second, stop) for stop in STOPS]
 
     def _show_pictures(self) -> None:
-        if self.host.is_open:
+        if self.host.is_seen:
             for place, paint in enumerate(self._stops()):
                 self.section.stops[place].show_picture(thumbnail(self._pictures, paint))
 

@@ -95,6 +95,12 @@ class PaintSection(QWidget):
 
     def add_panel(self, *keys: str) -> ParameterPanel:
         """Add numbers of the document by their names in ``PARAMETERS``."""
+        panel = self.make_panel(*keys)
+        self.box.addWidget(panel)
+        return panel
+
+    def make_panel(self, *keys: str) -> ParameterPanel:
+        """Return numbers of the document by their names in ``PARAMETERS``, for another place than the section."""
         panel = ParameterPanel()
         for key in keys:
             unit, *reach = reach_of(PARAMETERS[key], *_STEPS[key])
@@ -103,7 +109,6 @@ class PaintSection(QWidget):
         panel.edited.connect(lambda key, value: self.session.edit(SetNumber(key, value)))
         panel.gesture_started.connect(self.session.begin_gesture)
         panel.gesture_finished.connect(self.session.end_gesture)
-        self.box.addWidget(panel)
         return panel
 
 
@@ -170,11 +175,11 @@ class ModelSection(PaintSection):
 
 
 class TextSection(PaintSection):
-    """Name, source and notes."""
+    """Source and notes; ``name`` stands elsewhere, in ``daily``."""
 
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
-        form = Form()
+        form, self.daily = Form(), Form()
         self.name = TextLine(tr("Name"), 200)
         self.source = TextNotes(tr("Source"), 2)
         self.notes = TextNotes(tr("Notes"))
@@ -187,7 +192,7 @@ class TextSection(PaintSection):
             field.edited.connect(lambda text, key=key: session.edit(SetField(key, text)))
             field.gesture_started.connect(session.begin_gesture)
             field.gesture_finished.connect(session.end_gesture)
-            form.add_row(label, field, tip)
+            (self.daily if field is self.name else form).add_row(label, field, tip)
         form.add_row(tr("Readings"), self.illuminant, tr("Illuminant and observer of all L*a*b* values"))
         self.box.addWidget(form)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from brdf_qt.fields.form import described, fill_row
-from brdf_qt.fields.labels import RoomyLabel
+from brdf_qt.fields.labels import RoomyLabel, set_small
 from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QPushButton, QSizePolicy, QSplitter, QWidget
@@ -30,8 +30,9 @@ def split(orientation: Qt.Orientation, *parts: tuple[QWidget, int]) -> QSplitter
 
 
 def wrapped(text: str = "", lines: int = 0) -> RoomyLabel:
-    """Return a label that breaks its lines and can be copied from; it has room for ``lines`` also while hidden."""
+    """Return a small label that breaks its lines and can be copied; it has room for ``lines`` also while hidden."""
     label = RoomyLabel(text, lines)
+    set_small(label)
     label.setMinimumWidth(64)
     return label
 

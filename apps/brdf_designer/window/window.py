@@ -1,19 +1,21 @@
-"""The window of Designer: patches, strip and plot in the middle, the numbers at the right."""
+"""The window of Designer: the picture in the middle, below it the colours as a strip, five tabs at the right."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
 
-from brdf_qt.fields.form import described, fill_column
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
+from brdf_qt.window.stage import Drawer, Edge, Stage
+from brdf_qt.window.tab_panel import Tab
 from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
@@ -29,8 +31,17 @@ from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
-from brdf_designer.window.widgets import split
 from brdf_suite.documents.paint import Paint
+
+TABS = (
+    Tab("paint", mark("Paint"), "paint-brush", mark("Colours, gloss and flakes of the paint")),
+    Tab("light", mark("Light"), "sun", mark("The light that the paint stands in")),
+    Tab("form", mark("Form"), "car", mark("The form that carries the paint, and from where it is seen")),
+    Tab("compare", mark("Compare"), "scales", mark("The paint against a standard, and its neighbours")),
+    Tab("export", mark("Export"), "export", mark("Files for other programs, and reports")),
+)
+_DEEP = 420
+"""Pixels that a drawer at the left is wide."""
 
 
 class DesignerWindow(SuiteWindow):
@@ -46,12 +57,12 @@ class DesignerWindow(SuiteWindow):
     takes_several_files = False
 
     def __init__(self) -> None:
-        super().__init__("Designer")
+        super().__init__("Designer", tabs=TABS)
         self.pictures = Pictures(self)
         self._colours: Colours | None = None
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
-        self._below: list[QWidget] = []
+        self.stage = Stage()
 
     def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
         """Make what edits the paint of ``session``, and the menus with the names of the ``shipped`` paints."""
@@ -65,16 +76,14 @@ class DesignerWindow(SuiteWindow):
 
     # What a part of Designer adds.
 
-    def add_history(self, strip: QWidget) -> None:
-        """Put the strip of states under patches and plots."""
-        self._centre_box.addWidget(strip)
-        self._below.append(strip)
-
-    def add_preview(self, preview: QWidget) -> None:
-        """Put the picture beside the plot."""
-        self.lower_split.addWidget(preview)
-        self.lower_split.setStretchFactor(1, 2)
-        self.lower_split.setSizes([560, 400])
+    def add_drawer(
+        self, key: str, title: str, widget: QWidget, edge: Edge, shortcut: str, icon: str, tip: str
+    ) -> Drawer:
+        """Add a drawer that slides over the picture, and the command that opens and closes it."""
+        action = self.add_command(
+            "view", title, shortcut, None, f"drawer_{key}", icon=icon, tip=tip, checked=False
+        )
+        return self.stage.add_drawer(key, title, widget, edge, _DEEP, action)
 
     def complete(self) -> None:
         """Settle what depends on every part: letters of the menus, size and place of the panels."""
@@ -157,17 +166,19 @@ class DesignerWindow(SuiteWindow):
     # How it is built.
 
     def _build_centre(self) -> None:
-        top, centre = QWidget(), QWidget()
-        fill_column(top, self.strip, self.patches).setStretchFactor(self.patches, 1)
-        self.lower_split = described(split(Qt.Orientation.Horizontal, (self.plot, 3)), name="lower_split")
-        whole = split(Qt.Orientation.Vertical, (top, 1), (self.lower_split, 1))
-        whole.setSizes([500, 420])
-        whole.setObjectName("centre_split")
-        self._centre_box = fill_column(centre, self.tabs, whole, margins=(8, 4, 8, 8))
-        self._centre_box.setStretchFactor(whole, 1)
+        centre, below = QWidget(), QWidget()
+        row = QHBoxLayout(below)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(8)
+        row.addWidget(self.patches, 3)
+        row.addWidget(self.strip, 2)
+        below.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        fill_column(centre, self.tabs, self.stage, below, grows=self.stage, spacing=6, margins=(8, 2, 0, 4))
         self.set_centre(centre)
-        self.float_over(whole)
+        self.float_over(self.stage)
         self.tabs.new_requested.connect(self.new_requested)
+        tip = tr("Show or hide L*, C* and h over the aspecular angle")
+        self.add_drawer("curves", tr("Curves"), self.plot, "left", "curves", "chart-line", tip)
 
     def _build_inspector(self, session: PaintSession) -> None:
         self.editors = ColourEditors(session, self.pick_colour)
@@ -176,11 +187,17 @@ class DesignerWindow(SuiteWindow):
         self.plot.drag_finished.connect(session.end_gesture)
         self.coat, self.flakes = CoatSection(session), FlakesSection(session)
         self.model, self.texts = ModelSection(session), TextSection(session)
-        self.add_section("colour", tr("Colour"), self.editors)
-        self.add_section("coat", tr("Coat"), self.coat)
-        self.add_section("flakes", tr("Flakes"), self.flakes)
-        self.add_section("model", tr("Model"), self.model)
-        self.add_section("paint", tr("Paint"), self.texts)
+        finish = QWidget()
+        fill_column(finish, self.coat.daily, self.coat.note, self.flakes.has_flakes, self.flakes.daily)
+        add = partial(self.add_section, tab="paint")
+        add("paint", tr("Paint"), self.texts.daily)
+        add("colour", tr("Colour"), self.editors)
+        add("finish", tr("Gloss and flakes"), finish)
+        add("angles", tr("Angles"), self.editors.head.rest, more=True)
+        add("coat", tr("Coat"), self.coat, more=True)
+        add("flakes", tr("Flakes"), self.flakes, more=True)
+        add("model", tr("Model"), self.model, more=True)
+        add("notes", tr("Notes"), self.texts, more=True)
 
     def _build_menus(self, session: PaintSession, shipped: Sequence[str]) -> None:
         documents, file = session.documents, self.file_menu
@@ -217,20 +234,24 @@ class DesignerWindow(SuiteWindow):
                 (mark("&Previous Tab"), -1, "previous_tab"),
             )
         ]
-        for entry in (
-            new,
-            opened,
-            save,
-            None,
-            self.undo_action,
-            self.redo_action,
-            None,
-            self.openers["viewer"],
-        ):
+        tabs_menu = self.view_menu.addMenu(tr("Panel &Tabs"))
+        for number, tab in enumerate(TABS, 1):
+            show = self.add_action(
+                tabs_menu, tab.title, partial(self.show_tab, tab.key), f"panel_{number}", tab.icon
+            )
+            show.setObjectName(f"action_tab_{tab.key}")
+        viewer = self.openers["viewer"]
+        for entry in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
             if entry is None:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(entry)
+
+    def show_tab(self, key: str) -> None:
+        """Bring a tab of the panel to the front, with the keyboard in it."""
+        self.inspector_dock.show()
+        self.panel.show_page(key)
+        self.panel.buttons[key].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     # The picker, drops and the end.
 
@@ -250,11 +271,13 @@ class DesignerWindow(SuiteWindow):
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):
                 field.set_default(field.value())
+        for panel in (self.coat.daily, self.flakes.daily):
+            for field in panel.fields.values():
+                field.set_default(field.value())
 
     def order_focus(self) -> None:
-        """Let Tab go through the window as seen: tabs, colours, plots, picture and history, then the inspector."""
-        parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
-        order_focus([*parts, *self.inspector.sections])
+        """Let Tab go through the window as seen: tabs, picture and drawers, colours, then the tabs at the right."""
+        order_focus([self.tabs, self.stage, self.patches, self.strip, *self.panel.focus_parts()])
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

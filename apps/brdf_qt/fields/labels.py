@@ -12,12 +12,14 @@ from typing import Any
 from PySide6 import QtGui
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from brdf_qt.fields.marks import SIZE, Mark, draw_mark
 
 _WIDTHS = 16
 """Of so many widths at most a label knows its heights."""
+_SMALL = 0.88
+"""The smaller size of type over the usual one."""
 _LEAST = 8
 """Characters that an elided label keeps."""
 
@@ -37,6 +39,13 @@ def set_bold(widget: QWidget, bold: bool) -> None:
     """Write the text of a widget in bold type, or as usual."""
     font = widget.font()
     font.setBold(bold)
+    widget.setFont(font)
+
+
+def set_small(widget: QWidget) -> None:
+    """Write the text of a widget in the smaller of the two sizes: remarks, and numbers that repeat others."""
+    font = widget.font()
+    font.setPointSizeF(_SMALL * QApplication.font().pointSizeF())
     widget.setFont(font)
 
 

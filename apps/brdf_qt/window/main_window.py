@@ -36,10 +36,11 @@ from brdf_qt.window.manual import Manual
 from brdf_qt.window.message_bar import Message, MessageBar
 from brdf_qt.window.placement import halves
 from brdf_qt.window.progress_strip import ProgressStrip
-from brdf_qt.window.section import Inspector, Section
+from brdf_qt.window.section import Section
 from brdf_qt.window.settings_window import SettingsWindow
 from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
+from brdf_qt.window.tab_panel import Page, Tab, TabPanel
 
 LAYOUT_VERSION = 1
 _SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}
@@ -94,7 +95,7 @@ class SuiteWindow(QMainWindow):
     takes_several_files = True
     """Whether more than one file at a time can be dropped."""
 
-    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+    def __init__(self, name: str, parent: QWidget | None = None, tabs: Sequence[Tab] = ()) -> None:
         super().__init__(parent)
         self.setObjectName(f"{name}Window")
         self.setMinimumSize(720, 520)
@@ -129,8 +130,8 @@ class SuiteWindow(QMainWindow):
         self.setCentralWidget(self._inside)
         self.float_over(self._inside)
         self.panels_menu = QMenu(tr("&Panels"), self)
-        self.inspector = Inspector()
-        self.inspector_dock = self.add_panel(mark("Inspector"), self.inspector)
+        self.panel = TabPanel(tabs)
+        self.inspector_dock = self.add_panel(mark("Inspector"), self.panel)
         error_relay().reported.connect(self.messages.show_message)
         self._add_common_commands()
 
@@ -180,21 +181,42 @@ class SuiteWindow(QMainWindow):
 
     # What a feature adds.
 
-    def add_section(
-        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
-    ) -> Section:
-        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
+    @property
+    def inspector(self) -> Page:
+        """The page of the panel that is in front; the only one of a window without tabs."""
+        return self.panel.page
 
+    def add_section(
+        self,
+        key: str,
+        title: str,
+        widget: QWidget,
+        after: str | None = None,
+        *,
+        tab: str = "",
+        more: bool = False,
+        is_open: bool = True,
+    ) -> Section:
+        """Add a section to the panel: after the one of key ``after``, otherwise at the end.
+
+        ``tab`` is the key of its tab where there are several; with ``more`` it goes into the tab's fold.
         ``is_open`` is how a first start shows it; later starts show it as the user left it.
         """
         section = Section(title, key, is_open=is_open)
         section.add(widget)
-        self.inspector.add_section(section, after=self._sections[after] if after else None)
+        page = self.panel.pages[tab] if tab else self.panel.page
+        add = page.add_more if more else page.add_section
+        add(section, after=self._sections[after] if after else None)
         self._sections[key] = section
         return section
 
     def section(self, key: str) -> Section:
         return self._sections[key]
+
+    def show_section(self, key: str) -> None:
+        """Show the panel with a section in sight, open."""
+        self.inspector_dock.show()
+        self.panel.bring_in_sight(self._sections[key])
 
     def add_dock(
         self,
@@ -320,7 +342,7 @@ class SuiteWindow(QMainWindow):
 
     def fit_inspector(self) -> None:
         """Give the inspector what its fields want, but not more than a good third of a small window."""
-        wanted = min(self.inspector.sizeHint().width(), round(0.38 * self.width()))
+        wanted = min(self.panel.sizeHint().width(), round(0.38 * self.width()))
         self.resizeDocks([self.inspector_dock], [wanted], Qt.Orientation.Horizontal)
 
     def reset_layout(self) -> None:

@@ -23,6 +23,8 @@ class Section(QWidget):
     """
 
     toggled = Signal(bool)
+    seen = Signal()
+    """Its body has come into view: it was opened, or what it is in was shown."""
 
     def __init__(
         self, title: str, key: str | None = None, parent: QWidget | None = None, *, is_open: bool = True
@@ -31,16 +33,16 @@ class Section(QWidget):
         self.title = title
         self._key = f"section/{key or title}"
         self.setObjectName(f"section_{key or title}")
-        self._header = QToolButton()
-        self._header.setText(title)
-        self._header.setCheckable(True)
-        self._header.setAutoRaise(True)
-        self._header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self._header.setAccessibleName(tr("Section {title}").format(title=title))
-        set_bold(self._header, True)
-        self._header.clicked.connect(self.set_open)
+        self.header = QToolButton()
+        self.header.setText(title)
+        self.header.setCheckable(True)
+        self.header.setAutoRaise(True)
+        self.header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.header.setAccessibleName(tr("Section {title}").format(title=title))
+        set_bold(self.header, True)
+        self.header.clicked.connect(self.set_open)
         self._body = QWidget()
         self.body_layout = QVBoxLayout(self._body)
         self.body_layout.setContentsMargins(8, 4, 8, 8)
@@ -49,7 +51,8 @@ class Section(QWidget):
         line.setFrameShape(QFrame.Shape.HLine)
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
-        fill_column(self, self._header, self._body, line, spacing=0)
+        fill_column(self, self.header, self._body, line, spacing=0)
+        self._body.installEventFilter(self)
         self._show(bool(settings().value(self._key, is_open, type=bool)))
 
     def add(self, widget: SomeWidget) -> SomeWidget:
@@ -59,7 +62,18 @@ class Section(QWidget):
 
     @property
     def is_open(self) -> bool:
-        return self._header.isChecked()
+        return self.header.isChecked()
+
+    @property
+    def is_seen(self) -> bool:
+        """Whether its body is on show: open, in a part of the window that is."""
+        return self._body.isVisible()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Notice when the body is shown."""
+        if event.type() == QEvent.Type.Show:
+            self.seen.emit()
+        return super().eventFilter(watched, event)
 
     def set_open(self, is_open: bool) -> None:
         """Open or close, and remember it."""
@@ -69,8 +83,8 @@ class Section(QWidget):
             self.toggled.emit(is_open)
 
     def _show(self, is_open: bool) -> None:
-        self._header.setChecked(is_open)
-        self._header.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self.header.setChecked(is_open)
+        self.header.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
         self._body.setVisible(is_open)
 
 
@@ -99,7 +113,9 @@ class Inspector(QScrollArea):
 
     def add_section(self, section: SomeSection, after: Section | None = None) -> SomeSection:
         """Put ``section`` under the others, or right under ``after``, and return it."""
-        place = len(self.sections) if after is None else self.sections.index(after) + 1
+        return self._insert(section, len(self.sections) if after is None else self.sections.index(after) + 1)
+
+    def _insert(self, section: SomeSection, place: int) -> SomeSection:
         self._box.insertWidget(place, section)
         self.sections.insert(place, section)
         return section

@@ -7,20 +7,13 @@ from dataclasses import replace
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
+from brdf_qt.window.view_titles import PRESETS
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS, Camera
-
-PRESETS: dict[str, tuple[str, float, float]] = {
-    "front": (mark("Front"), 0.0, 6.0),
-    "three_quarter": (mark("¾ view"), 35.0, 7.0),
-    "side": (mark("Side"), 90.0, 4.0),
-    "top": (mark("Top"), 0.0, 89.0),
-}
-"""Key: title, azimuth and elevation in degrees; the first is on key 1."""
 
 
 def look_from(camera: Camera, preset: str) -> Camera:

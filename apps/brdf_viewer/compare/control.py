@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.fields.choices import Source, set_note
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
@@ -24,7 +25,6 @@ from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
 from brdf_viewer.tracing.section import RENDERER_TITLES

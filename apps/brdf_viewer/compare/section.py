@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import mark, tr
@@ -9,7 +10,6 @@ from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
-from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note
 
 MODE_TITLES = {
     "off": mark("Off"),

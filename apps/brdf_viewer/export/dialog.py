@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_qt.fields.choices import note, set_note
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField, reach_of
@@ -15,7 +16,6 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinB
 from brdf_suite.documents.view_settings import PARAMETERS, Lens
 from brdf_suite.output.picture_file import COLOUR_SPACES
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
-from brdf_viewer.inspector.fields import note, set_note
 
 _SIZES = {
     "picture": ((1280, 720), (1920, 1080), (3840, 2160), (7680, 4320), (16384, 9216)),

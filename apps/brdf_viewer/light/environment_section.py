@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, ColourButton, SliderField, SourceChooser, note, set_note
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.section import Section
+from brdf_qt.window.view_titles import BACKGROUND_TITLES
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QToolTip, QWidget
@@ -13,7 +15,6 @@ from PySide6.QtWidgets import QSizePolicy, QToolButton, QToolTip, QWidget
 from brdf_suite.documents.view import PARAMETERS
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram
 from brdf_suite.pipeline.scene import PreparedEnvironment
-from brdf_viewer.inspector.fields import ChoiceBox, ColourButton, SliderField, SourceChooser, note, set_note
 
 _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen
@@ -154,12 +155,6 @@ LAYOUT_TITLES = {
     "angular": mark("Angular probe"),
     "mirror_ball": mark("Mirror ball"),
     "dome": mark("Dome, upper half"),
-}
-BACKGROUND_TITLES = {
-    "environment": mark("Environment"),
-    "blurred": mark("Environment, blurred"),
-    "grey": mark("Neutral grey"),
-    "colour": mark("Plain colour"),
 }
 
 

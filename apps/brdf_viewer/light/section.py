@@ -9,6 +9,7 @@ from math import hypot
 from types import MappingProxyType
 from typing import Any, Literal
 
+from brdf_qt.fields.choices import ChoiceBox, note, set_note
 from brdf_qt.fields.form import Form, fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.fields.number import NumberField, reach_of
@@ -21,7 +22,6 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton,
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
 from brdf_suite.pipeline.scene import in_environment
-from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 from brdf_viewer.light.studio import places
 
 

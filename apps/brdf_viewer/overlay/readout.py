@@ -12,6 +12,7 @@ from statistics import median
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusCell
+from brdf_qt.window.view_titles import TONE_TITLES
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
@@ -22,7 +23,6 @@ from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
 from brdf_viewer.scene.viewer_state import ViewerState
-from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.tracing.trace_input import first_size
 from brdf_viewer.window import ViewerWindow
 

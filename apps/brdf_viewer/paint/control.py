@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.fields.choices import Source, set_note
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.names import title_of
 from brdf_qt.program.suite import connected_words
@@ -36,7 +37,6 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow

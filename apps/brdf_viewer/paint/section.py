@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import SourceChooser, note, set_note
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.program.translation import tr
@@ -9,7 +10,6 @@ from brdf_qt.window.section import Section
 from brdf_qt.work.fit_error import fit_mark, fit_tips, is_large
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from brdf_viewer.inspector.fields import SourceChooser, note, set_note
 from brdf_viewer.paint.patches import PaintPatches
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import set_note
+
 from brdf_suite.documents.view import View
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.paint.sparkle_section import flake_facts
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow

@@ -2,37 +2,16 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, SliderField, note
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
+from brdf_qt.window.view_titles import FRESNEL_TIPS, FRESNEL_TITLES, LOOK_UP_TIPS, LOOK_UP_TITLES
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
-from brdf_viewer.inspector.fields import ChoiceBox, SliderField, note
-
-FRESNEL_TITLES = {"raised": mark("Raised"), "multi_angle": mark("Several angles"), "off": mark("Off")}
-FRESNEL_TIPS = {
-    "raised": mark(
-        "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations"
-    ),
-    "multi_angle": mark(
-        "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
-        "which have no separate coat, are raised"
-    ),
-    "off": mark("The lobes of 45° at every angle"),
-}
-LOOK_UP_TITLES = {"shifted": mark("Shifted (exact horizon)"), "paper": mark("Mirror direction (paper)")}
-LOOK_UP_TIPS = {
-    "shifted": mark(
-        "Each lobe is looked up between mirror direction and normal: only light above the surface counts"
-    ),
-    "paper": mark(
-        "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
-        "Meyer: broad lobes take light from below the surface, towards grazing angles"
-    ),
-}
 
 
 class FresnelSection(Section):

@@ -7,8 +7,10 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
+from brdf_qt.fields.choices import Source, set_note
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import decimal, tr
+from brdf_qt.work.scene_loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
@@ -27,9 +29,7 @@ from brdf_suite.pipeline.scene import (
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source, set_note
 from brdf_viewer.light.environment_section import environment_facts
-from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 

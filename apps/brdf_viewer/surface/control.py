@@ -6,7 +6,9 @@ from functools import partial
 from typing import Literal
 
 import numpy as np
+from brdf_qt.fields.choices import set_note
 from brdf_qt.program.translation import tr
+from brdf_qt.work.scene_loading import SURFACE
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
@@ -21,9 +23,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.surface.picking import pick
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.scene.control import SceneControl
-from brdf_viewer.scene.loading import SURFACE
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 

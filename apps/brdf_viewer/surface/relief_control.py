@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.fields.choices import Source
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner
@@ -14,7 +15,6 @@ from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import Source
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 

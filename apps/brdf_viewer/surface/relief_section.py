@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note, set_note
 from brdf_qt.fields.form import Form, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
-from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note, set_note
 
 PROJECTION_TITLES = {
     "uv": mark("Tiled"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
@@ -22,7 +23,6 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.view_settings import MATERIALS, PARAMETERS, SurfaceLook
-from brdf_viewer.inspector.fields import ChoiceBox, SourceChooser, note
 
 MATERIAL_TITLES = {
     "paint": mark("Paint"),

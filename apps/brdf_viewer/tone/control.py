@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import set_note
 from brdf_qt.program.monitor_profile import Monitor, monitor_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -13,7 +14,6 @@ from brdf_suite.appearance.colour.spaces import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.tone.section import describe_clipping
 from brdf_viewer.window import ViewerWindow

@@ -2,34 +2,15 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, note, set_note
 from brdf_qt.fields.form import Form
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.section import Section
+from brdf_qt.window.view_titles import TONE_TIPS, TONE_TITLES
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.realtime.pictures.display import Unshowable
-from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 
-TONE_TITLES = {
-    "faithful": mark("Faithful, soft highlights"),
-    "neutral": mark("Neutral (Khronos PBR)"),
-    "characteristic": mark("Characteristic curve"),
-    "aces": mark("ACES (fitted)"),
-    "agx": "AgX",
-    "linear": mark("Linear, clipping marked"),
-}
-TONE_TIPS = {
-    "faithful": mark("Shows colours unchanged; compresses only values above 0.8"),
-    "neutral": mark(
-        "Removes 4 % of reflection from dark tones, keeps hue and saturation, compresses highlights"
-    ),
-    "characteristic": mark("A film's S-shaped response in log exposure"),
-    "aces": mark(
-        "The film industry's rendering, as Hill fitted it: darker and with more contrast; 0.18 becomes 0.11"
-    ),
-    "agx": mark("Sixteen stops in a soft curve; bright saturated light desaturates to white, as on film"),
-    "linear": mark("No curve, for judging colours; highlights are clipped and marked"),
-}
 STYLE_TITLES = {"zebra": mark("Stripes"), "colour": mark("Colours")}
 
 

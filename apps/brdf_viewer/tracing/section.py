@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.fields.choices import ChoiceBox, note, set_note
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
@@ -9,7 +10,6 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
 
-from brdf_viewer.inspector.fields import ChoiceBox, note, set_note
 from brdf_viewer.tracing.process import TracedPicture
 
 RENDERER_TITLES = {

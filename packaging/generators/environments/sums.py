@@ -156,9 +156,9 @@ def whole(scene: TracedScene, sums: Mapping[str, Sums]) -> Floats:
 def relative_noise(sums: Mapping[str, Sums], share: float = 0.5) -> float:
     """Return the relative standard deviation of a pixel's luminance by noise that a share of the sphere stays below.
 
-    Taken in squares of 8 × 8 pixels; what is darker than a twentieth of the mean is left out. From the difference of two
-    halves with independent samples: the mean of both deviates half as much as they differ, and the median of |x| of a
-    normal distribution is 0.6745 deviations.
+    Taken in squares of 8 × 8 pixels; what is darker than a twentieth of the mean is left out. From the difference of
+    two halves with independent samples: the mean of both deviates half as much as they differ, and the median of |x| of
+    a normal distribution is 0.6745 deviations.
     """
     first = np.asarray(sum(s.half(0) for s in sums.values())).mean(axis=-1)
     second = np.asarray(sum(s.half(1) for s in sums.values())).mean(axis=-1)

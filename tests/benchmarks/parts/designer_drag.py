@@ -1,7 +1,7 @@
 """Drag a slider of the real Designer by mouse events, and print how long each takes; a process of ``bench designer``.
 
 The whole window with all of its parts, on Qt's offscreen platform: the figures are the program's own and no X server's,
-and no preview is drawn there.
+and no picture is drawn there; its place is measured all the same.
 """
 
 from __future__ import annotations
@@ -10,8 +10,12 @@ import json
 import sys
 from pathlib import Path
 from time import perf_counter, thread_time
+from typing import TYPE_CHECKING
 
 from brdf_suite.cli.tools.bench import load_module
+
+if TYPE_CHECKING:
+    from brdf_designer.window.window import DesignerWindow
 
 _session = load_module(Path(__file__).with_name("own_session.py"))
 
@@ -21,6 +25,7 @@ BETWEEN_S = 0.004
 """What the event loop gets between two events: a mouse sends events some 125 to 1,000 times a second."""
 SIZE = (1400, 900)
 SWING_PX = 60
+WHOLE_SCREEN = (1920, 1080)
 
 
 def main() -> None:
@@ -28,7 +33,7 @@ def main() -> None:
         sys.stdout.write(json.dumps(drag()) + "\n")
 
 
-def drag() -> dict[str, list[float]]:
+def drag() -> dict[str, list[float] | float]:
     """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
 
     ``followed`` is the time from the event until strip, curves and status bar are set and painted too. ``cpu`` is
@@ -44,8 +49,12 @@ def drag() -> dict[str, list[float]]:
 
     app = create_application("Designer")
     designer = Designer()
-    designer.window.resize(*SIZE)
+    designer.window.resize(*WHOLE_SCREEN)
+    designer.window.fit_inspector()
     designer.window.show()
+    _let_run(app, SETTLE_S)
+    share = picture_share(designer.window)
+    designer.window.resize(*SIZE)
     _let_run(app, SETTLE_S)
     idle: list[float] = []
     run_one = IdleWork._run_one
@@ -94,7 +103,21 @@ def drag() -> dict[str, list[float]]:
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=start)
     assert designer.store.stack.count() == 1
     designer.close()
-    return {"values": values, "update": update, "cpu": cpu, "followed": followed, "idle": idle}
+    times = {"values": values, "update": update, "cpu": cpu, "followed": followed, "idle": idle}
+    return {**times, "picture_share": share}
+
+
+def picture_share(window: DesignerWindow) -> float:
+    """Return the share of the window's area that shows the picture: what drawers cover is not counted."""
+    from PySide6.QtGui import QRegion
+
+    stage = window.stage
+    seen = QRegion(stage.rect())
+    for drawer in stage.drawers.values():
+        if drawer.isVisible():
+            seen -= QRegion(drawer.geometry())
+    area = sum(rect.width() * rect.height() for rect in seen)
+    return area / (window.width() * window.height())
 
 
 def _let_run(app: object, seconds: float) -> None:

@@ -52,12 +52,12 @@ def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
     type_in(coat.roughness, "0.01")
     assert designer.store.value.gloss.gu_20 < gloss.gu_20
     assert coat.ior.value() == pytest.approx(1.56, abs=2e-3)
-    assert coat.panel.fields["gloss.gu_20"].value() == pytest.approx(
+    assert coat.daily.fields["gloss.gu_20"].value() == pytest.approx(
         designer.store.value.gloss.gu_20, abs=0.06
     )
     assert steps(designer) == ["Change Coat Index", "Change Coat Roughness"]
     # And back: a reading that is typed is solved for the coat.
-    type_in(coat.panel.fields["gloss.gu_20"], "50")
+    type_in(coat.daily.fields["gloss.gu_20"], "50")
     assert coat.roughness.value() > 0.01
     for _ in range(3):
         designer.session.undo()
@@ -119,7 +119,7 @@ def test_orange_peel_is_part_of_the_paint(designer) -> None:
 def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(designer, qtbot) -> None:
     coat, messages = designer.window.coat, designer.window.messages
     asked_before = designer.store.value
-    type_in(coat.panel.fields["gloss.gu_20"], "180")
+    type_in(coat.daily.fields["gloss.gu_20"], "180")
     assert "reads from" in coat.note.text()
     assert coat.note.isVisible()
     assert not coat.ior.isEnabled()
@@ -156,7 +156,7 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(own_des
     )
     qtbot.waitUntil(lambda: own_designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
-    end, height = strip.width() - 30, strip.height() // 2
+    end, height = strip.width() - 16, strip.height() // 2
     above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
     assert above - below > 40, "the strip shows what the lobes give under what is asked"
     qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
@@ -192,7 +192,7 @@ def test_every_control_says_what_it_is_and_what_its_term_means(designer) -> None
                 assert control.toolTip(), name
                 checked += 1
     assert checked > 45
-    tips = " ".join(field.toolTip() for field in window.coat.findChildren(NumberField))
+    tips = " ".join(field.toolTip() for field in window.panel.pages["paint"].findChildren(NumberField))
     for term in ("µm", "DOI", "Beckmann", "D523"):
         assert term in tips
     titles = [
@@ -273,7 +273,7 @@ def test_the_status_bar_shows_target_and_fit(own_designer, qtbot):
     given = own_designer.session.fit.readings[2].lab_fitted
     assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[3]
     # Of a paint that cannot be, only what is asked is said.
-    type_in(own_designer.window.coat.panel.fields["gloss.gu_20"], "199")
+    type_in(own_designer.window.coat.daily.fields["gloss.gu_20"], "199")
     assert "achieved" not in flop.text()
     assert fit.text().startswith("(")
 
@@ -286,7 +286,7 @@ def test_a_field_that_holds_a_refused_value_shows_the_paint_again_with_the_next_
     assert window.texts.name.text() == ""
     type_in(window.editors.editors[2].fields[0], "6")
     assert window.texts.name.text() == "Blue"
-    assert window.coat.panel.fields["gloss.gu_20"].value() == 90.0
+    assert window.coat.daily.fields["gloss.gu_20"].value() == 90.0
 
 
 def test_an_edit_of_a_colour_leaves_the_other_sections_alone(designer, monkeypatch) -> None:
@@ -300,5 +300,5 @@ def test_an_edit_of_a_colour_leaves_the_other_sections_alone(designer, monkeypat
     shown.clear()
     type_in(window.editors.editors[2].fields[0], "8")
     assert shown == []
-    type_in(window.coat.panel.fields["gloss.gu_20"], "88")
+    type_in(window.coat.daily.fields["gloss.gu_20"], "88")
     assert shown == ["coat"]

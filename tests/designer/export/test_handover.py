@@ -128,17 +128,15 @@ def test_names_of_files_fit_every_system() -> None:
     assert file_name(" .. ") == "paint"
 
 
-def test_the_command_brings_the_whole_section_in_sight(qtbot, designer) -> None:
+def test_the_command_brings_its_tab_to_the_front_with_the_whole_section_in_sight(qtbot, designer) -> None:
     window = designer.window
-    for section in window.inspector.sections:
-        section.set_open(section.objectName() != f"section_{KEY}")
+    window.section(KEY).set_open(False)
     window.resize(1100, 700)
-    bar = window.inspector.verticalScrollBar()
-    qtbot.waitUntil(lambda: bar.maximum() > window.inspector.viewport().height())
-    bar.setValue(0)
+    assert window.inspector is window.panel.pages["paint"]
     control = window.findChild(HandoverControl)
     control.open()
     settled(qtbot, control)
+    assert window.inspector is window.panel.pages["export"]
     export, view = control.section.export, window.inspector.viewport()
 
     def in_sight() -> bool:

@@ -7,6 +7,7 @@ from brdf_designer.assembly import Designer
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.history.strip import name_lines
 from brdf_qt.documents.open_document import DocumentStore
+from brdf_qt.program.settings import settings
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
@@ -100,12 +101,15 @@ def test_each_tab_shows_its_own_history(designer, history, qtbot):
 
 def test_it_is_hidden_and_shown_and_that_is_remembered(designer, history, qtbot):
     qtbot.waitUntil(lambda: shown(history) == ["Opened"])
-    history.action.trigger()
-    assert not history.strip.isVisible()
+    action = designer.window.command("drawer_history")
+    action.trigger()
+    qtbot.waitUntil(lambda: not history.strip.isVisible())
+    assert settings().value("drawer/history", type=bool) is False
     lighten(designer, 61)
     qtbot.wait(80)
     assert shown(history) == ["Opened"]
-    history.action.trigger()
+    action.trigger()
+    assert settings().value("drawer/history", type=bool) is True
     qtbot.waitUntil(lambda: len(shown(history)) >= 2)
     assert len(shown(history)) == 2
 

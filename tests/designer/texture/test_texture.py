@@ -24,7 +24,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 @pytest.fixture
 def control(designer, qtbot) -> TextureControl:
     found = next(part for part in designer.window.children() if isinstance(part, TextureControl))
-    designer.window.section("texture").set_open(True)
+    designer.window.show_section("texture")
     settle(found, qtbot)
     return found
 
@@ -50,7 +50,7 @@ def test_readings_are_those_of_the_instrument_and_follow_edits(designer, control
     assert control.readings == expected
     assert shown(control, 1, 1) == f"{100 * expected.sparkle[1].grade:.1f} %"
     assert shown(control, 3, 1) == f"{100 * expected.graininess:.2f} %"
-    type_in(designer.window.flakes.panel.fields["flakes.density_per_mm2"], "300")
+    type_in(designer.window.flakes.daily.fields["flakes.density_per_mm2"], "300")
     qtbot.waitUntil(lambda: control.readings != expected, timeout=120_000)
     assert control.readings.graininess > 2.0 * expected.graininess
     designer.window.flakes.has_flakes.click()

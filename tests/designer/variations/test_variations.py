@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from brdf_designer.preview.thumbnails import USUAL_LOOK, placeholder, thumbnail
+from brdf_designer.picture.thumbnails import USUAL_LOOK, placeholder, thumbnail
 from brdf_designer.variations.control import STEP_NAMES, VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_qt.work.pictures import Pictures
@@ -47,7 +47,7 @@ def part(program, kind):
 @pytest.fixture
 def control(program, qtbot) -> VariationsControl:
     control = part(program, VariationsControl)
-    control.host.set_open(True)
+    program.window.panel.bring_in_sight(control.host)
     control.set_scene("booth", "sphere")
     control.section.step.setValue(2.0)
     qtbot.waitUntil(lambda: program.session.is_quiet)
@@ -58,7 +58,7 @@ def control(program, qtbot) -> VariationsControl:
 @pytest.fixture
 def between(program) -> InterpolationControl:
     control = part(program, InterpolationControl)
-    control.host.set_open(True)
+    program.window.panel.bring_in_sight(control.host)
     control.section.beyond.setChecked(False)
     return control
 
@@ -127,7 +127,7 @@ def test_nothing_is_worked_out_while_the_section_is_closed(program, control, qtb
     program.session.set_paint(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
     control.refresh()
     assert control.neighbours is known
-    control.host.set_open(True)
+    program.window.panel.bring_in_sight(control.host)
     qtbot.waitUntil(lambda: control.neighbours is not known)
 
 

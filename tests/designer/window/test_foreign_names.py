@@ -42,7 +42,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     designer.open("blue")
     standard, between = part(designer, StandardControl), part(designer, InterpolationControl)
     for kind in (VariationsControl, InterpolationControl, StandardControl):
-        part(designer, kind).host.set_open(True)
+        designer.window.panel.bring_in_sight(part(designer, kind).host)
     palette = tmp_path / f"{walks.HOSTILE_FILE}.brdfpalette"
     paints = [replace(load_shipped_paint(name), name=walks.HOSTILE) for name in ("red", "copper")]
     save_palette(Palette(walks.HOSTILE, tuple(Entry(paint) for paint in paints)), palette)
@@ -110,7 +110,7 @@ def test_the_assistant_shows_names_as_plain_text(fresh, simulated, walks, qtbot,
 
 def test_a_wheel_changes_nothing_in_the_window(designer, walks, qtbot) -> None:
     for kind in (VariationsControl, InterpolationControl, StandardControl):
-        part(designer, kind).host.set_open(True)
+        designer.window.panel.bring_in_sight(part(designer, kind).host)
     part(designer, HandoverControl).open()
     part(designer, StandardControl).take_present()
     qtbot.waitUntil(lambda: designer.controller.is_idle)

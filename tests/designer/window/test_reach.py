@@ -51,12 +51,16 @@ def window(qapp, tmp_path_factory):
     patch.setattr(pictures, "child_command", lambda _module: [])
     designer = Designer()
     designer.window.resize(1400, 900)
-    for section in designer.window.inspector.sections:
+    for section in designer.window.panel.sections:
         section.set_open(True)
+    for drawer in designer.window.stage.drawers.values():
+        drawer.set_open(True)
+    designer.window.panel.show_page("compare")
     designer.window.show()
     named = [widget for widget in controls(designer.window) if widget.objectName().startswith("variation_")]
     while not (designer.window.plot.is_built and designer.session.is_quiet and all(map(said, named))):
         qapp.processEvents()
+    designer.window.panel.show_page("paint")
     yield designer.window
     designer.close()
     designer.window.close()

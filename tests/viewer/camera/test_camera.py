@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from brdf_viewer.camera.section import PRESETS
+from brdf_qt.window.view_titles import PRESETS
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest

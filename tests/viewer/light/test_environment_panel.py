@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 from brdf_qt.documents.watch import FileWatch
+from brdf_qt.work import scene_loading as loading
 from brdf_viewer.documents.file_kinds import ENDINGS, kind_of
 from brdf_viewer.documents.remembered import recall, remember
 from brdf_viewer.light.environment_section import LAYOUT_TITLES, HistogramBars, lines
-from brdf_viewer.scene import loading
 from PySide6.QtCore import QSettings
 
 from brdf_suite.documents.studio import Sky, save_light

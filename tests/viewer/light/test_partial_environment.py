@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from brdf_qt.work import scene_loading as loading
 from brdf_viewer.light.environment_section import environment_facts
-from brdf_viewer.scene import loading
 
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import save_paint

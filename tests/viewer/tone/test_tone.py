@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from brdf_qt.program import monitor_profile
 from brdf_qt.program.monitor_profile import monitor_of
-from brdf_viewer.tone.section import TONE_TITLES, describe_clipping
+from brdf_qt.window.view_titles import TONE_TITLES
+from brdf_viewer.tone.section import describe_clipping
 from PIL import Image
 
 from brdf_suite.appearance.colour.spaces import DISPLAY_P3_SPACE, SRGB_SPACE

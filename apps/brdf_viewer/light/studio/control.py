@@ -11,6 +11,7 @@ from typing import Any
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.recovery_offer import offer_recovery
+from brdf_qt.fields.choices import set_note
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 
@@ -19,7 +20,6 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.inspector.fields import set_note
 from brdf_viewer.light.studio import edits
 from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
 from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
+from brdf_qt.fields.choices import ChoiceBox
 from brdf_qt.fields.form import Form, fill_column, fill_row
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
@@ -13,7 +14,6 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Shape, Sky, Studio, StudioLamp
-from brdf_viewer.inspector.fields import ChoiceBox
 from brdf_viewer.light.studio.edits import with_room
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 

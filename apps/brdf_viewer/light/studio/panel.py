@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from brdf_qt.fields.choices import note, set_note
 from brdf_qt.fields.form import fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.text import TextLine
@@ -22,7 +23,6 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.studio import MOST_LAMPS, LightDocument, Studio, StudioLamp
-from brdf_viewer.inspector.fields import note, set_note
 from brdf_viewer.light.studio.document import TEMPLATES
 from brdf_viewer.light.studio.forms import SHAPE_TITLES, LampForm, SkyForm, SurroundingsForm
 from brdf_viewer.light.studio.places import polar

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtWidgets import QColorDialog, QComboBox, QLabel, QPushButton, QWidget
+
 from brdf_qt.fields.form import fill_row, icon_button
 from brdf_qt.fields.labels import RoomyLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, quieten
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPixmap
-from PySide6.QtWidgets import QColorDialog, QComboBox, QLabel, QPushButton, QWidget
 
 
 class ChoiceBox(QuietComboBox):
@@ -78,6 +79,11 @@ class SliderField(QWidget):
         fill_row(self, self.slider, self.number)
         self.setFocusProxy(self.number)
         self.set_value(default)
+
+    def setToolTip(self, tip: str) -> None:
+        super().setToolTip(tip)
+        self.slider.setToolTip(tip)
+        self.number.setToolTip(tip)
 
     def value(self) -> float:
         return self.number.value()

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from functools import partial
 from time import monotonic
 
-from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Qt, Signal
 
+from brdf_qt.work.tasks import TaskRunner
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.environment import Environment

@@ -1,0 +1,1 @@
+"""The lobes of the paint over the picture."""

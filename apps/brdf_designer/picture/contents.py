@@ -1,0 +1,50 @@
+"""What the picture shows, and what is kept of it for the next start."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from typing import TYPE_CHECKING
+
+from brdf_qt.program.settings import settings
+
+from brdf_suite.documents.store import view_from_json, view_to_json
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.lobe_fit import LobeFit
+    from brdf_suite.pipeline.scene import PreparedEnvironment
+    from brdf_suite.surface.mesh import Mesh
+    from brdf_suite.surface.occlusion.rays import BakedMesh
+
+_KEY = "picture/view"
+
+
+class PictureContents:
+    """What is to be drawn: the newest light, form and fit; a new context draws the same anew."""
+
+    def __init__(self) -> None:
+        self.light: PreparedEnvironment | None = None
+        self.form: Mesh | None = None
+        self.baked: BakedMesh | None = None
+        self.fit: LobeFit | None = None
+
+
+def remember(view: View) -> None:
+    """Keep a view for the next start."""
+    settings().setValue(_KEY, json.dumps(view_to_json(view)))
+
+
+def recall() -> View | None:
+    """Return the view of the last time from where a first look begins; None where there is none, or a damaged one.
+
+    Camera and the turn of the light start afresh, and so does the exposure, as in Viewer: a picture that opens too dark or from behind
+    would look like a fault.
+    """
+    try:
+        view = view_from_json(json.loads(str(settings().value(_KEY, ""))))
+    except (SuiteError, ValueError):
+        return None
+    first = View()
+    return dataclasses.replace(view, camera=first.camera, rotation_deg=first.rotation_deg)

@@ -1,1 +1,0 @@
-"""Fields of the inspector, and the meanings of their numbers."""
