@@ -14,6 +14,8 @@ import pytest
 GENERATED = {"agreement.md", "measured_errors.md", "measurements.md", "table1.md"}
 OF_THEIR_DAY = {"decisions.md"}
 CONSTANTS = {
+    ("lobe_visualizer.md", "largest value, or less if all but 2 %"): "the share that defines the scale",
+    ("lobe_visualizer.md", "RMS up to 5 %"): "a limit of the marks",
     ("designer.md", "takes up to 8 ms"): "the limit below which a frame follows at once",
 }
 

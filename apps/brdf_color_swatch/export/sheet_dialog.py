@@ -9,6 +9,7 @@ from datetime import date
 from brdf_qt.fields.form import described, fill_column, fill_row, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
+from brdf_qt.program.names import title_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.pictures import Pictures
@@ -36,8 +37,6 @@ _PICTURE_PX = 384
 _MOST_COLUMNS = 12
 _PAGES = {"a4": "A4", "a3": "A3", "letter": "US Letter"}
 _FORMS = {
-    "sphere": mark("Sphere"),
-    "panel": mark("Panel"),
     "flop_strip": mark("Flop strip"),
     "chips": mark("Colour chips"),
 }
@@ -59,6 +58,11 @@ class SheetSource:
     selected: tuple[int, ...]
     grouped: bool
     environment: str
+
+
+def _forms() -> dict[str, str]:
+    shapes = {key: title_of(key) for key in ("sphere", "panel")}
+    return shapes | {key: tr(text) for key, text in _FORMS.items()}
 
 
 class SheetDialog(QDialog):
@@ -93,7 +97,7 @@ class SheetDialog(QDialog):
         self.shown, self.selected = QRadioButton(), QRadioButton()
         described(self.shown, name="sheet_shown")
         described(self.selected, name="sheet_selected")
-        self.form = _choices("sheet_form", tr("Picture"), {key: tr(text) for key, text in _FORMS.items()})
+        self.form = _choices("sheet_form", tr("Picture"), _forms())
         self.page = _choices("sheet_page", tr("Paper"), _PAGES)
         upright = {"portrait": tr("Portrait"), "landscape": tr("Landscape")}
         self.way = _choices("sheet_way", tr("Orientation"), upright)

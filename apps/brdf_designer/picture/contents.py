@@ -39,7 +39,7 @@ def remember(view: View) -> None:
 def recall() -> View | None:
     """Return the view of the last time from where a first look begins; None where there is none, or a damaged one.
 
-    Camera and the turn of the light start afresh, and so does the exposure, as in Viewer: a picture that opens too dark or from behind
+    Camera, exposure and the turn of the light start afresh, as in Viewer: a picture that opens too dark or from behind
     would look like a fault.
     """
     try:

@@ -80,11 +80,6 @@ class SliderField(QWidget):
         self.setFocusProxy(self.number)
         self.set_value(default)
 
-    def setToolTip(self, tip: str) -> None:
-        super().setToolTip(tip)
-        self.slider.setToolTip(tip)
-        self.number.setToolTip(tip)
-
     def value(self) -> float:
         return self.number.value()
 

@@ -203,7 +203,7 @@ def _hash_of(folder: Path, files: list[Path]) -> str:
 
 
 def _content(path: Path) -> bytes:
-    """Return what a paint's file says of its mean: without flakes, and without the version that it says it in."""
+    """Return what a paint's file says of its mean: without flakes and targets of texture, and without the version."""
     raw = path.read_bytes()
     try:
         record = json.loads(raw)
@@ -211,7 +211,7 @@ def _content(path: Path) -> bytes:
         return raw
     if not isinstance(record, dict):
         return raw
-    for name in ("version", "flakes"):
+    for name in ("version", "flakes", "texture"):
         record.pop(name, None)
     return json.dumps(record, sort_keys=True).encode()
 
