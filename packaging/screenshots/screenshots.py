@@ -82,6 +82,26 @@ MEASURED = (
 """What viewer_lamps shows, factored; without that file there is no such picture."""
 
 RENDERS = {
+    "render_street": [
+        "blue",
+        "--environment",
+        "street",
+        "--mesh",
+        "car",
+        "--rotation",
+        "185",
+        "--azimuth",
+        "38",
+        "--elevation",
+        "4.5",
+        "--f-stop",
+        "2",
+        "--automatic-exposure",
+        "--exposure",
+        "-0.35",
+        "--size",
+        "1280x720",
+    ],
     "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
     "render_car": [
         "gold_metallic",

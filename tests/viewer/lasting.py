@@ -39,6 +39,7 @@ CHANGING = {
     *("_frames", "_losses", "_settled", "counted", "frame_ms", "reading"),  # by the time that something takes
     *("_generation", "_gesture", "_latest", "generation"),  # counts of what was done
     *("_button", "_last", "_merged"),  # of a gesture that is over; the next one begins by setting them
+    *("_tallest", "_widest"),  # the place that the longest text so far is given
     "_bounds",  # of the surface, which is compared
 }
 """Attributes that are not compared: they say nothing of what a Viewer will do."""

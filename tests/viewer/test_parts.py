@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.documents.recent_files import MOST_RECENT, RecentFiles
-from brdf_qt.fields.choices import SliderField, Source, SourceChooser, title_of
+from brdf_qt.fields.choices import SliderField, Source, SourceChooser
+from brdf_qt.program.names import title_of
 from brdf_qt.window.view_titles import PRESETS
 from brdf_viewer.camera.section import look_from, signed_deg
 from brdf_viewer.compare import frozen_paints
@@ -116,9 +117,9 @@ def test_a_chooser_keeps_its_choice_and_adds_what_it_does_not_know(qtbot) -> Non
 
 
 def test_titles() -> None:
-    assert title_of("booth", {"booth": "Light booth"}) == "Light booth"
-    assert title_of("/a/b/studio.hdr", {}) == "studio.hdr"
-    assert title_of("blue_metallic", {}) == "blue metallic"
+    assert title_of("booth") == "Light booth"
+    assert title_of("/a/b/studio.hdr") == "studio.hdr"
+    assert title_of("blue_metallic") == "Blue metallic"
 
 
 def test_slider_and_number_are_one_value(qtbot) -> None:

@@ -50,7 +50,7 @@ Evaluate = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 def shared_file(name):
     """Return the measured file of that name, or None where it is not at hand."""
-    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[3] / "shared")) / "data"
+    root = Path(os.environ.get("BRDF_SUITE_SHARED", Path(__file__).resolve().parents[4] / "shared")) / "data"
     return next(iter(sorted(root.rglob(f"{name}.brdf"))), None)
 
 
