@@ -15,7 +15,7 @@ from brdf_suite.surface.picking import pick
 
 DEFAULT_EXPOSURES = 64
 MOST_EXPOSURES = 4096
-_GOLDEN = 0.6180339887498949
+GOLDEN = 0.6180339887498949
 _SILVER = math.sqrt(2.0) - 1.0
 
 
@@ -58,7 +58,7 @@ def exposures_of(view: View, bounds: Bounds, size: tuple[int, int], count: int) 
     radius = aperture_radius(view)
     found = []
     for number in range(count):
-        away, angle = radius * math.sqrt((number + 0.5) / count), 2.0 * math.pi * _GOLDEN * number
+        away, angle = radius * math.sqrt((number + 0.5) / count), 2.0 * math.pi * GOLDEN * number
         place = LensPoint(away * math.cos(angle), away * math.sin(angle), focus) if radius > 0.0 else MIDDLE
         moment = (number * _SILVER + 0.5) % 1.0 - 0.5 if radius > 0.0 else (number + 0.5) / count - 0.5
         shown = turned(view, moment * lens.turn_deg, bounds.centre) if lens.turn_deg else view

@@ -93,12 +93,17 @@ def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Floats, Flo
     return image[..., :3], image[..., 3]
 
 
+_MOVING_SAMPLES = 4
+
+
 def step(
     scene: TracedScene, estimate: Estimate | None = None, *, samples: int = 4, first_seed: int = 0
 ) -> Estimate:
     """Return ``estimate`` with one pass of ``samples`` per pixel more. Errors as :func:`trace_pass`."""
     found = estimate or Estimate.nothing(scene.size)
     start = perf_counter()
+    if scene.moments is not None:
+        scene.go_to(scene.moments(first_seed + found.passes))
     radiance, coverage = trace_pass(scene, samples, seed=first_seed + found.passes)
     return found.with_pass(radiance, coverage, samples, perf_counter() - start)
 
@@ -169,7 +174,8 @@ def trace(
     report(progress, 0.0, "tracing")
     if samples is not None and before >= samples:
         return found
-    size = samples_per_pass or pass_size(scene.size)
+    # Where something moves, each pass is of one moment: better many of them.
+    size = samples_per_pass or (pass_size(scene.size) if scene.moments is None else _MOVING_SAMPLES)
     for newest in refine(scene, found, samples_per_pass=size, samples=samples or 0, first_seed=first_seed):
         found = newest
         if kept is not None:

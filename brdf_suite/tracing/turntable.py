@@ -94,7 +94,6 @@ def write_traced_turntable(
     bounds = Bounds.of(p.positions for p in mesh.parts)
     shown = focused(framed_all_round(view, bounds, size), mesh, size)
     shown = replace(shown, clipping_marks=False, gamut_marks=False)
-    # No tracer shows the blur of a turn, and says so.
     shown = replace(shown, lens=replace(shown.lens, turn_deg=turn.blur_deg))
     report(progress, 0.0, "starting the renderer")
     begin = _reference if renderer == "reference" else _raytraced

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lens, Sparkle
+from brdf_suite.documents.view_settings import Lamp, Lens, Sparkle
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -141,7 +141,24 @@ def test_the_lens_of_the_path_tracer_gives_the_same_picture(draw, light) -> None
     without = np.sqrt(((sharp - traced) ** 2).mean()) / traced.mean()
     assert error < 0.03
     assert without > 2.0 * error
-    assert not any("standing still" in notice for notice in scene.notices)
+
+
+def test_the_turn_of_the_path_tracer_gives_the_same_picture(draw, light) -> None:
+    lamp = Lamp("point", position=(0.4, 0.8, 1.0), strength=1.0)
+    sun = Lamp("directional", azimuth_deg=30.0, elevation_deg=40.0, strength=1.0)
+    disc = replace(lamp, diameter=0.2)
+    for lamps in ((), (lamp,), (sun, disc)):
+        view = replace(VIEW, lens=Lens(turn_deg=8.0), background="environment", lamps=lamps)
+        scene = build_reference(GREY, view, SIZE, light.environment, NEAR_AND_FAR)
+        estimate = trace(scene.traced, samples=256)
+        assert estimate.passes >= 64
+        drawn = draw(view, 128, display=LINEAR)[..., :3]
+        traced = scene.whole(estimate)
+        still = draw(replace(view, lens=Lens()), display=LINEAR)[..., :3]
+        error = np.sqrt(((drawn - traced) ** 2).mean()) / traced.mean()
+        without = np.sqrt(((still - traced) ** 2).mean()) / traced.mean()
+        assert error < 0.03
+        assert without > 2.0 * error
 
 
 def test_a_turn_blurs_what_moves_in_the_middle_of_the_exposure(draw) -> None:

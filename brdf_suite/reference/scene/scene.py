@@ -9,7 +9,7 @@ light to Mitsuba's bilinear look-up as ours is to our own.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -17,11 +17,12 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.reference.bsdfs.plugin import make_bsdf
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
-from brdf_suite.reference.scene.lamps import lamp_emitter
+from brdf_suite.reference.scene.lamps import LampAim, lamp_emitter
 from brdf_suite.reference.scene.place import aligned, texture
 
 DEFAULT_DEPTH = 8
@@ -39,6 +40,15 @@ class SurfacePart:
     uvs: npt.NDArray[Any] | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """Where camera, light and lamps are at a moment of the exposure, seen from the object that turns."""
+
+    eye: PinholeCamera
+    rotation_deg: float
+    lamps: tuple[Lamp, ...]
+
+
 @dataclass(eq=False)
 class TracedScene:
     """A scene in Mitsuba. Its methods change values in place, without rebuilding or recompiling.
@@ -51,12 +61,18 @@ class TracedScene:
         Width and height, pixels.
     terms
         What each material reflects by, by the material's name.
+    discs
+        The lamps with an extent, by name.
+    moments
+        The moment of a pass, by the pass's number; None where nothing moves while the shutter is open.
     """
 
     scene: Any
     size: tuple[int, int]
     terms: Mapping[str, Any]
     bsdfs: Mapping[str, Any] = field(default_factory=dict)
+    discs: Mapping[str, Any] = field(default_factory=dict)
+    moments: Callable[[int], Moment] | None = None
 
     def set_term(self, material: str, term: Any) -> None:
         """Set the term of a material from the next pass on."""
@@ -87,6 +103,21 @@ class TracedScene:
                 np.concatenate((pixels[:, -1:], pixels, pixels[:, :1]), axis=1)
             )
         values["light.to_world"] = mi.Transform4f(_turned(rotation_deg).matrix)
+        values.update()
+
+    def go_to(self, moment: Moment) -> None:
+        """Move camera, light and lamps to where they are at a moment."""
+        self.look_from(moment.eye, self.size)
+        self.set_light(None, moment.rotation_deg)
+        values = mi.traverse(self.scene)
+        for index, lamp in enumerate(moment.lamps):
+            name, aim = f"lamp_{index}", LampAim.of(lamp)
+            if name in self.discs:
+                self.discs[name].aim = aim
+            elif aim.near:
+                values[f"{name}.position"] = mi.Point3f(*aim.place)
+            else:
+                values[f"{name}.to_world"] = mi.Transform4f(_shining(aim.place).matrix)
         values.update()
 
 
@@ -127,11 +158,12 @@ def build_scene(
         described[f"lamp_{index}"] = lamp_emitter(lamp)
     for index, part in enumerate(parts):
         described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
+    discs = {name: one for name, one in described.items() if isinstance(one, mi.Emitter)}
     if ground is None:
-        return TracedScene(mi.load_dict(described), size, terms, bsdfs)
+        return TracedScene(mi.load_dict(described), size, terms, bsdfs, discs)
     described["light"] = mi.load_dict(described["light"])
     described["ground"], emitter = ground_mesh(ground, described["light"])
-    traced = TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    traced = TracedScene(mi.load_dict(described), size, terms, bsdfs, discs)
     ground.lamps = view.lamps
     ground.trace(traced.scene, FIRST_SAMPLES)
     emitter.share = texture(ground.share, repeat=False)
@@ -160,6 +192,12 @@ def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
 
 def _turned(rotation_deg: float) -> Any:
     return mi.ScalarTransform4f().rotate([0, 1, 0], rotation_deg)
+
+
+def _shining(towards: Sequence[float]) -> Any:
+    """Return the transform of a distant lamp that lies in the direction ``towards``."""
+    up = [1, 0, 0] if abs(towards[1]) > 0.9 else [0, 1, 0]
+    return mi.ScalarTransform4f().look_at(origin=[0, 0, 0], target=[-x for x in towards], up=up)
 
 
 def _to_world(eye: PinholeCamera) -> Any:

@@ -9,7 +9,7 @@ import hashlib
 import json
 import os
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,8 @@ from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.output.exposures import aperture_radius, focused
+from brdf_suite.output.exposures import GOLDEN, aperture_radius, focused
+from brdf_suite.output.turning import turned
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.scene import find_environment
@@ -34,10 +35,10 @@ from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdr
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.reference.bsdfs.plugin import make_pane
 from brdf_suite.reference.passes import Estimate
-from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
+from brdf_suite.reference.scene.backdrop import Look, backdrop, blur_map, sharp
 from brdf_suite.reference.scene.camera import PinholeCamera
 from brdf_suite.reference.scene.ground import GroundGrid
-from brdf_suite.reference.scene.scene import SurfacePart, TracedScene, build_scene
+from brdf_suite.reference.scene.scene import Moment, SurfacePart, TracedScene, build_scene
 from brdf_suite.reference.variant import Variant, start
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
@@ -99,6 +100,8 @@ def energy_notices(reflectance: Reflectance, name: str) -> tuple[str, ...]:
 
 GROUND_SAMPLES, GROUND_PASS = 256, 32
 """Directions at each place of the ground, for its shadow behind the object."""
+_MOMENTS = 16
+"""Of an exposure in which the object turns, for what is behind it."""
 _LIT_BY = (
     "camera",
     "rotation_deg",
@@ -132,15 +135,33 @@ class ReferenceScene(SceneFacts):
         if not plain:
             of_map = self.view.background == "environment"
             look = sharp(self.light) if of_map else blur_map(self.light, BLUR_EXPONENT)
-        share = None
-        ground = self.ground
-        if ground is not None:
-            while ground.samples < GROUND_SAMPLES:
-                ground.trace(self.traced.scene, GROUND_PASS)
+        moments = self.traced.moments
+        if moments is None:
+            return self._behind(look, self.eye, self.view.rotation_deg, self.ground, GROUND_SAMPLES)
+        total: Floats = np.zeros((self.size[1], self.size[0], 3))
+        for number in range(_MOMENTS):
+            moment, ground = moments(number), None
+            self.traced.go_to(moment)
+            if self.ground is not None:
+                nothing = np.zeros_like(self.ground.arriving)
+                ground = replace(
+                    self.ground, arriving=nothing, open_light=np.zeros(3), samples=0, lamps=moment.lamps
+                )
+            total += self._behind(look, moment.eye, moment.rotation_deg, ground, GROUND_SAMPLES // _MOMENTS)
+        return total / _MOMENTS
 
-            share = ground.seen_from
-
-        return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
+    def _behind(
+        self,
+        look: Look | None,
+        eye: PinholeCamera,
+        rotation_deg: float,
+        ground: GroundGrid | None,
+        samples: int,
+    ) -> Floats:
+        while ground is not None and ground.samples < samples:
+            ground.trace(self.traced.scene, min(GROUND_PASS, samples))
+        share = None if ground is None else ground.seen_from
+        return backdrop(eye, self.size, rotation_deg, look, plain_backdrop(self.view), share)
 
     def whole(self, estimate: Estimate) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
@@ -211,14 +232,7 @@ def build_reference(
     variant = start() if variant is None else variant
     bounds = Bounds.of(p.positions for p in mesh.parts)
     view = focused(replace(view, camera=compose(view.camera, bounds, size)), mesh, size)
-    camera = matrices(view.camera, bounds, size)
-    eye = PinholeCamera(
-        camera.eye,
-        camera.view_to_world,
-        camera.half_tangents[0],
-        aperture_radius(view),
-        view.lens.focus_distance or 1.0,
-    )
+    eye = _eye(view, bounds, size)
     mesh = choose_materials(mesh, view)
     dress = load_dress(view) if dress is None else dress
     energy = _energy(material, dress)
@@ -249,6 +263,7 @@ def build_reference(
             traced.set_term(part_name, term)
         traced.look_from(eye, size)
         traced.set_light(None if np.array_equal(radiance, kept.light) else radiance, view.rotation_deg)
+    traced.moments = None if view.lens.turn_deg == 0.0 else partial(_moment, view, bounds, size)
     return ReferenceScene(
         name=material.name,
         traced=traced,
@@ -272,6 +287,24 @@ def build_reference(
     )
 
 
+def _eye(view: View, bounds: Bounds, size: Size) -> PinholeCamera:
+    camera = matrices(view.camera, bounds, size)
+    return PinholeCamera(
+        camera.eye,
+        camera.view_to_world,
+        camera.half_tangents[0],
+        aperture_radius(view),
+        view.lens.focus_distance or 1.0,
+    )
+
+
+def _moment(view: View, bounds: Bounds, size: Size, number: int) -> Moment:
+    """Return a moment of the turn, by its number; they are spread evenly about the middle of the exposure."""
+    share = (number * GOLDEN + 0.5) % 1.0 - 0.5
+    shown = turned(view, share * view.lens.turn_deg, bounds.centre)
+    return Moment(_eye(shown, bounds, size), shown.rotation_deg, shown.lamps)
+
+
 def _energy(paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about paints that send back more light than they get; fitted weights are what they are."""
     notices: tuple[str, ...] = ()
@@ -291,8 +324,6 @@ def _left_out(view: View, paint: Material, dress: Dress) -> tuple[str, ...]:
         )
     if not view.surface_look.occlusion:
         notices.append("The reference always shows the shadows of the surface on itself.")
-    if view.lens.turn_deg != 0.0:
-        notices.append("The reference shows the object standing still, without the blur of its turn.")
     return tuple(notices)
 
 
