@@ -80,6 +80,11 @@ class SliderField(QWidget):
         self.setFocusProxy(self.number)
         self.set_value(default)
 
+    def explain(self, tip: str) -> None:
+        """Give slider and number a tip."""
+        for part in (self.slider, self.number):
+            part.setToolTip(plain_tip(tip))
+
     def value(self) -> float:
         return self.number.value()
 

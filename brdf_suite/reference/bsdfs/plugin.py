@@ -27,13 +27,13 @@ def make_pane(ior: float, transmittance: float) -> Any:
 
     What it passes goes straight on and is not its own: a picture's coverage is what a pane mirrors or keeps.
     """
-    made = _pane_plug_in()(mi.Properties())
+    made = _pane_plug_in(mi.variant())(mi.Properties())
     made.ior, made.transmittance = ior, transmittance
     return made
 
 
 @cache
-def _pane_plug_in() -> Any:
+def _pane_plug_in(_variant: str) -> Any:
     class PaneBsdf(mi.BSDF):
         """Mirrors, or lets pass, by chance: as often as it lets pass, so that what passes keeps its weight."""
 

@@ -33,7 +33,7 @@ def lamp_emitter(lamp: Lamp) -> Any:
     power = mi.ScalarColor3f(lamp_power(lamp).tolist())
     aim = LampAim.of(lamp)
     if aim.radius > 0.0:
-        emitter = _plug_in()(mi.Properties())
+        emitter = _plug_in(mi.variant())(mi.Properties())
         emitter.aim = aim
         emitter.power = power
         return emitter
@@ -99,7 +99,7 @@ def lamp_light(
 
 
 @cache
-def _plug_in() -> Any:
+def _plug_in(_variant: str) -> Any:
     class DiscLamp(mi.Emitter):
         """Emitter that rays are sent to and that none meets."""
 
