@@ -379,7 +379,8 @@ def _write_zip(path: PathLike, content: bytes, parts: Mapping[str, str]) -> None
 def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str]) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if any(folder.iterdir()) and not (folder / MANIFEST).is_file():
+        others = {entry.name for entry in folder.iterdir()} - {FILES}  # which may have been unpacked just now
+        if others and not (folder / MANIFEST).is_file():
             raise FileError(folder, "is not empty and holds no project; name another folder")
         for file, name in parts.items():
             target = folder / FILES / name
