@@ -7,12 +7,36 @@ wrong, and, where there is one, the way on. A program shows ``str(error)`` and n
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from difflib import get_close_matches
 
 PathLike = str | os.PathLike[str]  # a file as a caller names it
 
 
+def did_you_mean(asked: str, names: Iterable[str]) -> str:
+    """Return what ends a sentence about a name that is not there: the nearest of ``names``; empty where none is near.
+
+    >>> did_you_mean("blu", ["blue", "copper"])
+    '; did you mean blue?'
+    """
+    known = {name.casefold(): name for name in names}
+    short = asked.casefold()
+    near = get_close_matches(short, known, 1, 0.7) or [
+        one for one in known if short[2:] and one.startswith(short)
+    ]
+    return f"; did you mean {known[near[0]]}?" if near else ""
+
+
 class SuiteError(Exception):
-    """Base class of all errors that are shown to a user. ``str(error)`` is a complete sentence or two."""
+    """Base class of all errors that are shown to a user. ``str(error)`` is a complete sentence or two.
+
+    >>> import brdf_suite as bs
+    >>> try:
+    ...     bs.load("no such paint.brdfpaint")
+    ... except bs.SuiteError as error:
+    ...     print(error)
+    no such paint.brdfpaint: there is no such file.
+    """
 
 
 class Cancelled(SuiteError):  # noqa: N818 - not an error that anyone is shown
@@ -40,7 +64,7 @@ class FileError(SuiteError):
         self.reason = reason
         self.place = place
         where = f", at {place}" if place else ""
-        super().__init__(f"{self.path}{where}: {reason}.")
+        super().__init__(f"{self.path}{where}: {reason}" + ("" if reason.endswith("?") else "."))
 
 
 class DocumentError(FileError):

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.errors import FileError, SuiteError, did_you_mean
 
 _PACKAGE = Path(__file__).resolve().parent
+_FEW = 12
 _CANDIDATES = (_PACKAGE / "_resources", _PACKAGE.parent / "resources")
 
 
@@ -63,15 +64,19 @@ def check_exists(asked: str, kind: str, names: Sequence[str]) -> None:
     """Raise an error about what the user typed where it is no file; ``names`` are the packaged ones of ``kind``."""
     if not asked:
         raise SuiteError(
-            f"The name of the {kind} is empty; give a file or a shipped one ({', '.join(names)})."
+            f"The name of the {kind} is empty; give a file or a shipped one ({_few(kind, names)})."
         )
     if not exists(asked):
         if Path(asked).suffix or Path(asked).is_absolute():
             # A file was meant: the names of what is shipped are no help.
             raise FileError(asked, "there is no such file")
-        raise FileError(
-            asked, f"there is no such file, nor a shipped {kind} of that name ({', '.join(names)})"
-        )
+        near = did_you_mean(asked, names) or f" ({_few(kind, names)})"
+        raise FileError(asked, f"there is no such file, nor a shipped {kind} of that name{near}")
+
+
+def _few(kind: str, names: Sequence[str]) -> str:
+    """Return the names for a message, of many the command that lists them."""
+    return ", ".join(names) if len(names) <= _FEW else f"`brdf-suite list {kind}s` names all {len(names)}"
 
 
 def exists(asked: str) -> bool:

@@ -10,7 +10,9 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from brdf_suite.cli.output import progress_bar
+from brdf_suite.cli.arguments import PAINT
+from brdf_suite.cli.output import print_done, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 from brdf_suite.processes import child_command
 from brdf_suite.screen import screen_missing
@@ -29,15 +31,20 @@ _PATIENCE_S = 20.0
 _POLL_S = 0.1
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(commands: argparse._SubParsersAction[CommandParser]) -> None:
     """Declare one command for each program, and ``open`` for both."""
-    both = commands.add_parser("open", help="open Designer and Viewer, linked (the default)")
-    both.add_argument(
-        "paint", nargs="?", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint"
+    both = commands.add_parser(
+        "open",
+        help="open Designer and Viewer, linked (the default)",
+        description="Open Designer and Viewer beside each other; the Viewer follows Designer. The options of one "
+        "program are those of the command that opens it alone: `brdf-suite designer --help`. Without a screen the "
+        "default scene is rendered to brdf-suite.png instead.",
     )
+    both.examples = ("brdf-suite open copper",)
+    both.add_argument("paint", nargs="?", metavar="PAINT", help=PAINT)
     both.set_defaults(run=open_both)
     for name, (_package, what) in PROGRAMS.items():
-        commands.add_parser(name, help=f"{what} (options: {name} --help)", add_help=False)
+        commands.add_parser(name, help=f"{what} (options: {name} --help)")
 
 
 def open_both(options: argparse.Namespace) -> int:
@@ -104,7 +111,7 @@ def _end(running: dict[str, subprocess.Popen[bytes]]) -> None:
 def open_one(name: str, arguments: Sequence[str]) -> int:
     """Open one program with its own ``arguments``, wait for it, and return its exit status."""
     missing = screen_missing()
-    if missing is not None and not {"-h", "--help"} & set(arguments):
+    if missing is not None and not {"-h", "--help", "--version"} & set(arguments):
         raise SuiteError(f"The program cannot open a window: {missing}. `brdf-suite render` needs none.")
     package, _what = PROGRAMS[name]
     return _run({name: child_command(package, *arguments)})[name]
@@ -115,7 +122,7 @@ def _render_instead(missing: str, paint: str | None) -> int:
     from brdf_suite.pipeline.material import default_paint_name
     from brdf_suite.pipeline.scene import default_view
 
-    print(f"brdf-suite: {missing}; rendering the default scene to {_FALLBACK_PICTURE} instead.")
+    print_notes([f"{missing}; rendering the default scene to {_FALLBACK_PICTURE} instead"])
     with progress_bar("rendering") as progress:
         picture = render_to_file(
             paint or default_paint_name(),
@@ -124,5 +131,5 @@ def _render_instead(missing: str, paint: str | None) -> int:
             Path(_FALLBACK_PICTURE),
             progress=progress,
         )
-    print(f"brdf-suite: wrote {picture.path} ({picture.width}×{picture.height} pixels, {picture.renderer}).")
+    print_done(f"wrote {picture.path} ({picture.width}×{picture.height} pixels, {picture.renderer})")
     return 0

@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from brdf_suite.cli.output import add_arguments, whole_number
+from brdf_suite.cli.arguments import add_arguments, whole_number
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 
 if TYPE_CHECKING:  # they load numpy, which `render` must set up first
@@ -17,23 +18,24 @@ FITTING = ("basis", "lobe_count", "weighting", "diffuse")
 """The names of all options of this module: those of commands that fit lobes."""
 
 
-def add_basis(command: argparse.ArgumentParser) -> None:
-    """Declare the options read by :func:`parse_basis`."""
+def add_basis(command: CommandParser) -> argparse._ArgumentGroup:
+    """Declare the options read by :func:`parse_basis`; return their group."""
+    lobes = command.add_argument_group("lobes")
     add_arguments(
-        command,
+        lobes,
         {
             "--basis FILE": "the lobes' exponents: a file written by `brdf-suite basis` (default: the suite's own)",
             "--lobe-count N": "how many lobes, of the counts in that file (default: the file's own default)",
         },
         lobe_count=whole_number(1, 12),
     )
+    return lobes
 
 
-def add_fitting(command: argparse.ArgumentParser) -> None:
+def add_fitting(command: CommandParser) -> None:
     """Declare the options read by :func:`parse_fitting`."""
-    add_basis(command)
     add_arguments(
-        command,
+        add_basis(command),
         {
             "--weighting": "paints with layers: how much a sample counts: absolute (the default), relative to the "
             "reflectance, or by its solid angle",

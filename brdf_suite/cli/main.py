@@ -6,17 +6,21 @@ named is imported: ``--help`` needs none of them.
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 from collections.abc import Container, Sequence
 from importlib import import_module
+from pathlib import Path
+from time import perf_counter
 
 from brdf_suite.cli import default_action
+from brdf_suite.cli.output import print_error
+from brdf_suite.cli.streams import streams
+from brdf_suite.command_parser import LOG, USAGE, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 
-DONE, FAILED, USAGE, CANCELLED = 0, 1, 2, 130
+DONE, FAILED, CANCELLED = 0, 1, 130
 
 COMMANDS = {
     "render": ("picture.render", "render a paint or a measured file to a PNG or EXR"),
@@ -38,6 +42,10 @@ COMMANDS = {
         "judge batches against a standard: differences per angle, pass or fail, in words",
     ),
     "design": ("paint.design", "make a paint: from a measurement, a step away, or between two"),
+    "list": (
+        "tools.listing",
+        "list paints, environments, surfaces, formats, models, geometries",
+    ),
     "convert": (
         "measured.convert",
         "convert a measured file, or a paint, to a format of measured reflectance",
@@ -69,17 +77,50 @@ COMMANDS = {
     ),
     "shading-table": ("tools.shading_table", "make the table by which the shading looks lobes up"),
     "agreement": ("tools.agreement", "compare the real-time picture with the path-traced one"),
+    "completion": ("tools.completion", "print the completion of a shell, or the pages of the manual"),
     "bench": ("tools.bench", "measure the suite's figures (in a source checkout)"),
 }
 """The commands but those that open a program: the module of each in this package, and what it does."""
 
+if not (Path(__file__).resolve().parents[2] / "tests" / "benchmarks").is_dir():
+    del COMMANDS["bench"]  # in an installed copy there is nothing to run
+
+_SYNONYMS = {
+    **{
+        kind: f"list {kind}"
+        for kind in ("paints", "environments", "surfaces", "formats", "models", "geometries")
+    },
+    "ls": "list",
+    "show": "viewer",
+    "view": "viewer",
+    "edit": "designer",
+    "info": "palette info",
+    "video": "turntable",
+    "diff": "compare",
+    "import": "design start",
+}
+"""What to propose for words that people try."""
+
 _EPILOG = """\
+words:
+  PAINT         a shipped paint by name (`brdf-suite list paints`), or a file: .brdfpaint, .cxf, a
+                measured file, an entry of a palette as FILE#ID
+  PALETTE       a palette of any format, or a folder: all of its paints
+  -             for a file that is read, standard input; after -o, standard output
+
 units:
   L*a*b*        CIE 1976, illuminant D65, 10° observer; aspecular angles in degrees from the mirror
                 direction, light at 45°
   gloss         gloss units (GU) at 20° and 60°, ASTM D523
   exposure      EV: +1 doubles the light; rotation in degrees, counter-clockwise seen from above
   size          pixels, as WIDTHxHEIGHT; meshes in metres, texture coordinates in millimetres
+
+environment variables:
+  BRDF_SUITE_CACHE            folder of filtered maps, baked occlusion and pictures of paints
+  BRDF_SUITE_CACHE_MB         largest size of maps and of occlusion, megabytes
+  BRDF_SUITE_REFERENCE_KEEP   folder of path-traced pictures that benchmarks keep
+  BRDF_SUITE_SETTINGS         folder of the programs' settings, in place of the user's own
+  BRDF_SUITE_LINK             name of the link by which open programs find each other
 
 exit status:
   0 done    1 failed, with one line that says why    2 wrong arguments    130 cancelled
@@ -89,45 +130,27 @@ is rendered to brdf-suite.png in the working folder instead.
 """
 
 
-class _Rows(argparse.RawDescriptionHelpFormatter):
-    """Help formatter with a column wide enough for command names."""
-
-    def add_argument(self, action: argparse.Action) -> None:
-        """Count the indent of a command, which the base class ignores: otherwise its help starts on the next line."""
-        super().add_argument(action)
-        for command in self._iter_indented_subactions(action):
-            width = (
-                len(self._format_action_invocation(command)) + self._current_indent + self._indent_increment
-            )
-            self._action_max_length = max(self._action_max_length, width)
-
-
-class _Version(argparse.Action):
-    """Prints the version; what reads it takes as long to import as all else that ``--help`` needs."""
-
-    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
-        """Print it and end."""
-        from importlib.metadata import version
-
-        print(f"brdf-suite {version('brdf-suite')}")
-        parser.exit()
-
-
-def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
+def parser(wanted: Container[str] = ()) -> CommandParser:
     """Return the parser of the whole command, with the arguments of those commands that are ``wanted``."""
-    top = argparse.ArgumentParser(
+    top = CommandParser(
         prog="brdf-suite",
         description="Design the appearance of automotive paint, fit it, and render it.",
         epilog=_EPILOG,
-        formatter_class=_Rows,
     )
-    top.add_argument("--version", action=_Version, nargs=0, help="show program's version number and exit")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND")
+    top.synonyms = _SYNONYMS
+    top.examples = (
+        "brdf-suite                                  # Designer and Viewer, linked",
+        "brdf-suite render blue -o blue.png",
+        "brdf-suite list paints",
+        "brdf-suite help render",
+    )
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     default_action.add(commands)
     for name, (module, summary) in COMMANDS.items():
         command = commands.add_parser(name, help=summary)
         if name in wanted:
             import_module(f"brdf_suite.cli.{module}").add(command)
+    commands.add_parser("help", help="show the help of a command: help render")
     return top
 
 
@@ -137,12 +160,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given[:1] == [MODULE_OPTION]:
         return _run_module(given[1:])
     try:
-        if given and given[0] in default_action.PROGRAMS:
-            # argparse would take the program's options for its own.
-            return default_action.open_one(given[0], given[1:])
         try:
-            options = parser(given[:1]).parse_args(given)
-            status = int(getattr(options, "run", default_action.open_both)(options))
+            status = _run(given)
         finally:
             if sys.stdout is not None:  # None where the caller closed it
                 sys.stdout.flush()  # here and not at exit, where a failure can no longer be reported
@@ -160,9 +179,34 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("brdf-suite: cancelled", file=sys.stderr)
         return CANCELLED
     except SuiteError as error:
-        # One line, also where a name that was typed has line breaks.
-        print("brdf-suite: " + " ".join(str(error).splitlines()), file=sys.stderr)
+        print_error(error)
         return FAILED
+
+
+def _run(given: list[str]) -> int:
+    place = next((i for i, word in enumerate(given) if not word.startswith("-")), len(given))
+    first = "".join(given[place : place + 1])
+    if first == "help":
+        given = [*given[place + 1 :], "--help"]
+        first = given[0]
+    if first in default_action.PROGRAMS:
+        # argparse would take the program's options for its own.
+        return default_action.open_one(first, [*given[:place], *given[place + 1 :]])
+    options = parser((first,)).parse_args(given)
+    set_loudness(options)
+    with streams(options):
+        started = perf_counter()
+        try:
+            return int(getattr(options, "run", default_action.open_both)(options))
+        except SuiteError as error:
+            # Here, where standard input still has its name.
+            if isinstance(error, Cancelled):
+                raise
+            LOG.debug("where it failed", exc_info=error)
+            print_error(error)
+            return FAILED
+        finally:
+            LOG.info("%s: %.2f s", options.parser.prog, perf_counter() - started)
 
 
 def _run_module(words: Sequence[str]) -> int:

@@ -21,6 +21,7 @@ from brdf_suite.documents.parameter import (
     set_numbers,
 )
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.notebook import Shown
 
 DistributionNorm = Literal["full", "quarter"]
 DISTRIBUTION_NORMS: tuple[str, ...] = get_args(DistributionNorm)
@@ -66,7 +67,7 @@ class Clearcoat:
 
 
 @dataclass(frozen=True)
-class CookTorrancePaint:
+class CookTorrancePaint(Shown):
     """Diffuse part and lobes, with a clearcoat over them where ``clearcoat`` is given.
 
     ``d_norm`` says which normalisation of the facet distribution the weights belong to: ``full`` that of

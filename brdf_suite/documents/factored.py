@@ -24,6 +24,7 @@ from brdf_suite.documents.parameter import (
 )
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import Factor, parse_factors
+from brdf_suite.notebook import Shown
 
 _HASH = re.compile(r"[0-9a-f]{64}")
 
@@ -46,7 +47,7 @@ class TextureFile:
 
 
 @dataclass(frozen=True)
-class FactoredPaint:
+class FactoredPaint(Shown):
     """f_r = ``alpha`` Π ``factors`` + Π ``peak``, in 1/sr, with a clearcoat over it where ``clearcoat`` is given.
 
     ``factors`` and ``peak`` are words ``map:projection``, ``p:wo q:h p:wi``; each map is the part of that name in

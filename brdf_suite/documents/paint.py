@@ -20,6 +20,7 @@ from brdf_suite.documents.parameter import (
     set_numbers,
 )
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.notebook import Shown
 
 Interpolation = Literal["flake", "monotone", "polynomial"]
 INTERPOLATIONS: tuple[str, ...] = get_args(Interpolation)
@@ -78,7 +79,12 @@ PARAMETERS: Mapping[str, Parameter] = {
 class Measurement:
     """One reading: CIE L*a*b* at an illumination and an aspecular angle, both in degrees.
 
-    The view's polar angle is ``illumination_deg - aspecular_deg`` and must be above the horizon.
+    The view's polar angle is ``illumination_deg - aspecular_deg`` and must be above the horizon. Raises
+    :class:`ValueRangeError` where it is not, and where L* is not 0 to 250, or a* or b* not -250 to 250.
+
+    >>> import brdf_suite as bs
+    >>> bs.Measurement(45.0, 15.0, (62.0, -4.0, -45.0)).lab
+    (62.0, -4.0, -45.0)
     """
 
     illumination_deg: float
@@ -102,7 +108,14 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Gloss:
-    """Glossmeter readings in gloss units at 20° and, where known, at 60°; coat and base together."""
+    """Glossmeter readings in gloss units, 0 to 200, at 20° and, where known, at 60°; coat and base together.
+
+    Raises :class:`ValueRangeError` where one is out of its range.
+
+    >>> import brdf_suite as bs
+    >>> bs.Gloss(90.0).gu_20
+    90.0
+    """
 
     gu_20: float
     gu_60: float | None = None
@@ -144,7 +157,28 @@ class OrangePeel:
 
 @dataclass(frozen=True)
 class Flakes:
-    """Flakes that sparkle: density, size, tilt and colour spread."""
+    """Flakes that sparkle.
+
+    Attributes
+    ----------
+    density_per_mm2
+        Flakes that can be seen per area, 0 to 100,000.
+    size_um
+        Mean diameter, 0.1 to 2,000 µm.
+    roughness
+        Spread of the flakes' tilts, 0.001 to 1.
+    colour_spread
+        0: all of one colour; 1: every hue.
+
+    Raises
+    ------
+    ValueRangeError
+        A number is out of its range.
+
+    >>> import brdf_suite as bs
+    >>> bs.Flakes(size_um=30.0).size_um
+    30.0
+    """
 
     density_per_mm2: float = 3200.0
     size_um: float = 20.0
@@ -186,7 +220,7 @@ class TextureTargets:
 
 
 @dataclass(frozen=True)
-class Paint:
+class Paint(Shown):
     """A designed paint: at least three measurements, in any order, no two at the same angles.
 
     L*a*b* is CIE 1976 with the white of ``illuminant`` and ``observer_deg``; only D65 and 10° are known so
@@ -196,9 +230,11 @@ class Paint:
     says whether light that meets several facets of the coat counts (multiple), or is lost as papers have it (single).
     ``texture`` is what its flakes are to be seen as, and changes nothing of what is seen.
 
-    >>> paint = solid_paint("white", (95.0, 0.0, 1.0))
-    >>> paint.with_lab(45.0, (94.0, 0.0, 1.0)).lab_at(45.0)
-    (94.0, 0.0, 1.0)
+    >>> import brdf_suite as bs
+    >>> flop = {15: (62.0, -4.0, -45.0), 45: (25.0, 4.0, -38.0), 110: (9.0, 8.0, -28.0)}
+    >>> sea = bs.Paint("sea", tuple(bs.Measurement(45, at, lab) for at, lab in flop.items()), bs.Gloss(90))
+    >>> sea.with_lab(45.0, (24.0, 4.0, -38.0)).lab_at(45.0)
+    (24.0, 4.0, -38.0)
     """
 
     name: str

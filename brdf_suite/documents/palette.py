@@ -20,6 +20,7 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.parameter import check_choice, check_items, check_text, describe
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.notebook import Shown
 
 MOST_ENTRIES = 100_000
 MOST_GROUPS = 10_000
@@ -59,6 +60,10 @@ class Entry:
         Short words to search by, none twice; the user's own text.
     date
         ISO 8601, a day or a moment, or empty.
+
+    >>> import brdf_suite as bs
+    >>> bs.Entry(bs.load("blue", bs.Paint), code="B-12", tags=("metallic",)).name
+    'Blue'
     """
 
     content: Paint | CookTorrancePaint | FactoredPaint | FlatColour
@@ -136,16 +141,16 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Palette:
+class Palette(Shown):
     """Entries in the user's order, and the groups that they are in; a group may be empty.
 
     Groups that entries are in but that are not declared are added, those around a group before it. ``columns`` is how
     many stand in a row (0: not said).
 
-    >>> from brdf_suite.documents.paint import solid_paint
-    >>> palette = Palette("Summer", (Entry(solid_paint("white", (95.0, 0.0, 1.0)), group=("Light",)),))
+    >>> import brdf_suite as bs
+    >>> palette = bs.Palette("Summer", (bs.Entry(bs.load("blue", bs.Paint), group=("Dark",)),))
     >>> [(entry.id, entry.name) for entry in palette], [group.name for group in palette.groups]
-    ([('1', 'white')], ['Light'])
+    ([('1', 'Blue')], ['Dark'])
     """
 
     name: str

@@ -8,15 +8,15 @@ that the views and the source name by path. Without collecting they stay where t
 from __future__ import annotations
 
 import dataclasses
+import filecmp
 import re
-import shutil
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import TypeVar
+from typing import IO, TypeVar
 
 from brdf_suite.documents.atomic import encode, replacing, write_atomically
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -42,6 +42,7 @@ from brdf_suite.documents.store import (
 from brdf_suite.documents.studio import LightDocument, Sky, Studio, light_from_json, light_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError, PathLike, ValueRangeError
+from brdf_suite.progress import Progress, report
 
 PROJECT_ENDING = ".brdfproject"
 FORMAT = "brdfproject"
@@ -178,29 +179,42 @@ def project_references(project: Project) -> tuple[str, ...]:
 
 
 def save_project(
-    project: Project, path: PathLike, *, collect: bool = False, folder: bool = False
+    project: Project,
+    path: PathLike,
+    *,
+    collect: bool = False,
+    folder: bool = False,
+    unpacked: PathLike | None = None,
+    progress: Progress | None = None,
 ) -> tuple[str, ...]:
     """Write a project as a zip file, or with ``folder`` as a folder; ``collect`` copies the files that it names.
 
-    Returns the names of collected files. Files that lie in the folder of a project already stay its own. A zip file is
-    written whole or not at all; in a folder ``project.json`` comes last.
+    Returns the names of collected files. Files that lie in the folder of a project already stay its own, also those
+    below ``unpacked``, a folder into which :func:`load_project` has unpacked projects. A zip file is written whole or
+    not at all. In a folder each file is, ``project.json`` comes last, and no file that the old one names is written
+    over by another.
 
     Raises
     ------
     FileError
         A file that is named is missing or cannot be read, or the project cannot be written.
+    Cancelled
+        The progress callback asked for it; the old project is as it was.
     """
     references = project_references(project)
-    parts = _part_names(references) if collect else {}
-    if folder and not collect:
-        # What lies in the project's own folder belongs to it.
-        own = Path(path).absolute() / FILES
-        parts = {file: Path(file).name for file in references if Path(file).parent == own}
-    content = encode(project_to_json(project, {path: _REFERENCE + name for path, name in parts.items()}))
+    target = Path(path).absolute()
+    homes = [] if unpacked is None else [Path(unpacked).absolute()]
     if folder:
-        _write_folder(Path(path), content, parts)
+        homes.append(target / FILES)
+    wanted = [file for file in references if collect or any(home in Path(file).parents for home in homes)]
+    parts = _part_names(wanted, target / FILES if folder else None)
+    content = encode(project_to_json(project, {path: _REFERENCE + name for path, name in parts.items()}))
+    copying = _Copying(parts, progress)
+    if folder:
+        _write_folder(Path(path), content, parts, copying)
     else:
-        _write_zip(path, content, parts)
+        _write_zip(path, content, parts, copying)
+    report(progress, 1.0, "written")
     return tuple(parts.values())
 
 
@@ -350,33 +364,76 @@ def _is_absolute(text: str) -> bool:
     return PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()
 
 
-def _part_names(paths: tuple[str, ...]) -> dict[str, str]:
-    """Return the name in the project of each file, none twice."""
+def _part_names(paths: Sequence[str], home: Path | None) -> dict[str, str]:
+    """Return the name in the project of each file, none twice.
+
+    In a folder ``home`` of collected files what is there keeps its name, and no other file gets that.
+    """
     names: dict[str, str] = {}
     for path in paths:
         if not Path(path).is_file():
             raise FileError(path, "is named in the project and is not there; it cannot be collected")
+        if home is not None and Path(path).parent == home:
+            names[path] = Path(path).name
+    for path in paths:
+        if path in names:
+            continue
         clean = re.sub(r"[^A-Za-z0-9._\-]", "_", Path(path).name).lstrip(".")[-100:] or "file"
         name, number = clean, 1
         # Where upper and lower case are one, two files would become one.
-        while name.casefold() in {other.casefold() for other in names.values()}:
+        while name.casefold() in {other.casefold() for other in names.values()} or _holds_other(
+            home, name, path
+        ):
             number += 1
             name = f"{Path(clean).stem}-{number}{Path(clean).suffix}"
         names[path] = name
     return names
 
 
-def _write_zip(path: PathLike, content: bytes, parts: Mapping[str, str]) -> None:
+def _holds_other(home: Path | None, name: str, path: str) -> bool:
+    """Whether a folder of collected files has something else under a name."""
+    if home is None or not (home / name).exists():
+        return False
+    return not filecmp.cmp(home / name, path, shallow=False)
+
+
+class _Copying:
+    """Copies files and reports how many of all bytes are done."""
+
+    def __init__(self, parts: Mapping[str, str], progress: Progress | None) -> None:
+        self._all = sum(Path(file).stat().st_size for file in parts) or 1
+        self._done, self._progress = 0, progress
+
+    def copy(self, file: str, target: IO[bytes]) -> None:
+        name = Path(file).name
+        report(self._progress, self._done / self._all, name)
+        for block in _blocks(file):
+            target.write(block)
+            self._done += len(block)
+            report(self._progress, self._done / self._all, name)
+
+
+def _blocks(file: str) -> Iterator[bytes]:
+    """Yield the content of a file that is collected; what cannot be read is an error that names it."""
+    try:
+        with Path(file).open("rb") as source:
+            while block := source.read(_BLOCK):
+                yield block
+    except OSError as error:
+        raise FileError(file, f"cannot be collected: {error.strerror or error}") from error
+
+
+def _write_zip(path: PathLike, content: bytes, parts: Mapping[str, str], copying: _Copying) -> None:
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(zipfile.ZipInfo(MANIFEST, (1980, 1, 1, 0, 0, 0)), content, zipfile.ZIP_DEFLATED)
         for file, name in parts.items():
             info = zipfile.ZipInfo(f"{FILES}/{name}", (1980, 1, 1, 0, 0, 0))
             info.compress_type = zipfile.ZIP_DEFLATED
-            with Path(file).open("rb") as source, archive.open(info, "w", force_zip64=True) as target:
-                shutil.copyfileobj(source, target, _BLOCK)
+            with archive.open(info, "w", force_zip64=True) as target:
+                copying.copy(file, target)
 
 
-def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str]) -> None:
+def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str], copying: _Copying) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         others = {entry.name for entry in folder.iterdir()} - {FILES}  # which may have been unpacked just now
@@ -385,9 +442,10 @@ def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str]) -> Non
         for file, name in parts.items():
             target = folder / FILES / name
             target.parent.mkdir(exist_ok=True)
-            if target.exists() and target.samefile(file):
-                continue
-            shutil.copyfile(file, target)
+            if target.exists():
+                continue  # the same content, as its name says
+            with replacing(target) as temporary, temporary.open("wb") as out:
+                copying.copy(file, out)
     except OSError as error:
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
     write_atomically(folder / MANIFEST, content)

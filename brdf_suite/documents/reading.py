@@ -206,7 +206,7 @@ def _objects(value: object) -> list[dict[str, object]]:
 
 VERSIONS: dict[str, int] = {
     "brdfpaint": 6,
-    "brdfview": 7,
+    "brdfview": 8,
     "brdfstudio": 1,
     "brdfpalette": 2,
     "brdfproject": 1,
@@ -229,6 +229,8 @@ MIGRATIONS: dict[tuple[str, int], Migration] = {
     ("brdfview", 1): dict,
     # Version 3 gave Fresnel three modes instead of on and off, and added fields with defaults.
     ("brdfview", 2): _fresnel_mode,
+    # Version 8 added the second paint to the materials of parts, and the axis that is up in a mesh.
+    ("brdfview", 7): dict,
     # Version 7 begins in the photo studio; what named no environment was in the light booth.
     ("brdfview", 6): lambda fields: {"environment": "booth", **fields},
     # Version 6 added the extent of lamps, the camera's lens and the turn during an exposure, with defaults.

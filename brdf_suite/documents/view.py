@@ -120,6 +120,12 @@ class View:
     one at each place, or all at once by a picture of a ball in their light. ``glare``: light above white is spread as
     an ``eye`` scatters it (:mod:`brdf_suite.appearance.glare`), or not; readings, linear files and marks are without.
     ``lens``: blur of pictures in files; a window shows all sharp.
+
+    Raises :class:`ValueRangeError` where a number or a word is none of those allowed; ``place`` names the field.
+
+    >>> import brdf_suite as bs
+    >>> bs.View(environment="booth", exposure_ev=1.0).surface
+    'speed_form'
     """
 
     camera: Camera = field(default_factory=Camera)

@@ -31,6 +31,8 @@ SparkleMode = Literal["off", "texture", "glints"]
 SPARKLE_MODES: tuple[str, ...] = get_args(SparkleMode)
 LengthUnit = Literal["file", "m", "cm", "mm", "in"]
 LENGTH_UNITS: tuple[str, ...] = get_args(LengthUnit)
+UpAxis = Literal["file", "y", "z"]
+UP_AXES: tuple[UpAxis, ...] = get_args(UpAxis)
 NormalsMode = Literal["file", "smooth", "flat"]
 NORMALS_MODES: tuple[str, ...] = get_args(NormalsMode)
 MaskProjection = Literal["uv", "side", "front", "top"]
@@ -39,12 +41,25 @@ CompareMode = Literal["off", "side", "swipe", "blink", "difference"]
 COMPARE_MODES: tuple[str, ...] = get_args(CompareMode)
 CompareBasis = Literal["light", "picture"]
 COMPARE_BASES: tuple[str, ...] = get_args(CompareBasis)
+SecondPaint: TypeAlias = Literal["second_paint"]
+SECOND_PAINT: SecondPaint = "second_paint"
 Material: TypeAlias = Literal[
-    "paint", "glass", "lens", "rubber", "chrome", "lamp", "tail_lamp", "trim", "cavity", "gap", "neutral"
+    "paint",
+    SecondPaint,
+    "glass",
+    "lens",
+    "rubber",
+    "chrome",
+    "lamp",
+    "tail_lamp",
+    "trim",
+    "cavity",
+    "gap",
+    "neutral",
 ]
-"""What a part of a mesh is made of. ``trim`` is matt black plastic; ``gap`` a dark shut line between panels;
-``neutral`` everything else."""
-MATERIALS: tuple[str, ...] = get_args(Material)
+"""What a part of a mesh is made of. ``second_paint`` is the view's second paint, and the paint where it has none;
+``trim`` matt black plastic; ``gap`` a dark shut line between panels; ``neutral`` everything else."""
+MATERIALS: tuple[Material, ...] = get_args(Material)
 TRANSMITTANCE: Mapping[str, float] = {"glass": 0.6, "lens": 0.92}
 """Of materials that are seen through: which share passes of the light that a sheet does not mirror."""
 PANE_IOR: Mapping[str, float] = {"glass": 1.52, "lens": 1.59}
@@ -220,8 +235,9 @@ class PartMaterial:
 class SurfaceLook:
     """Import options of the mesh, and its baked occlusion.
 
-    ``unit`` is the length unit of the file, ``file``: as it says, metres where it does not; ``recentre`` puts
-    the middle of its box over the origin and its lowest point on the ground.
+    ``unit`` is the length unit of the file, ``file``: as it says, metres where it does not; ``up`` the axis that points
+    up in it, ``file``: y, until it is said. ``recentre`` puts the middle of its box over the origin and its lowest
+    point on the ground.
     """
 
     unit: LengthUnit = "file"
@@ -232,9 +248,10 @@ class SurfaceLook:
     materials: tuple[PartMaterial, ...] = ()
     occlusion: bool = True
     ground: bool = False
+    up: UpAxis = "file"
 
     def __post_init__(self) -> None:
-        check_choices(self, unit=LENGTH_UNITS, normals=NORMALS_MODES)
+        check_choices(self, unit=LENGTH_UNITS, up=UP_AXES, normals=NORMALS_MODES)
         check_flags(self, "recentre", "flip_normals", "occlusion", "ground")
         set_numbers(self, PARAMETERS, "scale", group="surface.")
         object.__setattr__(self, "materials", check_items(self.materials, "materials", PartMaterial, 10_000))
@@ -245,6 +262,11 @@ class SurfaceLook:
     def chosen(self) -> dict[str, str]:
         """The materials that take the place of the mesh's own, by part."""
         return {item.part: item.material for item in self.materials}
+
+    @property
+    def wears_second(self) -> bool:
+        """Whether a part is given the second paint."""
+        return any(item.material == SECOND_PAINT for item in self.materials)
 
 
 @dataclass(frozen=True)
@@ -271,7 +293,9 @@ class Relief:
 
 @dataclass(frozen=True)
 class TwoTone:
-    """A second paint where the mask is white; both None: one paint. The mask is an image, by path.
+    """A second paint where the mask is white, and on parts that are given it as their material.
+
+    Without a ``paint`` there is one paint. The mask is an image, by path; None: no paint is divided by one.
 
     ``projection``: tiles of ``mask_width_mm`` over the texture coordinates (``uv``), or the image once over the box
     around the mesh, seen from the side (+x), the front (+z) or the top.

@@ -224,8 +224,9 @@ def convert(
     observer_deg: int = 10,
     scale_factors: bool | None = None,
     average_reciprocal: bool = False,
+    format_name: str | None = None,
 ) -> Conversion:
-    """Read a measured file, or take a paint, and write it in the format that the target's ending names.
+    """Read a measured file, or take a paint, and write it in the format named, or that the target's ending names.
 
     A paint (a ``.brdfpaint``, or a shipped or Table 1 name) is tabulated by formats that hold tables.
     ``scale_factors`` and ``average_reciprocal`` say how MERL tables are read, as
@@ -241,9 +242,9 @@ def convert(
     )
     if is_file(os.fspath(source)) and file_kind(source) == "measured":
         value = read_measured(read_from, options=options)
-        written = write_measured(value, write_to)
+        written = write_measured(value, write_to, format_name or "")
         return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
     item = load_material(source)
-    written = write_measured(item.reflectance, write_to)
+    written = write_measured(item.reflectance, write_to, format_name or "")
     notices = (*item.notices, *written.notes)
     return Conversion(read_from, write_to, written.format.name, {"name": item.name}, notices)

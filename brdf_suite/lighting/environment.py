@@ -35,6 +35,10 @@ class Environment:
     ------
     ValueRangeError
         The radiance has another shape, is not finite, or negative.
+
+    >>> import brdf_suite as bs, numpy as np
+    >>> bs.Environment("grey", np.full((64, 128, 3), 0.5)).average().round(3).tolist()
+    [0.5, 0.5, 0.5]
     """
 
     name: str

@@ -25,7 +25,7 @@ from brdf_suite.files.cache.disk_cache import DiskCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.harmonics import worker_count
-from brdf_suite.lighting.filter.prefilter import (
+from brdf_suite.lighting.filter.lobe_maps import (
     ALGORITHM_VERSION,
     LobeMaps,
     Ready,

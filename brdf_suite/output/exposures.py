@@ -15,7 +15,7 @@ from brdf_suite.surface.picking import pick
 
 DEFAULT_EXPOSURES = 64
 MOST_EXPOSURES = 4096
-GOLDEN = 0.6180339887498949
+_GOLDEN = 0.6180339887498949
 _SILVER = math.sqrt(2.0) - 1.0
 
 
@@ -42,6 +42,11 @@ def focused(view: View, mesh: Mesh, size: tuple[int, int]) -> View:
     return replace(view, lens=replace(view.lens, focus_distance=min(max(distance, reach.low), reach.high)))
 
 
+def moment_of(number: int) -> float:
+    """Return a moment of the exposure, -0.5 to 0.5 of its time: however many are taken, they are spread evenly."""
+    return (number * _SILVER + 0.5) % 1.0 - 0.5
+
+
 def exposures_of(view: View, bounds: Bounds, size: tuple[int, int], count: int) -> tuple[Exposure, ...]:
     """Return ``count`` exposures, or none of a view without blur. A lens without a focus is sharp at its target.
 
@@ -58,9 +63,9 @@ def exposures_of(view: View, bounds: Bounds, size: tuple[int, int], count: int) 
     radius = aperture_radius(view)
     found = []
     for number in range(count):
-        away, angle = radius * math.sqrt((number + 0.5) / count), 2.0 * math.pi * GOLDEN * number
+        away, angle = radius * math.sqrt((number + 0.5) / count), 2.0 * math.pi * _GOLDEN * number
         place = LensPoint(away * math.cos(angle), away * math.sin(angle), focus) if radius > 0.0 else MIDDLE
-        moment = (number * _SILVER + 0.5) % 1.0 - 0.5 if radius > 0.0 else (number + 0.5) / count - 0.5
+        moment = moment_of(number) if radius > 0.0 else (number + 0.5) / count - 0.5
         shown = turned(view, moment * lens.turn_deg, bounds.centre) if lens.turn_deg else view
         found.append(Exposure(shown, place))
     return tuple(found)

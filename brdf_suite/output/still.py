@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -13,14 +12,15 @@ from time import perf_counter
 import numpy as np
 
 from brdf_suite.documents.view import View
+from brdf_suite.errors import PathLike
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.output.exposures import focused
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.lobe_fit import fit_material
-from brdf_suite.pipeline.material import load_material, under_illuminant
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material, refit_under
+from brdf_suite.pipeline.material import Material, load_material, under_illuminant
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
@@ -156,18 +156,18 @@ def loaded_scene(
 
 
 def render_to_file(
-    paint: str | os.PathLike[str],
+    paint: PathLike | Material | LobeFit,
     view: View,
     size: Size,
-    path: Path,
+    path: PathLike,
     settings: PictureSettings | None = None,
     *,
     fitting: FitSettings | None = None,
     progress: Progress | None = None,
 ) -> StillPicture:
-    """Render a paint (by name or file) or a measured file in a view and write it as PNG or EXR, atomically.
+    """Render a paint or measured file (by name or path), a material or a fit in a view; write it as PNG or EXR.
 
-    ``fitting`` says how its lobes are fitted; left out: with the default basis and settings.
+    ``fitting`` says how its lobes are fitted; left out: with the default basis and settings, or as a given fit was.
 
     Raises
     ------
@@ -183,9 +183,15 @@ def render_to_file(
         The progress callback asked for it.
     """
     settings = settings or PictureSettings()
-    settings.of_file(path)
-    check_target(path)
-    fit = fit_material(under_illuminant(load_material(paint), view.light_colour), fitting)
+    target = Path(path)
+    settings.of_file(target)
+    check_target(target)
+    if isinstance(paint, LobeFit):
+        fit = refit_under(paint, view.light_colour)
+        fitting = fitting or fit.settings
+    else:
+        material = paint if isinstance(paint, Material) else load_material(paint)
+        fit = fit_material(under_illuminant(material, view.light_colour), fitting)
     with loaded_scene(view, subrange(progress, 0.0, 0.8), fitting=fitting) as loaded:
         loaded.scene.set_material(fit)
         start = perf_counter()
@@ -196,7 +202,7 @@ def render_to_file(
             loaded.scene.renderer,
             shown,
             size,
-            path,
+            target,
             settings,
             picture_metadata(fit, shown),
             stage(progress, 0.8, 1.0, "drawing"),
@@ -205,7 +211,7 @@ def render_to_file(
         renderer = str(loaded.scene.renderer.context.info["GL_RENDERER"])
     report(progress, 1.0, "written")
     return StillPicture(
-        path=path,
+        path=target,
         width=size[0],
         height=size[1],
         paint=fit.name,

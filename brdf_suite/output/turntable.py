@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.output.exposures import exposures_of, focused
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
@@ -87,7 +87,7 @@ def write_turntable(
     paint: str | os.PathLike[str],
     view: View,
     size: Size,
-    path: Path,
+    path: PathLike,
     turn: Turn | None = None,
     settings: PictureSettings | None = None,
     *,
@@ -110,7 +110,7 @@ def write_turntable(
     Cancelled
         The progress callback asked for it.
     """
-    turn, settings = turn or Turn(), settings or PictureSettings()
+    turn, settings, path = turn or Turn(), settings or PictureSettings(), Path(path)
     video = path.suffix.lower() in VIDEO_ENDINGS
     check_target(path)
     if video:

@@ -28,6 +28,7 @@ import numpy as np
 from brdf_suite.appearance.clearcoat_gloss import LOWEST_ROUGHNESS, USUAL_IOR
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Gloss, Lab, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -285,8 +286,12 @@ def _gloss_apart(one: Gloss, other: Gloss) -> float:
     return abs(one.gu_20 - other.gu_20) + abs(at_60)
 
 
-def _in_cone(fit: LobeFit) -> list[Lab]:
-    """The colours nearest to the paint's own that its lobes can give at its readings."""
+def cone_of_lobes(fit: LobeFit) -> tuple[Floats, Floats]:
+    """Return what its lobes can give at the k judged readings: ρ (k, m) of each at weight 1, and of the coat (k,).
+
+    The first column is the diffuse term, the others are the directional-diffuse lobes. With weights x ≥ 0 a channel
+    is the coat's share plus the columns times x.
+    """
     weights = fit.weights
     rows = [fit.readings[index] for index in judged(fit)]
     lights = np.array([row.illumination_deg for row in rows])
@@ -301,7 +306,13 @@ def _in_cone(fit: LobeFit) -> list[Lab]:
         single[k] = 1.0
         columns.append(lobe_sums(wi, wo, weights.exponents, np.zeros(3), single, nothing).base[:, 0])
     coat = lobe_sums(wi, wo, weights.exponents, np.zeros(3), nothing, weights.kg).brdf()[:, 0]
-    reached = nearest_in_cone(np.pi * np.stack(columns, axis=1), np.pi * coat, [row.lab for row in rows])
+    return np.pi * np.stack(columns, axis=1), np.pi * coat
+
+
+def _in_cone(fit: LobeFit) -> list[Lab]:
+    """The colours nearest to the paint's own that its lobes can give at its readings."""
+    columns, coat = cone_of_lobes(fit)
+    reached = nearest_in_cone(columns, coat, [fit.readings[index].lab for index in judged(fit)])
     labs = [row.lab for row in fit.readings]
     for index, lab in zip(judged(fit), reached, strict=True):
         labs[index] = _lab(lab)

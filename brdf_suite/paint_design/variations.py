@@ -1,9 +1,15 @@
-"""The neighbours of a paint: a step lighter or darker, cleaner or dirtier, with more or less flop, to either hue.
+"""The neighbours of a paint: a step lighter, darker, cleaner, dirtier, deeper, warmer, in flop, hue or size of flakes.
 
 A step is in units of CIELAB at every angle alike: ΔL* for lightness, ΔC*ab for chroma. A hue turns all angles by one
 angle, such that ΔH*ab is the step where the chroma is largest. Flop adds ΔL* at the reading nearest to the mirror
 direction and takes it away at the farthest one; the face, nearest to 45°, stays, and between them the share is linear
 in the aspecular angle.
+
+Deeper goes away from white in the plane of L* and C*, as the depth √((100 - L*)² + C*²) of Berns (Color Research and
+Application 39, 2014) grows fastest; above L* 100 only the chroma grows. Warmer turns the hue as above towards 50°, the
+warmest of all in the model of Ou et al. (Color Research and Application 29, 2004), 0.02 C*^1.07 cos(h - 50°), and not
+past it; a grey moves the step along that hue. Finer and coarser flakes change their diameter by a factor of
+:data:`FLAKE_RATIO` and keep the area that they cover: their density goes with the inverse square.
 """
 
 from __future__ import annotations
@@ -23,7 +29,18 @@ from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 Direction = Literal[
-    "lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back"
+    "lighter",
+    "darker",
+    "cleaner",
+    "dirtier",
+    "more_flop",
+    "less_flop",
+    "hue_forward",
+    "hue_back",
+    "deeper",
+    "warmer",
+    "finer_flakes",
+    "coarser_flakes",
 ]
 DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
 
@@ -32,8 +49,10 @@ GREY_BELOW = 0.5
 """The largest C*ab of a paint that is taken for a grey, without a hue or a chroma that could be changed."""
 MISSED_FROM = 0.5
 """ΔE00 between what is asked and what a paint and its lobes can give, from which it is reported."""
+FLAKE_RATIO = 1.25
 
 _FACE_DEG = 45.0
+_WARMEST_DEG, _WARM_DEG = 50.0, 1.0
 _DECIMALS = 2
 
 
@@ -57,9 +76,10 @@ class Variation:
 
 
 def variations(paint: Paint, step: float = USUAL_STEP) -> tuple[Variation, ...]:
-    """Return the eight neighbours at a distance of ``step``, in the order of :data:`DIRECTIONS`.
+    """Return the neighbours at a distance of ``step``, in the order of :data:`DIRECTIONS`.
 
-    Each changes the colours alone; a neighbour that would be no colour is without a paint.
+    Each changes the colours alone, or the flakes alone, by a factor that is not of the step. A neighbour that cannot
+    be is without a paint.
 
     >>> from brdf_suite.documents.paint import solid_paint
     >>> found = {one.direction: one for one in variations(solid_paint("grey", (50.0, 0.0, 0.0)))}
@@ -85,6 +105,8 @@ def examined(variation: Variation, fitter: PaintFitter) -> Variation:
 
 
 def _varied(paint: Paint, direction: Direction, step: float) -> Variation:
+    if direction in _FLAKES:
+        return _other_flakes(paint, direction)
     lch = lab_to_lch([m.lab for m in paint.measurements])
     strongest = int(np.argmax(lch[:, 1]))
     if direction in ("hue_forward", "hue_back"):
@@ -104,6 +126,21 @@ def _varied(paint: Paint, direction: Direction, step: float) -> Variation:
             return Variation(direction, word, None, beyond)
         measurements.append(replace(old, lab=(row[0], row[1], row[2])))
     return Variation(direction, word, replace(paint, measurements=tuple(measurements)))
+
+
+def _other_flakes(paint: Paint, direction: Direction) -> Variation:
+    word, flakes = direction.replace("_", " "), paint.flakes
+    if flakes is None:
+        return Variation(direction, word, None, "This paint has no flakes.")
+    ratio = FLAKE_RATIO ** _FLAKES[direction]
+    size, density = flakes.size_um * ratio, flakes.density_per_mm2 / ratio**2
+    for name, value in (("size_um", size), ("density_per_mm2", density)):
+        known = PARAMETERS[f"flakes.{name}"]
+        if not known.low <= value <= known.high:
+            reason = f"{known.label} would be {value:.3g}, beyond {known.low:g} to {known.high:g}."
+            return Variation(direction, word, None, reason)
+    changed = replace(flakes, size_um=round(size, _DECIMALS), density_per_mm2=round(density, _DECIMALS))
+    return Variation(direction, word, replace(paint, flakes=changed))
 
 
 class _NoneError(Exception):
@@ -130,9 +167,38 @@ def _turned(_paint: Paint, lch: Floats, step: float) -> Floats:
     chroma = float(lch[:, 1].max())
     if chroma < GREY_BELOW:
         raise _NoneError("A grey has no hue to turn.")
-    # ΔH = 2 C sin(Δh / 2); across the whole circle is the farthest there is.
-    turn = 2.0 * math.degrees(math.asin(min(1.0, max(-1.0, 0.5 * step / chroma))))
-    return np.asarray(lch + np.array([0.0, 0.0, turn]))
+    return np.asarray(lch + np.array([0.0, 0.0, _turn(chroma, step)]))
+
+
+def _deeper(_paint: Paint, lch: Floats, step: float) -> Floats:
+    moved = lch.copy()
+    below = np.maximum(100.0 - lch[:, 0], 0.0)
+    # A grey has no hue in which it could get chroma.
+    chroma = np.where(lch[:, 1] < GREY_BELOW, 0.0, lch[:, 1])
+    depth = np.hypot(below, chroma)
+    if depth.min() == 0.0:
+        raise _NoneError("A white has no depth.")
+    moved[:, 0] -= step * below / depth
+    moved[:, 1] += step * chroma / depth
+    return moved
+
+
+def _warmer(_paint: Paint, lch: Floats, step: float) -> Floats:
+    strongest = int(np.argmax(lch[:, 1]))
+    if lch[strongest, 1] < GREY_BELOW:
+        lab = lch_to_lab(lch) + lch_to_lab([0.0, step, _WARMEST_DEG])
+        return np.asarray(lab_to_lch(lab))
+    away = (_WARMEST_DEG - float(lch[strongest, 2]) + 180.0) % 360.0 - 180.0
+    if abs(away) < _WARM_DEG:
+        raise _NoneError("It has the warmest hue already.")
+    turn = min(_turn(float(lch[strongest, 1]), step), abs(away))
+    return np.asarray(lch + np.array([0.0, 0.0, math.copysign(turn, away)]))
+
+
+def _turn(chroma: float, step: float) -> float:
+    """The angle, degrees, of a step ΔH*ab at a chroma; across the whole circle is the farthest there is."""
+    # ΔH = 2 C sin(Δh / 2)
+    return 2.0 * math.degrees(math.asin(min(1.0, max(-1.0, 0.5 * step / chroma))))
 
 
 def _flopped(paint: Paint, lch: Floats, step: float) -> Floats:
@@ -183,5 +249,10 @@ _MOVES: dict[Direction, tuple[Callable[[Paint, Floats, float], Floats], float]] 
     "less_flop": (_flopped, -1.0),
     "hue_forward": (_turned, 1.0),
     "hue_back": (_turned, -1.0),
+    "deeper": (_deeper, 1.0),
+    "warmer": (_warmer, 1.0),
 }
 """What moves the colours, and the sign of its step."""
+
+_FLAKES: dict[Direction, int] = {"finer_flakes": -1, "coarser_flakes": 1}
+"""The power of the factor on their diameter."""

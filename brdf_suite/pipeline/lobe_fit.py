@@ -19,6 +19,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -33,6 +34,7 @@ from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, HeldOut
 from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.notebook import Shown
 from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
@@ -59,7 +61,7 @@ Kind = Literal["designed", "cook_torrance", "layered", "measured"]
 
 
 @dataclass(frozen=True, eq=False)
-class LobeFit:
+class LobeFit(Shown):
     """A material and the lobes fitted to it.
 
     Parameters
@@ -87,6 +89,11 @@ class LobeFit:
         For readings under other lights than the fit's: the lobes fitted with each, by its angle in degrees.
     settings
         Those of the fit.
+
+    >>> import brdf_suite as bs
+    >>> fitted = bs.fit("blue")
+    >>> fitted.kind, fitted.eval([0.0, 0.0, 1.0], [0.6, 0.0, 0.8]).shape
+    ('designed', (3,))
     """
 
     material: Material
@@ -115,6 +122,10 @@ class LobeFit:
         """The designed paint that the lobes were fitted to; only of a material that is one."""
         assert self.material.paint is not None
         return self.material.paint
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return what was fitted, f_r (..., 3) in 1/sr; arguments as of :meth:`.Reflectance.eval`."""
+        return self.weights.eval(wi, wo)
 
     @property
     def reflectance(self) -> Reflectance:

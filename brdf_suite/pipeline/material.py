@@ -10,7 +10,7 @@ import json
 import os
 import re
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -204,9 +204,43 @@ def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Mater
 
 def load_palette_file(path: str | os.PathLike[str]) -> ReadPalette:
     """Return a palette of any format; raise :class:`FileError` with the place where it cannot be read."""
+    try:
+        state = Path(path).stat()
+    except (OSError, ValueError):
+        return _read_palette(os.fspath(path), 0, 0)  # its reader says what is wrong
+    return _read_palette(os.fspath(path), state.st_mtime_ns, state.st_size)
+
+
+@lru_cache(maxsize=1)
+def _read_palette(path: str, _changed_ns: int, _size: int) -> ReadPalette:
+    """Read a palette; the last one is kept, since its entries are asked for one after the other."""
     from brdf_suite.files.palettes import read_palette  # 60 to 90 ms at the start of each program
 
     return read_palette(path)
+
+
+def paints_of(name_or_path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Return a name for each paint of a palette or a folder, as :func:`load_material` takes them.
+
+    What is neither is one paint, and its name is returned as it is. Raises :class:`FileError`: a palette cannot be
+    read, or there is no paint in it or in the folder.
+    """
+    text = os.fspath(name_or_path)
+    if packaged_name(text, [*paint_names(), *TABLE_1]) is not None:
+        return (text,)
+    if Path(text).is_dir():
+        found = tuple(sorted(map(str, Path(text).glob(f"*{PAINT_ENDING}")), key=str.casefold))
+        if not found:
+            raise FileError(text, f"holds no {PAINT_ENDING} file")
+        return found
+    if not is_file(text) or file_kind(text) != "palette":
+        return (text,)
+    entries = load_palette_file(text).palette.entries
+    if not entries:
+        raise FileError(text, "is a palette without a paint")
+    if len(entries) == 1:
+        return (text,)
+    return tuple(f"{text}{ENTRY_MARK}{entry.id}" for entry in entries)
 
 
 def under_illuminant(material: Material, colour: LightColour) -> Material:

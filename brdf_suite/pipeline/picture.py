@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SECOND_PAINT
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.factored_maps import maps_of
@@ -21,7 +22,6 @@ from brdf_suite.realtime.factors.values import FactoredMaps
 from brdf_suite.realtime.gl.context import Context, create_context, release_context
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.pictures.captured import CapturedPaint
-from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
 from brdf_suite.realtime.pictures.moving import WHOLE, Coarseness, Enlarger
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import (

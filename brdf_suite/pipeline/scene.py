@@ -18,7 +18,7 @@ from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.environment import SMALL_COLUMNS, Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps, PartialMaps, Ready, prefilter
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps, PartialMaps, Ready, prefilter
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
 from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.pipeline.environments import AUTOMATIC, draw_light, read_environment
@@ -231,7 +231,7 @@ def narrowed(environment: Environment, columns: int) -> Environment:
 
 
 Filter = Callable[[Environment, Sequence[float], Progress | None, Ready | None], LobeMaps]
-"""What makes the maps: :func:`brdf_suite.lighting.filter.prefilter.prefilter`, or a cache before it."""
+"""What makes the maps: :func:`brdf_suite.lighting.filter.lobe_maps.prefilter`, or a cache before it."""
 
 
 def map_exponents(basis: LobeBasis | None = None) -> tuple[float, ...]:

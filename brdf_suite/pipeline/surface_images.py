@@ -30,14 +30,14 @@ class ImageRequest:
 
     @staticmethod
     def of(view: View) -> ImageRequest:
-        """Return what ``view`` asks for: mask and second paint together or not at all."""
+        """Return what ``view`` asks for: no mask without a second paint, and no second paint that nothing wears."""
         two_tone = view.two_tone
-        whole = two_tone.mask is not None and two_tone.paint is not None
+        paint = two_tone.paint if two_tone.mask is not None or view.surface_look.wears_second else None
         return ImageRequest(
             view.relief.normal_map,
-            two_tone.mask if whole else None,
-            two_tone.paint if whole else None,
-            view.light_colour.illuminant if whole else "D65",
+            None if paint is None else two_tone.mask,
+            paint,
+            "D65" if paint is None else view.light_colour.illuminant,
             view.relief.tangent_map,
         )
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from functools import cache, wraps
+from typing import TYPE_CHECKING, Any
 
 from brdf_suite.extras import import_extra
 from brdf_suite.reference.variant import prepare_library
@@ -15,4 +17,15 @@ else:
     mi = import_extra("mitsuba", purpose="path tracing")
     dr = import_extra("drjit", purpose="path tracing")
 
-__all__ = ["dr", "mi"]
+__all__ = ["dr", "mi", "per_variant"]
+
+
+def per_variant(make: Callable[[], Any]) -> Callable[[], Any]:
+    """Let a plug-in's class be made once for each variant: its base is another class in each."""
+    made = cache(lambda _variant: make())
+
+    @wraps(make)
+    def of_this_variant() -> Any:
+        return made(mi.variant())
+
+    return of_this_variant

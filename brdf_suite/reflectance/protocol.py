@@ -10,6 +10,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 
 
+@runtime_checkable
 class Reflectance(Protocol):
     """A BRDF of the working space, linear RGB with the primaries of Rec. 2020."""
 

@@ -68,7 +68,13 @@ def item_of(name_or_path: str | os.PathLike[str]) -> ExportItem:
     document = load_document(name_or_path)
     if document is not None:
         return item_of_paint(document)
-    material = load_material(name_or_path)
+    return item_of_material(load_material(name_or_path))
+
+
+def item_of_material(material: Material) -> ExportItem:
+    """Return a material as it is exported; errors as :func:`item_of`."""
+    if material.document is not None:
+        return item_of_paint(material.document)
     if not material.facts:
         return _read_by_instruments(material, material.name, f"Model {material.name}.")
     return _read_by_instruments(material, Path(material.name).stem, f"Measured file {material.name}.")

@@ -116,6 +116,8 @@ class PartGeometry:
 class Mesh:
     """A named surface of at least one part; ``notes`` say what was repaired or assumed, for the user.
 
+    ``metres_per_unit`` is what a unit of the file's numbers was taken for; None where unit and axes are known.
+
     >>> import numpy as np
     >>> corner = np.eye(3)
     >>> part = PartGeometry("facet", "paint", corner, np.tile([0.0, 0.0, 1.0], (3, 1)), corner[:, :2], [[0, 1, 2]])
@@ -126,6 +128,7 @@ class Mesh:
     name: str
     parts: tuple[PartGeometry, ...]
     notes: tuple[str, ...] = ()
+    metres_per_unit: float | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parts", tuple(self.parts))

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from brdf_suite.arrays import Bools, Floats, Integers
+from brdf_suite.arrays import AnyArray, Bools, Floats, Integers
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, used_numbers, weld
@@ -225,13 +225,15 @@ def split_corners(
 
 
 def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
-    """Return ``mesh`` with scale, place and normals of ``look``; the same object where nothing is to be done.
+    """Return ``mesh`` with axes, scale, place and normals of ``look``; the same object where nothing is to be done.
 
     Texture coordinates are lengths on the surface and grow with it. Where normals are made again, vertices are split at
     edges: ``smooth`` keeps those above 40°, ``flat`` all. ``flip_normals`` turns triangles and normals to the
     other side. The unit belongs to the file and is no matter of this.
     """
     parts = list(mesh.parts)
+    if look.up == "z":
+        parts = [replace(p, positions=_raised(p.positions), normals=_raised(p.normals)) for p in parts]
     if look.normals != "file":
         crease = CREASE_DEG if look.normals == "smooth" else 0.0
         parts = [_with_normals(part, crease) for part in parts]
@@ -249,7 +251,12 @@ def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
             parts = [replace(p, positions=p.positions - shift) for p in parts]
     if all(one is other for one, other in zip(parts, mesh.parts, strict=True)):
         return mesh
-    return Mesh(mesh.name, tuple(parts), mesh.notes)
+    return replace(mesh, parts=tuple(parts))
+
+
+def _raised(vectors: AnyArray) -> AnyArray:
+    """Return vectors (n, 3) of axes with z up in those with y up: turned by a quarter about x."""
+    return np.stack((vectors[:, 0], vectors[:, 2], -vectors[:, 1]), axis=1)
 
 
 def _with_normals(part: PartGeometry, crease_deg: float) -> PartGeometry:

@@ -30,7 +30,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 @dataclass(frozen=True, eq=False)
 class Dress:
-    """What a view lays on the paint, loaded: a normal map, a mask and the second paint that it lets through."""
+    """What a view lays on the paint, loaded: a normal map, a mask, and the second paint of it or of whole parts."""
 
     normal_map: SlopeMap | None = None
     mask: MaskImage | None = None
@@ -54,7 +54,10 @@ def load_dress(view: View) -> Dress:
 
 
 def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> TranslatedTerm:
-    """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
+    """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place.
+
+    Of parts of the second paint alone that is ``dress.second``, with a dress that has no mask.
+    """
     first, notices = _placed(paint, dress, view)
     if dress.mask is not None and dress.second is not None:
         second, more = _placed(dress.second, dress, view)
@@ -87,9 +90,9 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Tr
     """
     notices = [instead, AS_A_TABLE]
     placed = _peel_of(paint, view)[0] > 0.0 or (paint.flakes is not None and view.sparkle.mode != "off")
-    if placed or dress.normal_map is not None or dress.second is not None:
+    if placed or dress.normal_map is not None or dress.mask is not None:
         notices.append(
-            "Without LLVM there are no single flakes, no relief and no second paint: the first is shown, smooth."
+            "Without LLVM there are no single flakes, no relief and no mask: the first paint is shown there, smooth."
         )
     if view.surface_look.ground:
         notices.append("Without LLVM there is no ground and no shadow on it.")

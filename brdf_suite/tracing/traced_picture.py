@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.glare import WIDEST_DEG, pixel_angle, spread_glare
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import SENSOR_WIDTH_MM, View
+from brdf_suite.documents.view_settings import SECOND_PAINT
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.files.bounded_reading import file_stamp
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -132,9 +133,11 @@ def load_inputs(
 
 
 def choose_materials(mesh: Mesh, view: View) -> Mesh:
-    """Return the mesh with the materials that the view gives its parts."""
+    """Return the mesh with the materials that the view gives its parts; without a second paint they have the paint."""
     chosen = view.surface_look.chosen
     parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in mesh.parts)
+    if view.two_tone.paint is None or not view.surface_look.wears_second:
+        parts = tuple(replace(p, material=PAINT) if p.material == SECOND_PAINT else p for p in parts)
     return replace(mesh, parts=parts)
 
 

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar, whole_number
+from brdf_suite.cli.arguments import add_arguments, add_json, add_output, whole_number
+from brdf_suite.cli.output import print_csv, print_done, print_json, print_notes, progress_bar
 from brdf_suite.cli.picture.scene_options import add_environment
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.studio import SKY_MODELS, STUDIO_ENDING, LightDocument, Sky, load_light, save_light
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images.environments import write_exr
@@ -27,7 +29,7 @@ from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.realtime.pictures.tone_curves import to_display
 
 
-def add_light(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add_light(actions: argparse._SubParsersAction[CommandParser]) -> None:
     """Declare both actions."""
     studio = actions.add_parser(
         "studio",
@@ -41,21 +43,24 @@ def add_light(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
             "description FILE": "a .brdfstudio file, to read or (--new) to write",
             "--new": "write an example to FILE, which must not exist yet",
             "--booth": "with --new: the shipped light booth instead of the example",
-            "--render OUT.exr": "write the map, 1024 × 512, as OpenEXR",
         },
     )
+    studio.examples = (
+        "brdf-suite environment studio mine.brdfstudio --new",
+        "brdf-suite environment studio mine.brdfstudio -o mine.exr",
+    )
+    add_output(studio, "the map to write, 1024 × 512, as OpenEXR", stream=".exr", required=False)
     studio.set_defaults(run=run_studio)
 
     sky = actions.add_parser(
         "sky",
         help="write a sky by haze and sun, as a description or as a map",
         description="A sky over a plain ground: Hošek-Wilkie (2012), Preetham (1999), or the CIE overcast sky. "
-        "OUT.brdfstudio is written as a description to edit, OUT.exr as a map of 1024 × 512.",
+        "A .brdfstudio file is written as a description to edit, an .exr file as a map of 1024 × 512.",
     )
     add_arguments(
         sky,
         {
-            "output OUT": "the .brdfstudio or .exr file to write",
             f"--model={SKY_MODELS[0]}": f"(default: {SKY_MODELS[0]})",
             "--turbidity T=3.0": "haze: 2 very clear, 3 clear (default), 6 hazy",
             "--elevation DEG=40.0": "of the sun above the horizon (default: 40)",
@@ -65,6 +70,11 @@ def add_light(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
         },
         model=SKY_MODELS,
     )
+    sky.examples = (
+        "brdf-suite environment sky -o evening.exr --turbidity 4 --elevation 8",
+        "brdf-suite environment sky -o overcast.brdfstudio --model overcast",
+    )
+    add_output(sky, "the .brdfstudio or .exr file to write", stream=STUDIO_ENDING)
     sky.set_defaults(run=run_sky)
 
 
@@ -79,13 +89,13 @@ def run_studio(options: argparse.Namespace) -> int:
 
         light: LightDocument = BOOTH if options.booth else EXAMPLE
         save_light(light, path)
-        print(f"{path}: written; edit it as text and open it as an environment")
-    elif options.render is None:
-        raise SuiteError("Nothing to do: give --new to write FILE, or --render OUT.exr to draw it.")
+        print_done(f"{path}: written; edit it as text and open it as an environment")
+    elif options.output is None:
+        raise SuiteError("Nothing to do: give --new to write FILE, or -o MAP.exr to draw it.")
     else:
         light = load_light(path)
-    if options.render is not None:
-        _render(light, options.render)
+    if options.output is not None:
+        _render(light, options.output)
     return 0
 
 
@@ -107,7 +117,7 @@ def run_sky(options: argparse.Namespace) -> int:
         _render(light, path)
         return 0
     save_light(light, path)
-    print(f"{path}: written")
+    print_done(f"{path}: written")
     return 0
 
 
@@ -118,7 +128,7 @@ def _render(light: LightDocument, path: Path) -> None:
         made = draw_light(light, progress)
     write_exr(path, made.stored(), metadata={"comments": made.comment})
     rows, columns = made.radiance.shape[:2]
-    print(f"{path}: {columns} × {rows}, written. {made.comment}")
+    print_done(f"{path}: {columns} × {rows}, written. {made.comment}")
 
 
 _GREY = 0.18
@@ -156,7 +166,7 @@ def picture_of_lights(
     return np.asarray(picture, dtype=np.uint8)
 
 
-def add_lights(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add_lights(actions: argparse._SubParsersAction[CommandParser]) -> None:
     """Declare the action."""
     action = actions.add_parser(
         "lights",
@@ -171,25 +181,31 @@ def add_lights(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
             "-n/--count N=16": f"how many, 1 to {MAX_LIGHTS:,} (default: 16)",
             f"--method={DEFAULT_METHOD}": "relaxed errs least; structured and median-cut keep a sun apart even with "
             f"few lights (default: {DEFAULT_METHOD})",
-            "--json": "print one JSON object",
-            "--image OUT.png": "write the map with a ring around each light, as PNG",
         },
         count=whole_number(1, MAX_LIGHTS),
         method=tuple(METHODS),
     )
+    action.examples = (
+        "brdf-suite environment lights sunny -n 8 --csv",
+        "brdf-suite environment lights booth -o rings.png",
+    )
+    add_output(
+        action, "also write the map with a ring around each light, as PNG", stream=".png", required=False
+    )
+    add_json(action, csv=True)
     action.set_defaults(run=run_lights)
 
 
 def run_lights(options: argparse.Namespace) -> int:
     """Find the lights and print them."""
-    if options.image is not None and options.image.suffix.lower() != ".png":
-        raise FileError(options.image, "must end in .png")
+    if options.output is not None and options.output.suffix.lower() != ".png":
+        raise FileError(options.output, "must end in .png")
     name, path = find_environment(options.environment)
     environment = read_environment(path, options.layout)
     lights = directional_lights(environment, options.count, options.method)
-    if options.image is not None:
+    if options.output is not None:
         title = f"{name}: {len(lights)} directional lights"
-        write_png(options.image, picture_of_lights(environment, lights), {"Title": title})
+        write_png(options.output, picture_of_lights(environment, lights), {"Title": title})
     luminous = lights.strengths @ LUMINANCE
     elevations = np.degrees(np.arcsin(np.clip(lights.directions[:, 1], -1.0, 1.0)))
     azimuths = np.degrees(np.arctan2(lights.directions[:, 0], lights.directions[:, 2]))
@@ -215,6 +231,17 @@ def run_lights(options: argparse.Namespace) -> int:
         )
         return 0
     print_notes(environment.notes)
+    if options.csv:
+        print_csv(
+            {
+                "elevation_deg": float(elevations[i]),
+                "azimuth_deg": float(azimuths[i]),
+                "solid_angle_sr": float(lights.solid_angles[i]),
+                **dict(zip(("red", "green", "blue"), lights.strengths[i].tolist(), strict=True)),
+            }
+            for i in range(len(lights))
+        )
+        return 0
     whole = max(float(luminous.sum()), 1e-300)
     print(f"{name}: {len(lights)} lights by {options.method}; azimuth from +z towards +x")
     print("  elevation   azimuth     share   solid angle   strength (linear Rec. 2020)")
@@ -224,8 +251,8 @@ def run_lights(options: argparse.Namespace) -> int:
             f"  {elevations[i]:8.2f}° {azimuths[i]:8.2f}° {100.0 * luminous[i] / whole:8.3f} % "
             f"{lights.solid_angles[i]:10.3g} sr   {red:.5g} {green:.5g} {blue:.5g}"
         )
-    if options.image is not None:
-        print(f"{options.image}: written")
+    if options.output is not None:
+        print_done(f"{options.output}: written")
     return 0
 
 
@@ -233,7 +260,7 @@ _BAR = 40
 _ROWS = 20  # of the histogram; more stops than that are put together two by two, and so on
 
 
-def add_info(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add_info(actions: argparse._SubParsersAction[CommandParser]) -> None:
     """Declare the action."""
     action = actions.add_parser(
         "info",
@@ -241,7 +268,8 @@ def add_info(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
         description="Print what an environment is. Radiances are in the file's own units, colours linear Rec. 2020.",
     )
     add_environment(action)
-    action.add_argument("--json", action="store_true", help="print one JSON object")
+    action.examples = ("brdf-suite environment info sunny",)
+    add_json(action)
     action.set_defaults(run=run_info)
 
 
@@ -327,12 +355,13 @@ def _percent(share: float) -> str:
     return f"{100.0 * share:8.4f} %" if 0.0 < share < 0.001 else f"{100.0 * share:6.2f} %"
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command and its actions."""
     command.description = (
         "Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (photo_studio, "
         "street, light_tunnel, booth, overcast, sunny); or make one."
     )
-    actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
+    command.examples = ("brdf-suite environment info studio.exr", "brdf-suite environment sky --help")
+    actions = command.add_subparsers(dest="action", metavar="info|lights|studio|sky", required=True)
     for add_action in (add_info, add_lights, add_light):
         add_action(actions)

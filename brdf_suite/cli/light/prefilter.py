@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 from time import perf_counter
 
+from brdf_suite.cli.arguments import add_json
 from brdf_suite.cli.fit_options import add_basis, parse_basis
 from brdf_suite.cli.output import print_json, print_notes, progress_bar
 from brdf_suite.cli.picture.scene_options import add_environment
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.pipeline.scene import load_environment
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
@@ -19,7 +21,8 @@ def add(command: argparse.ArgumentParser) -> None:
     )
     add_environment(command)
     add_basis(command)
-    command.add_argument("--json", action="store_true", help="print one JSON object")
+    add_json(command)
+    command.examples = ("brdf-suite prefilter studio.exr",)
     command.set_defaults(run=run)
 
 

@@ -1,4 +1,4 @@
-"""``brdf-suite acquire DIR -o OUT``: photographs of a painted sphere as a table of its reflectance."""
+"""``brdf-suite acquire FOLDER -o FILE``: photographs of a painted sphere as a table of its reflectance."""
 
 from __future__ import annotations
 
@@ -14,12 +14,14 @@ from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import Acquired
 from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
-from brdf_suite.cli.output import add_arguments, print_json, progress_bar
+from brdf_suite.cli.arguments import add_arguments, add_json, add_output
+from brdf_suite.cli.output import print_done, print_json, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import load_material
 
 
-def add_simulated(command: argparse.ArgumentParser) -> None:
+def add_simulated(command: CommandParser) -> None:
     """Declare the options of a template and of a simulated rig on the command ``acquire``."""
     command.add_argument(
         "--template",
@@ -69,9 +71,8 @@ def _template(options: argparse.Namespace) -> int:
             {"file": str(written.path), "photographs": written.photographs, "notes": list(written.notes)}
         )
         return 0
-    print(f"{written.path}: written for {written.photographs:,} photographs")
-    for note in written.notes:
-        print(f"  {note}")
+    print_done(f"{written.path}: written for {written.photographs:,} photographs")
+    print_notes(written.notes)
     return 0
 
 
@@ -113,7 +114,7 @@ def _simulate(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    print(
+    print_done(
         f"{options.folder}: {count:,} photographs of {paint.name} at {len(session.positions)} positions of the lamp, "
         f"{len(session.exposures_s)} exposures each; what is true stands in truth.json"
     )
@@ -131,29 +132,34 @@ def _moved(given: list[float]) -> tuple[int, float, float]:
 _MOST_ALIKE = 6
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
         "photographs: the camera's response, the sphere and the light are found from the photographs themselves. What "
-        "is done is kept in OUT.work: stopped or killed, the same command resumes where it stopped, with the same "
+        "is done is kept in FILE.work: stopped or killed, the same command resumes where it stopped, with the same "
         "table. docs/use/acquisition.md describes the folder."
     )
+    command.examples = (
+        "brdf-suite acquire session --template",
+        "brdf-suite acquire session -o paint.brdftable",
+        "brdf-suite acquire rig --simulate blue --positions 18",
+    )
+    add_arguments(command, {"folder FOLDER": "the session's folder, or its session.json"})
+    add_output(command, "the .brdftable (with coverage) or .binary (MERL) to write", required=False)
     add_arguments(
         command,
         {
-            "folder DIR": "the session's folder, or its session.json",
-            "-o/--output OUT": "the .brdftable (with coverage) or .binary (MERL) to write",
             "--check": "only report what is wrong with the files",
-            "--overwrite": "replace OUT where it exists",
-            "--restart": "forget what an earlier run left in OUT.work",
-            "--partial": "write what is done so far in OUT.work as it is, and read no more",
+            "--overwrite": "replace FILE where it exists",
+            "--restart": "forget what an earlier run left in FILE.work",
+            "--partial": "write what is done so far in FILE.work as it is, and read no more",
             "--linear": "the camera is linear: recover no response",
             "--no-refine": "take light and sphere as stated; the outline alone corrects",
             "--grazing DEG=80.0": "leave readings out whose light or view is further from the normal; default: 80",
-            "--json": "print one JSON object",
         },
     )
+    add_json(command)
     add_simulated(command)
     command.set_defaults(run=run)
 
@@ -179,7 +185,7 @@ def run(options: argparse.Namespace) -> int:
         return 1 if any(one.severity == "fatal" for one in findings) else 0
     if options.output is None:
         raise SuiteError(
-            "Say where the table goes: -o OUT.brdftable or -o OUT.binary (or --check the folder only)."
+            "Say where the table goes: -o FILE.brdftable or -o FILE.binary (or --check the folder only)."
         )
     with progress_bar("acquiring", quiet=options.json) as progress:
         step = acquire_partial if options.partial else acquire
@@ -208,9 +214,8 @@ def _print_summary(found: Acquired, output: Path) -> None:
         )
     for one in found.positions_failed:
         print(f"left out: position {one.position}: {one.reason}")
-    for sentence in _summed_up(found.notices):
-        print(f"note: {sentence}")
-    print(f"written to {output}")
+    print_notes(_summed_up(found.notices))
+    print_done(f"written to {output}")
 
 
 def _summed_up(notices: Sequence[str]) -> list[str]:

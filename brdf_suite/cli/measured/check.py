@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import argparse
 
-from brdf_suite.cli.output import print_json
+from brdf_suite.cli.arguments import PAINT, add_json
+from brdf_suite.cli.output import print_csv, print_json
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance import registry
 from brdf_suite.reflectance.checks import check_model, check_reflectance
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Measure whether a reflectance is reciprocal, never negative, and reflects no more light than "
@@ -19,14 +21,12 @@ def add(command: argparse.ArgumentParser) -> None:
         "claims and does not keep is a fault; what it does not claim is listed with its size."
     )
     command.epilog = "exit status: 0 every claim held, 1 one did not"
+    command.examples = ("brdf-suite check blue", "brdf-suite check --models --csv > models.csv")
     command.add_argument(
-        "what",
-        metavar="PAINT|FILE|MODEL",
-        nargs="?",
-        help="a .brdfpaint or measured file, the name of a shipped or Table 1 paint, or of a model",
+        "what", metavar="PAINT|MODEL", nargs="?", help=f"{PAINT}; or a model (`brdf-suite list models`)"
     )
     command.add_argument("--models", action="store_true", help="check every registered model")
-    command.add_argument("--json", action="store_true", help="print one JSON object")
+    add_json(command, csv=True)
     command.set_defaults(run=run)
 
 
@@ -42,6 +42,19 @@ def run(options: argparse.Namespace) -> int:
         reports = [check_reflectance(item.reflectance, item.name)]
     if options.json:
         print_json({"reports": [r.to_json() for r in reports]} if options.models else reports[0].to_json())
+    elif options.csv:
+        print_csv(
+            {
+                "name": report.name,
+                "check": finding.check,
+                "violation": finding.size,
+                "outcome": finding.outcome,
+                "unit": finding.unit,
+                "where": finding.where,
+            }
+            for report in reports
+            for finding in report.findings
+        )
     else:
         for report in reports:
             print(f"{report.name}: {'held' if report.passed else 'NOT held'}")

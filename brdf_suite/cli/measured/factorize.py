@@ -1,11 +1,13 @@
-"""``brdf-suite factorize FILE|PAINT -o OUT.brdfpaint``: any reflectance as a product of textures."""
+"""``brdf-suite factorize PAINT -o FILE``: any reflectance as a product of textures."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.output import add_arguments, print_json, progress_bar
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_json, add_output
+from brdf_suite.cli.output import print_done, print_json, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.fitting.homomorphic.factorization import SYMMETRIC
@@ -20,27 +22,23 @@ from brdf_suite.fitting.homomorphic.reflectance_fit import (
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
 
-_EXAMPLES = """\
-examples:
-  brdf-suite factorize cayman.brdf -o cayman.brdfpaint
-  brdf-suite factorize brushed.bsdf -o brushed.brdfpaint --factors "p:wo q:h p:wi" --resolution 64
-"""
 
-
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Factor a reflectance into a product of maps, f_r = alpha p(wo) q(h) p(wi) or any other, by least "
         "squares of the logarithm (McCool, Ang and Ahmad 2001), with the specular peak apart, and report how near the "
         "product comes. The paint or table that is written opens in all programs."
     )
-    command.epilog = _EXAMPLES
-    command.formatter_class = argparse.RawDescriptionHelpFormatter
+    command.examples = (
+        "brdf-suite factorize cayman.brdf -o cayman.brdfpaint",
+        'brdf-suite factorize brushed.bsdf -o brushed.brdfpaint --factors "p:wo q:h p:wi" --resolution 64',
+    )
+    add_arguments(command, {"reflectance PAINT": PAINT})
+    add_output(command, "the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable")
     add_arguments(
         command,
         {
-            "reflectance FILE|PAINT": "a measured file, a .brdfpaint file, or the name of a paint",
-            "-o/--output OUT (required)": "the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable",
             "--factors WORDS": 'the maps and what each is read by, "map:projection ...", a map twice if it is read '
             'twice, "@n" behind it for its texels; projections: wi, wo, h, |wi|, |wo|, |h|, sqrt|h|, w.h, wi.wo, '
             'w.h,h.n and wi.n,wo.n; default: "p:|wo| q:sqrt|h| p:|wi| d:w.h@16" of what is isotropic, else "p:wo '
@@ -56,10 +54,10 @@ def add(command: argparse.ArgumentParser) -> None:
             "default: auto, where that brings it no farther from them",
             "--radial": "keep maps of two axes that are radially symmetric within 2 %% as their radius alone",
             "--pairs N=57600": "pairs of directions that are drawn of a paint; default: 57600",
-            "--overwrite": "replace OUT where it is there",
-            "--json": "print one JSON object",
+            "--overwrite": "replace FILE where it is there",
         },
     )
+    add_json(command)
     command.set_defaults(run=run)
 
 
@@ -96,7 +94,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json({**found.to_json(), "file": str(options.output)})
     else:
-        print(_summary(found, options.output))
+        print_done(_summary(found, options.output))
     return 0
 
 

@@ -1,4 +1,4 @@
-"""``brdf-suite fit FILE|PAINT``: lobe weights of any reflectance, their errors, and the fit time."""
+"""``brdf-suite fit PAINT``: lobe weights of any reflectance, their errors, and the fit time."""
 
 from __future__ import annotations
 
@@ -8,15 +8,17 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_json
 from brdf_suite.cli.fit_options import add_fitting, parse_basis_alone, parse_fitting
-from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
+from brdf_suite.cli.output import print_csv, print_json, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.fitting.metrics import ErrorFigures
 from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Fit the fixed set of cosine lobes, or one of your own, to a paint of any kind or a measured file. "
@@ -26,12 +28,13 @@ def add(command: argparse.ArgumentParser) -> None:
     add_arguments(
         command,
         {
-            "paint FILE|PAINT": "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+            "paint PAINT": PAINT,
             "--angles K": "fit a designed or Cook-Torrance paint at K incidences (3 or more; 16 is usual) with "
             "weights that change calmly between them, and report the errors at other incidences",
-            "--json": "print one JSON object",
         },
     )
+    add_json(command, csv=True)
+    command.examples = ("brdf-suite fit blue", "brdf-suite fit paint.brdf --lobe-count 8 --csv > weights.csv")
     add_fitting(command)
     command.set_defaults(run=run)
 
@@ -48,6 +51,10 @@ def run(options: argparse.Namespace) -> int:
         print_json(found.to_json())
         return 0
     weights = found.weights
+    if options.csv:
+        rows = zip(weights.exponents, weights.kdd, weights.kg, strict=True)
+        print_csv({"exponent": at, **_named("kdd", base), **_named("kg", gloss)} for at, base, gloss in rows)
+        return 0
     print(
         f"{found.name}: {len(weights.exponents)} lobes, {found.fit_seconds * 1e3:.2f} ms"
         + (", time-limited" if found.time_limited else "")
@@ -89,6 +96,16 @@ def _at_angles(options: argparse.Namespace) -> int:
     if options.json:
         print_json(found.to_json())
         return 0
+    if options.csv:
+        print_csv(
+            {
+                "illumination_deg": row.illumination_deg,
+                "aspecular_deg": row.aspecular_deg,
+                "delta_e": row.delta_e_2000,
+            }
+            for row in found.errors
+        )
+        return 0
     weights = found.weights
     print(
         f"{found.name}: {weights.exponents.size} lobes at {weights.grid.count} incidences, "
@@ -113,6 +130,10 @@ def _figures(figures: ErrorFigures) -> str:
         f"cosine-weighted RMS {figures.cosine_rms:.4g} 1/sr, cube-root RMS {figures.cube_root_rms:.4g}, "
         f"log error {figures.log_rms:.4g}"
     )
+
+
+def _named(name: str, weights: NDArray[np.float64]) -> dict[str, float]:
+    return dict(zip((f"{name}_r", f"{name}_g", f"{name}_b"), weights.tolist(), strict=True))
 
 
 def _triple(weights: NDArray[np.float64]) -> str:

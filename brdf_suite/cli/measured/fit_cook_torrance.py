@@ -1,17 +1,18 @@
-"""``brdf-suite fit-cook-torrance FILE [-o OUT.brdfpaint]``: fit of Cook-Torrance lobes to a measured file."""
+"""``brdf-suite fit-cook-torrance PAINT [-o FILE]``: fit of Cook-Torrance lobes to a measured file."""
 
 from __future__ import annotations
 
 import argparse
 import math
-import sys
 from dataclasses import asdict, replace
 from pathlib import Path
 
 from numpy import asarray
 
 from brdf_suite.appearance.flakes.lobes import flakes_of_lobes
-from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_json, add_output
+from brdf_suite.cli.output import print_done, print_json, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.store import save_paint
@@ -27,19 +28,28 @@ from brdf_suite.progress import report, subrange
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Fit kd and lobes (ks, m, r) to a table, to samples, or to a material of RGL, by the mean of "
         "|log(fit/measured)| (Günther et al. 2005, section 4.2), report the errors and each parameter's uncertainty, "
         "and write a paint that every program opens."
     )
+    command.examples = (
+        "brdf-suite fit-cook-torrance paint.binary -o paint.brdfpaint --lobes 3",
+        "brdf-suite fit-cook-torrance paint.bsdf --model ggx --compare",
+    )
+    add_arguments(command, {"reflectance PAINT": PAINT})
+    add_output(
+        command,
+        "the .brdfpaint to write; a .brdftable takes any model, tabulated",
+        stream=_PAINT,
+        required=False,
+    )
     add_arguments(
         command,
         {
-            "reflectance FILE": "a measured file; also a .brdfpaint file or the name of a paint",
-            "-o/--output OUT": "the .brdfpaint to write; a .brdftable takes any model, tabulated",
-            "--overwrite": "write over OUT where it exists",
+            "--overwrite": "write over FILE where it exists",
             "--lobes N=3": "1 to 6; default: 3",
             "--model MODEL=cook-torrance": "cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a "
             "coat over the rest",
@@ -51,13 +61,13 @@ def add(command: argparse.ArgumentParser) -> None:
             "--samples N=6000": "the most to look at; default: 6000",
             "--grazing DEG=80.0": "leave out light or view beyond this angle from the normal; default: 80",
             "--seed N=0": "of the choice of samples and starts",
-            "--state FILE": "where finished starts are kept, so that a fit that was broken off goes on; default: "
-            "OUT with .starts added, removed when the fit is done",
-            "--json": "print one JSON object",
+            "--state STATE": "where finished starts are kept, so that a fit that was broken off goes on; default: "
+            "FILE with .starts added, removed when the fit is done",
         },
-        reflectance=str,
         flake_size=float,
+        state=Path,
     )
+    add_json(command)
     command.set_defaults(run=run)
 
 
@@ -127,7 +137,7 @@ def run(options: argparse.Namespace) -> int:
         for row in rows:
             print(f"  {row.fit.model.name:14} {_errors(row.errors_within)}")
     if options.output is not None:
-        print(f"written to {options.output}")
+        print_done(f"written to {options.output}")
     return 0
 
 
@@ -135,7 +145,7 @@ def _flaked(found: FileFit, paint: CookTorrancePaint, size_um: float) -> FileFit
     flakes = flakes_of_lobes(paint, size_um)
     if flakes is None:
         missing = "no lobe is as wide as the tilts of flakes, so the paint has none; fit more lobes"
-        print(f"note: {missing}", file=sys.stderr)
+        print_notes([missing])
     return replace(found, paint=replace(paint, flakes=flakes))
 
 

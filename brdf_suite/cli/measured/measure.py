@@ -1,4 +1,4 @@
-"""``brdf-suite measure FILE|PAINT``: readings of a virtual multi-angle spectrophotometer and glossmeter."""
+"""``brdf-suite measure PAINT|PALETTE…``: readings of a virtual multi-angle spectrophotometer and glossmeter."""
 
 from __future__ import annotations
 
@@ -6,16 +6,19 @@ import argparse
 import csv
 import sys
 from dataclasses import astuple
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.light.colour import ColourUnderLight
 from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, TextureReadings
+from brdf_suite.cli.arguments import PAINTS, add_arguments, add_json
 from brdf_suite.cli.output import print_json, print_notes
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.inspection.measuring import measurement_json
 from brdf_suite.inspection.texture.readings import texture_of
-from brdf_suite.pipeline.material import Material, load_material
+from brdf_suite.pipeline.material import Material, load_material, paints_of
 from brdf_suite.reflectance.instruments.aperture import aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport, measure
 from brdf_suite.reflectance.instruments.under_light import readings_under
@@ -33,10 +36,8 @@ _GREY = 0.005
 
 _SPARKLE = ("points_per_mm2", "area", "intensity", "grade")
 
-ANYTHING = "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint"
 
-
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
@@ -45,7 +46,11 @@ def add(command: argparse.ArgumentParser) -> None:
         f"beside each reading; a reading without a sample within {SUPPORT_DEG:g}° has a star, as has a gloss without "
         "a sample in the receptor."
     )
-    command.add_argument("what", metavar="FILE|PAINT", nargs="+", help=ANYTHING)
+    command.examples = (
+        "brdf-suite measure blue copper --csv > readings.csv",
+        "cat paint.cxf | brdf-suite measure - --geometry e2194",
+    )
+    add_arguments(command, {"sources PAINT|PALETTE...": PAINTS})
     add_instrument(command)
     command.add_argument(
         "--solve",
@@ -58,19 +63,16 @@ def add(command: argparse.ArgumentParser) -> None:
         default="D65",
         help="also the colours under A or F11 (TL84-like): recomputed from spectra where they are known, else adapted",
     )
-    form = command.add_mutually_exclusive_group()
-    form.add_argument(
-        "--json", action="store_true", help="print one JSON object (a list of several under 'paints')"
-    )
-    form.add_argument("--csv", action="store_true", help="print a table with one row for each paint")
+    add_json(command, csv=True)
     command.set_defaults(run=run)
 
 
-def add_instrument(command: argparse.ArgumentParser) -> None:
+def add_instrument(command: CommandParser) -> None:
     """Declare the options of the virtual instrument."""
-    command.add_argument("--geometry", default="six", metavar="NAME", help=GEOMETRY_HELP)
-    command.add_argument("--aperture", default="point", metavar="DEG", help=APERTURE_HELP)
-    command.add_argument(
+    instrument = command.add_argument_group("instrument")
+    instrument.add_argument("--geometry", default="six", metavar="NAME", help=GEOMETRY_HELP)
+    instrument.add_argument("--aperture", default="point", metavar="DEG", help=APERTURE_HELP)
+    instrument.add_argument(
         "--observer",
         type=int,
         choices=(2, 10),
@@ -83,7 +85,7 @@ def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     geometries, through = geometry_set(options.geometry), aperture(options.aperture)
     measured: list[_Measured] = []
-    for what in options.what:
+    for what in chain.from_iterable(map(paints_of, options.sources)):
         item = load_material(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
         )

@@ -1,10 +1,12 @@
-"""``brdf-suite represent PAINT|FILE``: one reflectance as cosine lobes, Cook-Torrance lobes and factors."""
+"""``brdf-suite represent PAINT``: one reflectance as cosine lobes, Cook-Torrance lobes and factors."""
 
 from __future__ import annotations
 
 import argparse
 
-from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_json
+from brdf_suite.cli.output import print_csv, print_json, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.inspection.representations import Comparison, compare_representations
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.material import load_material
@@ -12,7 +14,7 @@ from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.progress import report, subrange
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Fit cosine lobes, Cook-Torrance lobes and homomorphic factors to the same part of a reflectance, and compare "
@@ -21,12 +23,15 @@ def add(command: argparse.ArgumentParser) -> None:
     add_arguments(
         command,
         {
-            "reflectance PAINT|FILE": "a measured file, a .brdfpaint file, or the name of a paint",
+            "reflectance PAINT": PAINT,
             "--environment NAME|FILE": "the light on the sphere (default: booth)",
             "--open": "then open the reflectance and the three fits in the Lobe Visualizer, which fits them again",
-            "--json": "print one JSON object",
         },
-        reflectance=str,
+    )
+    add_json(command, csv=True)
+    command.examples = (
+        "brdf-suite represent blue",
+        "brdf-suite represent paint.brdf --environment sunny --csv",
     )
     command.set_defaults(run=run)
 
@@ -41,6 +46,20 @@ def run(options: argparse.Namespace) -> int:
         found, _ = compare_representations(material, environment, progress=subrange(progress, 0.05, 1.0))
     if options.json:
         print_json(found.to_json())
+    elif options.csv:
+        print_csv(
+            {
+                "kind": row.kind,
+                "relative_rms": row.errors.relative_rms,
+                "median_relative": row.errors.median_relative,
+                "delta_e_mean": row.delta_e_mean,
+                "delta_e_p99": row.delta_e_p99,
+                "bytes": row.size_bytes,
+                "ns_per_pair": row.nanoseconds,
+                "fit_s": row.fit_seconds,
+            }
+            for row in found.rows
+        )
     else:
         _print_table(found)
     if not options.open:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.texture import LIGHTS_DEG
-from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.arguments import PAINT, add_json, add_output
+from brdf_suite.cli.measured.measure import GEOMETRY_HELP
+from brdf_suite.cli.output import print_json, print_notes, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.paint import SCATTERINGS, Paint, TextureTargets
 from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
@@ -18,38 +21,56 @@ from brdf_suite.inspection.texture.readings import paint_light
 from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard_files import load_standards
-from brdf_suite.paint_design.variations import examined, variations
+from brdf_suite.paint_design.variations import DIRECTIONS, examined, variations
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter, fit_material
 from brdf_suite.pipeline.material import material_of
 from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
-DIRECTIONS = ("lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back")
 
-
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command and its own commands."""
-    kinds = command.add_subparsers(dest="kind", metavar="KIND", required=True)
+    command.description = (
+        "Make a paint: from a measurement, a step away from another, between two, or with flakes."
+    )
+    command.examples = (
+        "brdf-suite design start paint.brdf -o paint.brdfpaint",
+        "brdf-suite design step --help",
+    )
+    kinds = command.add_subparsers(dest="kind", metavar="start|step|between|flakes", required=True)
     start = kinds.add_parser(
         "start",
         help="from anything that reflects, read by the virtual instruments",
         description="Read colours and gloss, write the paint, and report how far it is from the original at angles "
         "that were not read.",
     )
-    start.add_argument("what", metavar="FILE|PAINT", help=ANYTHING)
+    start.examples = ("brdf-suite design start paint.brdf -o paint.brdfpaint",)
+    start.add_argument("what", metavar="PAINT", help=PAINT)
     start.add_argument(
         "--geometry", default="e2194", metavar="NAME", help=GEOMETRY_HELP.replace(": six)", ": e2194)")
     )
     start.set_defaults(run=run_start)
     step = kinds.add_parser("step", help="a step away from a paint: lighter, cleaner, with more flop …")
-    step.add_argument("what", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint")
+    step.examples = ("brdf-suite design step blue lighter --step 3 -o lighter.brdfpaint",)
+    step.add_argument("what", metavar="PAINT", help=PAINT)
     step.add_argument("direction", choices=DIRECTIONS, metavar="DIRECTION", help=", ".join(DIRECTIONS))
-    step.add_argument("--step", type=float, default=2.0, metavar="UNITS", help="ΔL*, ΔC* or ΔH* (default: 2)")
+    step.add_argument(
+        "--step",
+        type=float,
+        default=2.0,
+        metavar="UNITS",
+        help="ΔL*, ΔC* or ΔH* (default: 2); flakes have a factor of their own",
+    )
     step.set_defaults(run=run_step)
     between = kinds.add_parser("between", help="between two paints, or a little beyond them")
-    between.add_argument("first", metavar="A", help="a .brdfpaint file or the name of a shipped paint")
-    between.add_argument("second", metavar="B", help=ANYTHING)
+    between.examples = ("brdf-suite design between blue copper --share 0.3 -o mixed.brdfpaint",)
+    between.add_argument("first", metavar="FIRST-PAINT", help=PAINT)
+    between.add_argument("second", metavar="SECOND-PAINT", help="likewise")
     between.add_argument(
-        "--share", type=float, default=0.5, metavar="S", help="0 is A, 1 is B; -0.5 to 1.5 (default: 0.5)"
+        "--share",
+        type=float,
+        default=0.5,
+        metavar="S",
+        help="0 is the first, 1 the second; -0.5 to 1.5 (default: 0.5)",
     )
     between.set_defaults(run=run_between)
     flakes = kinds.add_parser(
@@ -58,7 +79,8 @@ def add(command: argparse.ArgumentParser) -> None:
         description="Look for density, size and roughness of flakes that have the readings of the texture instrument; "
         "the colours stay. What cannot be reached is said, with the nearest.",
     )
-    flakes.add_argument("what", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint")
+    flakes.examples = ("brdf-suite design flakes blue --sparkle 45=20 --graininess 3 -o flaked.brdfpaint",)
+    flakes.add_argument("what", metavar="PAINT", help=PAINT)
     flakes.add_argument(
         "--sparkle",
         action="append",
@@ -70,14 +92,14 @@ def add(command: argparse.ArgumentParser) -> None:
     flakes.add_argument("--graininess", type=float, metavar="PERCENT", help="in diffuse light")
     flakes.set_defaults(run=run_flakes)
     for kind in (start, step, between, flakes):
-        kind.add_argument("-o", "--output", metavar="OUT", type=Path, help="the .brdfpaint file to write")
+        add_output(kind, "the .brdfpaint file to write", stream=PAINT_ENDING, required=False)
         kind.add_argument(
             "--scattering",
             choices=SCATTERINGS,
             help="whether light that meets several facets of the paint's coat counts (multiple) or is lost, as papers "
             "have it (single); default: as it was",
         )
-        kind.add_argument("--json", action="store_true", help="print one JSON object")
+        add_json(kind)
 
 
 def run_start(options: argparse.Namespace) -> int:
@@ -116,7 +138,8 @@ def run_start(options: argparse.Namespace) -> int:
         _scattering(start.paint, options),
         options,
         facts,
-        [*lines, *(f"note: {notice}" for notice in start.notices)],
+        lines,
+        start.notices,
     )
 
 
@@ -171,14 +194,15 @@ def run_flakes(options: argparse.Namespace) -> int:
             f"{name} {100.0 * value:.3g} %" for name, value in zip(SCALES, found.scales, strict=True)
         ),
     ]
-    if not found.reached:
-        lines.append(f"note: {found.sentence()}")
+    notes = () if found.reached else (found.sentence(),)
     facts: dict[str, object] = {
         "reached": found.reached,
         "expected": dict(zip(SCALES, found.scales, strict=True)),
         "relative_errors": dict(zip(SCALES, found.errors, strict=True)),
     }
-    return _done(replace(paint, flakes=flakes, texture=TextureTargets.of(wanted)), options, facts, lines)
+    return _done(
+        replace(paint, flakes=flakes, texture=TextureTargets.of(wanted)), options, facts, lines, notes
+    )
 
 
 def _grade(text: str) -> tuple[float, float]:
@@ -211,13 +235,20 @@ def _check_output(path: Path | None) -> None:
         raise SuiteError(f"{path}: a paint is written to a file that ends in {PAINT_ENDING}.")
 
 
-def _done(paint: Paint, options: argparse.Namespace, facts: dict[str, object], lines: list[str]) -> int:
+def _done(
+    paint: Paint,
+    options: argparse.Namespace,
+    facts: dict[str, object],
+    lines: list[str],
+    notes: Sequence[str] = (),
+) -> int:
     if options.output is not None:
         save_paint(paint, options.output)
     if options.json:
         written = None if options.output is None else str(options.output)
         print_json({"paint": paint_to_json(paint), "output": written, **facts})
         return 0
+    print_notes(notes)
     print(paint.name if options.output is None else f"{options.output}: {paint.name}")
     for m in paint.measurements:
         light = "" if m.illumination_deg == 45.0 else f", light {m.illumination_deg:g}°"

@@ -1,4 +1,4 @@
-"""``brdf-suite judge STANDARD BATCH…``: batches against a standard, by their readings."""
+"""``brdf-suite judge STANDARD-PAINT PAINT|PALETTE…``: batches against a standard, by their readings."""
 
 from __future__ import annotations
 
@@ -7,32 +7,39 @@ from dataclasses import replace
 
 from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.cli.output import print_json
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_json
+from brdf_suite.cli.output import print_csv, print_json, print_notes
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
-from brdf_suite.errors import SuiteError
+from brdf_suite.command_parser import CommandParser
+from brdf_suite.errors import SuiteError, did_you_mean
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_all, paint_like
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import default_paint
 from brdf_suite.reflectance.instruments.spectrophotometer import support_notice
 
-KINDS = "a paint by name or file, a palette, CxF3, CSV or JSON of a hand-over, or a measured file"
+_FILES = "also CSV and JSON of an export"
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Judge each batch's readings against the standard's. What a standard was not read at is measured "
         "of it where it is more than readings. With tolerances the exit status is 1 where a batch fails."
     )
-    command.add_argument("standard", metavar="STANDARD", help=KINDS)
-    command.add_argument(
-        "batch", metavar="BATCH", nargs="+", help="likewise; of several paints all are judged"
+    command.examples = (
+        "brdf-suite judge standard.cxf batch.cxf --tolerance 15=1.2 --tolerance 0.8",
+        "brdf-suite judge blue summer.brdfpalette --tolerance 2 --csv > verdicts.csv",
     )
-    command.add_argument(
-        "--name", metavar="NAME", help="which standard of a file that holds several (default: the first)"
+    add_arguments(
+        command,
+        {
+            "standard STANDARD-PAINT": f"{PAINT}; {_FILES}",
+            "batch PAINT|PALETTE...": f"likewise; {_FILES}",
+            "--name NAME": "which standard of a file that holds several (default: the first)",
+        },
     )
     add_tolerances(command)
-    command.add_argument("--json", action="store_true", help="print one JSON object")
+    add_json(command, csv=True)
     command.set_defaults(run=run)
 
 
@@ -60,12 +67,27 @@ def run(options: argparse.Namespace) -> int:
             }
         )
         return 1 if failed else 0
+    if options.csv:
+        print_csv(_row(report, row) for report in reports for row in report.rows)
+        return 1 if failed else 0
     title = difference_title(tolerances.difference)
     for report in reports:
         _print(report, standard, title)
-    for notice in standard.notices:
-        print(f"note: {standard.name}: {notice}")
+    print_notes(f"{standard.name}: {notice}" for notice in standard.notices)
+    if not options.tolerance:
+        print_notes(["nothing is judged: no --tolerance is given"])
     return 1 if failed else 0
+
+
+def _row(report: BatchReport, row: AngleRow) -> dict[str, object]:
+    verdict = row.verdict
+    numbers = (
+        ("", "", "", "", "")
+        if verdict is None
+        else (verdict.difference, verdict.lightness, verdict.chroma, verdict.hue, verdict.passes)
+    )
+    names = ("difference", "delta_l", "delta_c", "delta_h", "passes")
+    return {"batch": report.name, "angle": row.angle, **dict(zip(names, numbers, strict=True))}
 
 
 def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Standard:
@@ -73,8 +95,9 @@ def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Sta
         return standards[0]
     found = [standard for standard in standards if standard.name == name]
     if not found:
-        known = ", ".join(standard.name for standard in standards[:20])
-        raise SuiteError(f"{path}: holds no standard called {name!r}; there are {known}.")
+        names = [standard.name for standard in standards]
+        near = did_you_mean(name, names) or f"; there are {', '.join(names[:20])}."
+        raise SuiteError(f"{path}: holds no standard called {name!r}{near}")
     return found[0]
 
 

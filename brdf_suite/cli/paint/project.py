@@ -6,7 +6,9 @@ import argparse
 import tempfile
 from pathlib import Path
 
-from brdf_suite.cli.output import add_arguments, print_json
+from brdf_suite.cli.arguments import add_arguments, add_json, add_output
+from brdf_suite.cli.output import print_done, print_json
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.project import (
     NamedView,
     Project,
@@ -23,28 +25,34 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.pipeline.material import load_document
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command and its parts."""
     command.description = (
         "A .brdfproject holds paints, a standard, views, lights, a measured source and the settings of pictures "
         "in one zip file or folder; collected, also the files that they name."
     )
-    parts = command.add_subparsers(dest="part", metavar="PART", required=True)
+    parts = command.add_subparsers(dest="part", metavar="pack|list|collect|unpack", required=True)
     pack = parts.add_parser("pack", help="make a project of documents")
+    command.examples = (
+        "brdf-suite project pack --paint blue -o mine.brdfproject",
+        "brdf-suite project list --help",
+    )
+    pack.examples = (
+        "brdf-suite project pack --paint red.brdfpaint --view day.brdfview -o spring.brdfproject",
+    )
+    add_output(pack, "the .brdfproject to write", stream=".brdfproject")
     add_arguments(
         pack,
         {
-            "output FILE": "the .brdfproject to write",
             "--name NAME": "default: the name of FILE",
             "--notes TEXT": "notes of the project",
             "--standard PAINT": "what the paints are judged against",
             "--source FILE": "the measured file that the design started from",
             "--collect": "copy the files that views and source name into the project",
             "--folder": "write a folder instead of a zip file",
-            "--json": "print one JSON object",
         },
-        output=Path,
     )
+    add_json(pack)
     for flag, word, text in (
         ("--paint", "PAINT", "a paint's file or name, the main one first; may be given again"),
         ("--view", "FILE", "a .brdfview file; may be given again"),
@@ -54,30 +62,27 @@ def add(command: argparse.ArgumentParser) -> None:
         pack.add_argument(flag, metavar=word, action="append", default=[], help=text)
     pack.set_defaults(run=run_pack)
     listed = parts.add_parser("list", help="say what a project holds")
-    add_arguments(
-        listed, {"project FILE": "a project, zip file or folder", "--json": "print one JSON object"}
-    )
+    listed.examples = ("brdf-suite project list spring.brdfproject",)
+    add_arguments(listed, {"project FILE": "a project, zip file or folder"})
+    add_json(listed)
     listed.set_defaults(run=run_list)
     collect = parts.add_parser("collect", help="write a project with the files that it names")
     add_arguments(
         collect,
         {
             "project FILE": "a project",
-            "output OUT": "the project to write",
             "--folder": "write a folder instead of a zip file",
-            "--json": "print one JSON object",
         },
     )
+    collect.examples = ("brdf-suite project collect spring.brdfproject -o whole.brdfproject",)
+    add_output(collect, "the project to write", stream=".brdfproject")
+    add_json(collect)
     collect.set_defaults(run=run_collect)
     unpack = parts.add_parser("unpack", help="make a folder of a project")
-    add_arguments(
-        unpack,
-        {
-            "project FILE": "a project",
-            "output FOLDER": "a new or empty folder",
-            "--json": "print one JSON object",
-        },
-    )
+    unpack.examples = ("brdf-suite project unpack whole.brdfproject -o spring",)
+    add_arguments(unpack, {"project FILE": "a project"})
+    add_output(unpack, "a new or empty folder")
+    add_json(unpack)
     unpack.set_defaults(run=run_unpack)
 
 
@@ -152,7 +157,7 @@ def _print(project: Project, path: str, collected: tuple[str, ...], *, as_json: 
         counts = {name: len(getattr(project, name)) for name in ("paints", "views", "lights", "pictures")}
         print_json({"path": path, "name": project.name, **counts, "collected": list(collected)})
         return 0
-    print(
+    print_done(
         f"{path}: {project.name}, {len(project.paints)} paints, {len(project.views)} views, "
         f"{len(project.lights)} lights, {len(project.pictures)} pictures, {len(collected)} files collected"
     )

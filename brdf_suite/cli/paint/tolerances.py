@@ -7,15 +7,17 @@ import math
 from collections.abc import Sequence
 
 from brdf_suite.appearance.difference.tolerance import AngleVerdict, Limits, Tolerances, find_difference
-from brdf_suite.cli.output import add_arguments
+from brdf_suite.cli.arguments import add_arguments
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 
 _PARTS = {"E": "difference", "L": "lightness", "C": "chroma", "H": "hue"}
 
 
-def add_tolerances(command: argparse.ArgumentParser) -> None:
+def add_tolerances(command: CommandParser) -> None:
     """Declare the tolerance options and the difference formula."""
-    command.add_argument(
+    group = command.add_argument_group("tolerances")
+    group.add_argument(
         "--tolerance",
         action="append",
         type=tolerance,
@@ -25,7 +27,7 @@ def add_tolerances(command: argparse.ArgumentParser) -> None:
         "limits of its parts, as in 15=E1.2,L0.8,C0.5,H0.5 (E the difference, L ΔL*, C ΔC*, H ΔH*); repeatable",
     )
     add_arguments(
-        command,
+        group,
         {
             "--ellipsoid": "judge the limits of ΔL*, ΔC* and ΔH* together, as half axes of an ellipsoid",
             "--difference NAME=2000": "the formula that tolerances are for: 2000 (CIEDE2000, the default), 76, "

@@ -4,18 +4,27 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
-from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.colour.flat_colours import display_notes, flat_labs, lab_to_hex
 from brdf_suite.arrays import Floats
-from brdf_suite.cli.output import print_json, print_notes, whole_number
+from brdf_suite.cli.arguments import (
+    PAINT,
+    PAINTS,
+    add_format,
+    add_json,
+    add_output,
+    whole_number,
+)
+from brdf_suite.cli.output import print_csv, print_done, print_json, print_notes
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import flat_to_json
+from brdf_suite.errors import FileError
 from brdf_suite.files.palettes import (
     FORMATS,
     find_format,
@@ -26,15 +35,16 @@ from brdf_suite.files.palettes import (
     write_palette,
 )
 from brdf_suite.files.palettes.conversions import face_lab
-from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, labs_of
-from brdf_suite.palettes.search import nearest
-from brdf_suite.palettes.swatches.look import colours_at
-from brdf_suite.pipeline.material import load_document, load_material
+from brdf_suite.files.palettes.format import OWN, ReadPalette
+from brdf_suite.paint_design.measured_start import load_paint_or_start
+from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, labs_of
+from brdf_suite.palettes.nearest_entries import colours_of_material, nearest_entries
+from brdf_suite.pipeline.material import document_kind, is_file, load_document, load_material, paints_of
 
 _MOST = 1000
 
 
-def add_find(parts: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add_find(parts: argparse._SubParsersAction[CommandParser]) -> None:
     """Declare ``find`` among the parts of ``palette``."""
     find = parts.add_parser(
         "find",
@@ -42,11 +52,12 @@ def add_find(parts: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         description="Compare a paint with every entry of a palette at 15, 45 and 110° (light at 45°) by ΔE00 and "
         "report the nearest. A flat colour is the same at every angle.",
     )
-    find.add_argument("paint", metavar="PAINT", help="a shipped paint, a paint's file, or a measured file")
+    find.examples = ("brdf-suite palette find blue --in summer.brdfpalette --count 5",)
+    find.add_argument("paint", metavar="PAINT", help=PAINT)
     find.add_argument(
         "--in",
         dest="palette",
-        metavar="FILE",
+        metavar="PALETTE",
         type=Path,
         required=True,
         help="the palette, of any format that palette info reads",
@@ -60,7 +71,7 @@ def add_find(parts: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         default="mean",
         help="what orders them: the mean of the angles' ΔE00, or the worst (default: mean)",
     )
-    find.add_argument("--json", action="store_true", help="print one JSON object")
+    add_json(find, csv=True)
     find.set_defaults(run=run_find)
 
 
@@ -68,14 +79,8 @@ def run_find(options: argparse.Namespace) -> int:
     """Search and print a table or a JSON object."""
     name, lab = _labs(options.paint)
     found = read_palette(options.palette)
-    columns = Columns.of(found.palette.entries)
-    result = nearest(columns, lab, options.count, options.combine)
-    rows = [
-        (found.palette.entries[place], float(difference), per_angle.tolist())
-        for place, difference, per_angle in zip(
-            result.indices.tolist(), result.delta_e, result.per_angle, strict=True
-        )
-    ]
+    near = nearest_entries(found.palette, lab, options.count, options.combine)
+    rows = [(one.entry, one.delta_e, one.per_angle) for one in near]
     if options.json:
         print_json(
             {
@@ -106,6 +111,22 @@ def run_find(options: argparse.Namespace) -> int:
             }
         )
         return 0
+    if options.csv:
+        print_csv(
+            {
+                "name": entry.name,
+                "id": entry.id,
+                "code": entry.code,
+                "group": "/".join(entry.group),
+                "delta_e_2000": difference,
+                **{
+                    f"delta_e_{angle:g}": value
+                    for angle, value in zip(MAIN_ANGLES_DEG, per_angle, strict=True)
+                },
+            }
+            for entry, difference, per_angle in rows
+        )
+        return 0
     print_notes(found.notes)
     print(
         f"{name}: nearest of {len(found.palette):,} entries in {found.palette.name}, ΔE00 ({options.combine})"
@@ -125,31 +146,35 @@ def _labs(name_or_path: str) -> tuple[str, Floats]:
     if document is not None:
         return document.name, labs_of(document)
     material = load_material(name_or_path)
-    return material.name, working_to_lab(colours_at(material.reflectance, np.array(MAIN_ANGLES_DEG)))
+    return material.name, colours_of_material(material)
 
 
-_FORMATS = tuple(known.name for known in FORMATS if known.write is not None)
+_FORMATS = {known.name: known.endings for known in FORMATS if known.write is not None}
 _SHOWN = 20
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command and its parts."""
     command.description = (
         "Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
         "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV."
     )
-    parts = command.add_subparsers(dest="part", metavar="PART", required=True)
+    command.examples = ("brdf-suite palette convert ral.sbz -o ral.ase", "brdf-suite palette info ral.ase")
+    parts = command.add_subparsers(dest="part", metavar="convert|info|find", required=True)
     convert = parts.add_parser(
         "convert",
         help="write a palette in another format",
-        description="Read a palette and write it in the format that the ending of OUT names. What that format cannot "
-        "hold is reported; OUT is written whole or not at all.",
+        description="Read a palette, or take paints, and write a palette in the format of --format, or that the ending "
+        "of FILE names. What that format cannot hold is reported; FILE is written whole or not at all.",
     )
-    convert.add_argument("source", metavar="IN", type=Path, help="a palette of any format")
-    convert.add_argument("target", metavar="OUT", type=Path, help="the file to write")
-    convert.add_argument(
-        "--format", choices=_FORMATS, help="the format (default: what the ending of OUT names)"
+    convert.examples = (
+        "brdf-suite palette convert ral.sbz -o ral.ase",
+        "brdf-suite palette convert blue copper -o two.cxf",
+        "brdf-suite palette convert fleet.brdfpalette -o - --format gpl > fleet.gpl",
     )
+    convert.add_argument("sources", metavar="PAINT|PALETTE", nargs="+", help=PAINTS)
+    add_output(convert, "the file to write; also the last word without -o", stream=_ending, or_last=True)
+    add_format(convert, _FORMATS)
     convert.add_argument(
         "--list-losses", action="store_true", help="list what the format cannot hold, and write nothing"
     )
@@ -158,36 +183,39 @@ def add(command: argparse.ArgumentParser) -> None:
         action="store_true",
         help="write each paint as three colours, at 15, 45 and 110°: for formats of one colour an entry",
     )
-    convert.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    add_json(convert)
     convert.set_defaults(run=run_convert)
     info = parts.add_parser(
         "info",
         help="describe a palette",
         description="Print a palette's format, groups and entries, each with its own numbers and what it looks like.",
     )
-    info.add_argument("file", metavar="FILE", type=Path, help="a palette of any format")
-    info.add_argument("--json", action="store_true", help="print everything as one JSON object")
+    info.examples = ("brdf-suite palette info ral.ase --csv > ral.csv",)
+    info.add_argument("sources", metavar="PAINT|PALETTE", nargs="+", help=PAINTS)
+    add_json(info, csv=True)
     info.set_defaults(run=run_info)
     add_find(parts)
 
 
 def run_convert(options: argparse.Namespace) -> int:
     """Convert and print lines or a JSON object."""
-    found = read_palette(options.source)
-    known = format_for(options.target) if options.format is None else find_format(options.format)
+    found = _read(options.sources)
+    if options.format is None and options.output is None:
+        options.parser.error("-o FILE or --format is missing")
+    known = format_for(options.output) if options.format is None else find_format(options.format)
     palette = split_angles(found.palette) if options.three_angles else found.palette
     shown = _display_notes(palette)
     if options.list_losses:
-        lost, size = losses(palette, known, options.target), None
+        lost, size = losses(palette, known, options.output or ""), None
     else:
-        written = write_palette(palette, options.target, known)
+        written = write_palette(palette, options.output, known)
         lost, size = written.losses, written.size
     if options.json:
         print_json(
             {
-                "input": str(options.source),
+                "input": " ".join(options.sources),
                 "input_format": found.format.name,
-                "output": None if size is None else str(options.target),
+                "output": None if size is None else str(options.output),
                 "output_format": known.name,
                 "entries": len(palette),
                 "bytes": size,
@@ -201,19 +229,20 @@ def run_convert(options: argparse.Namespace) -> int:
     if size is None:
         print(f"{known.title} would hold all of {len(palette):,} entries." if not lost else known.title)
     else:
-        print(f"{options.target}: {len(palette):,} entries, {known.title}, {size:,} bytes")
+        print_done(f"{options.output}: {len(palette):,} entries, {known.title}, {size:,} bytes")
     return 0
 
 
 def run_info(options: argparse.Namespace) -> int:
     """Print what is in a palette."""
-    found = read_palette(options.file)
+    found = _read(options.sources)
+    name = " ".join(options.sources)
     palette = found.palette
     notes = [*found.notes, *_display_notes(palette)]
     if options.json:
         print_json(
             {
-                "file": str(options.file),
+                "file": name,
                 "format": found.format.name,
                 "name": palette.name,
                 "notes": palette.notes,
@@ -231,8 +260,11 @@ def run_info(options: argparse.Namespace) -> int:
             }
         )
         return 0
+    if options.csv:
+        print_csv(_entry_to_row(entry, shown) for entry, shown in zip(palette, _shown(palette), strict=True))
+        return 0
     print(
-        f"{options.file}: {palette.name}, {found.format.title}, {len(palette):,} entries, {len(palette.groups)} groups"
+        f"{name}: {palette.name}, {found.format.title}, {len(palette):,} entries, {len(palette.groups)} groups"
     )
     print_notes(notes)
     left = _SHOWN
@@ -245,6 +277,38 @@ def run_info(options: argparse.Namespace) -> int:
     if left < 0:
         print(f"  … and {-left:,} more; --json prints all")
     return 0
+
+
+def _read(sources: Sequence[str]) -> ReadPalette:
+    """Return the palette of one file; of several, of a folder or of paints one made of all of their entries."""
+    found = [_read_one(source) for source in sources]
+    if len(found) == 1:
+        return found[0]
+    entries = tuple(replace(entry, id="") for one in found for entry in one.palette)
+    notes = tuple(dict.fromkeys(note for one in found for note in one.notes))
+    return ReadPalette(Palette("Paints", entries), notes, OWN)
+
+
+def _read_one(source: str) -> ReadPalette:
+    no_palette: FileError | None = None
+    if is_file(source) and document_kind(source) != "paint":
+        try:
+            return read_palette(source)
+        except FileError as error:
+            no_palette = error
+    try:
+        paints = [load_paint_or_start(name) for name in paints_of(source)]
+    except FileError:
+        if no_palette is not None:
+            raise no_palette from None
+        raise
+    return ReadPalette(Palette(paints[0].name, tuple(map(Entry, paints))), (), OWN)
+
+
+def _ending(options: argparse.Namespace) -> str:
+    if options.format is None:
+        options.parser.error("with -o - give --format too")
+    return _FORMATS[options.format][0]
 
 
 def _display_notes(palette: Palette) -> tuple[str, ...]:
@@ -289,6 +353,13 @@ def _entry_to_json(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
     if isinstance(content, FlatColour):
         found["flat"] = flat_to_json(content)
     return {**found, **shown}
+
+
+def _entry_to_row(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
+    facts = _entry_to_json(entry, shown)
+    lab = dict(zip("Lab", facts["lab"], strict=True)) if isinstance(facts["lab"], list) else {}
+    texts = {name: facts[name] for name in ("name", "kind", "code", "usage", "notes", "hex")}
+    return {**texts, "group": "/".join(entry.group), "tags": " ".join(entry.tags), **lab}
 
 
 def _line(entry: Entry) -> str:

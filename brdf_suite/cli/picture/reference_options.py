@@ -6,9 +6,11 @@ import argparse
 import math
 from collections.abc import Mapping, Sequence
 
+from brdf_suite.cli.arguments import add_arguments, whole_number
 from brdf_suite.cli.fit_options import FITTING
-from brdf_suite.cli.output import add_arguments, export_progress, print_written, progress_bar, whole_number
+from brdf_suite.cli.output import export_progress, print_written, progress_bar
 from brdf_suite.cli.picture.scene_options import parse_settings
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 
@@ -31,10 +33,11 @@ _OF_OTHER = {
 _INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --samples"}
 
 
-def add_reference(command: argparse.ArgumentParser) -> None:
+def add_reference(command: CommandParser) -> None:
     """Declare the choice of renderer and the budgets of those that trace."""
+    renderer = command.add_argument_group("renderer")
     add_arguments(
-        command,
+        renderer,
         {
             f"--renderer={RENDERERS[0]}": "realtime (the default): lobes in prefiltered light; reference: path "
             "tracing with Mitsuba, an optional extra; an EXR then holds its variance too; raytraced: directional "
@@ -48,13 +51,13 @@ def add_reference(command: argparse.ArgumentParser) -> None:
         spp=samples,
         time=_seconds,
     )
-    add_raytraced(command)
+    add_raytraced(renderer)
 
 
-def add_raytraced(command: argparse.ArgumentParser) -> None:
+def add_raytraced(group: argparse._ArgumentGroup) -> None:
     """Declare the options of the ray tracer, and the restart of a traced picture."""
     add_arguments(
-        command,
+        group,
         {
             "--quality": "raytraced: 16 lights and one mirrored ray; 128, 16 rays and 16 samples (the default); "
             "1,024, 256 and 64",

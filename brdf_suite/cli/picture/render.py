@@ -1,12 +1,13 @@
-"""``brdf-suite render FILE|PAINT -o out.png``: picture of a material on a surface in an environment."""
+"""``brdf-suite render PAINT -o out.png``: picture of a material on a surface in an environment."""
 
 from __future__ import annotations
 
 import argparse
 import os
 
+from brdf_suite.cli.arguments import PAINT, add_arguments, add_export, add_output
 from brdf_suite.cli.fit_options import add_fitting, parse_fitting
-from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
+from brdf_suite.cli.output import export_progress, print_written
 from brdf_suite.cli.picture.reference_options import (
     add_reference,
     check_renderer,
@@ -14,23 +15,23 @@ from brdf_suite.cli.picture.reference_options import (
     run_reference,
 )
 from brdf_suite.cli.picture.scene_options import add_lens, add_picture, add_scene, parse_settings, parse_view
+from brdf_suite.command_parser import CommandParser
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Render a paint of any kind, or a measured file, on a surface in an environment: to a PNG as a "
         "screen shows it, or to an EXR as radiance before exposure and tone curve. Pictures of any size are drawn in "
         "tiles. The environment is prefiltered once and kept in the cache."
     )
-    add_arguments(
-        command,
-        {
-            "paint FILE|PAINT": "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint (blue, "
-            "table1_white, …)",
-            "-o/--output FILE (required)": "the picture to write (.png or .exr)",
-        },
+    command.examples = (
+        "brdf-suite render blue -o blue.png",
+        "brdf-suite render paint.cxf -o car.exr --mesh car --environment sunny --size 1920x1080",
+        "brdf-suite render copper -o - --size 320x180 > copper.png",
     )
+    add_arguments(command, {"paint PAINT": PAINT})
+    add_output(command, "the picture to write (.png or .exr)", stream=".png")
     add_scene(command)
     add_lens(command, still=True)
     add_picture(command)

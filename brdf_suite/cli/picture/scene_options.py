@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from brdf_suite.cli.output import add_arguments
+from brdf_suite.cli.arguments import add_arguments
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.view import (
     BACKGROUNDS,
     ENVIRONMENT_LAYOUTS,
@@ -28,23 +30,20 @@ _LAYOUT = {
 _COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
 
 
-def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
+def add_scene(command: CommandParser, default_size: tuple[int, int] = (1280, 720)) -> None:
     """Declare the options read by :func:`parse_view`, and ``--size``."""
     width, height = default_size
+    command.add_argument(
+        "--view", metavar="FILE", type=Path, help="a .brdfview file; other options change it"
+    )
+    light = command.add_argument_group("light")
     add_arguments(
-        command,
+        light,
         {
-            "--view FILE": "a .brdfview file; other options change it",
             "--environment FILE|NAME": "an .exr or .hdr map, a .brdfstudio file, or photo_studio, street, "
             "light_tunnel, booth, overcast, sunny (default: photo_studio)",
             **_LAYOUT,
-            "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
-            "(default: speed_form)",
-            "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
-            "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
-            f"--size WxH={width}x{height}": f"pixels (default: {width}x{height})",
-            "--exposure EV": "exposure in EV; +1 doubles the light (default: 0.5 in photo_studio, else 0)",
-            "--automatic-exposure": "bring the object's median luminance to 0.18; --exposure counts from there",
+            "--rotation DEG": "turn the light by degrees about the vertical, counter-clockwise seen from above",
             "--lamp": "take the environment's white for that of a light booth's lamp (default: environment, as it is)",
             "--unadapted": "show the lamp's tint, as an eye used to daylight sees it at first",
             "--brightness X": "factor on the environment's light; 0: the view's lamps alone (default: 1)",
@@ -52,7 +51,7 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         layout=ENVIRONMENT_LAYOUTS,
         lamp=ILLUMINANTS,
     )
-    command.add_argument(
+    light.add_argument(
         "--point-light",
         type=_point_light,
         action="append",
@@ -60,12 +59,25 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         help="a lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi, and a diameter in metres; "
         "up to eight, in place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
     )
+    shown = command.add_argument_group("object and camera")
     add_arguments(
-        command,
+        shown,
         {
-            "--rotation DEG": "turn the light by degrees about the vertical, counter-clockwise seen from above",
+            "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
+            "(default: speed_form)",
+            "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
+            "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
             "--azimuth DEG": "camera azimuth in degrees",
             "--elevation DEG": "camera elevation in degrees, -90 to 90",
+        },
+    )
+    picture = command.add_argument_group("picture")
+    add_arguments(
+        picture,
+        {
+            f"--size WxH={width}x{height}": f"pixels (default: {width}x{height})",
+            "--exposure EV": "exposure in EV; +1 doubles the light (default: 0.5 in photo_studio, else 0)",
+            "--automatic-exposure": "bring the object's median luminance to 0.18; --exposure counts from there",
             "--tone": "tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
             "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
             "--glare": "spread light above white as an eye scatters it (default: eye); never in an EXR",
@@ -79,16 +91,17 @@ def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = 
         background=BACKGROUNDS,
         sparkle=SPARKLE_MODES,
     )
-    command.add_argument(
+    picture.add_argument(
         "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
     )
     command.set_defaults(f_stop=None, focus_distance=None, turn_blur=None)
 
 
-def add_lens(command: argparse.ArgumentParser, *, still: bool) -> None:
+def add_lens(command: CommandParser, *, still: bool) -> None:
     """Declare the options of the lens; those of a ``still`` picture have the blur of a turn."""
+    lens = command.add_argument_group("lens")
     add_arguments(
-        command,
+        lens,
         {
             "--f-stop N": "depth of field: focal length over the diameter of the lens's opening; 0: all is sharp "
             "(the default)",
@@ -100,7 +113,7 @@ def add_lens(command: argparse.ArgumentParser, *, still: bool) -> None:
     )
     if still:
         blur = "motion blur: by how much the object turns while the shutter is open (default: 0)"
-        add_arguments(command, {"--turn-blur DEG": blur}, turn_blur=float)
+        add_arguments(lens, {"--turn-blur DEG": blur}, turn_blur=float)
 
 
 def _point_light(text: str) -> Lamp:
@@ -178,7 +191,7 @@ def parse_view(options: argparse.Namespace) -> View:
     return view
 
 
-def add_environment(command: argparse.ArgumentParser) -> None:
+def add_environment(command: CommandParser) -> None:
     """Declare an environment, given by place, and its ``--layout``."""
     add_arguments(
         command,
@@ -191,8 +204,9 @@ def add_environment(command: argparse.ArgumentParser) -> None:
     )
 
 
-def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, sheet: bool = False) -> None:
+def add_picture(command: CommandParser, *, radiance: bool = True, sheet: bool = False) -> None:
     """Declare the options read by :func:`parse_settings`; ``radiance``: EXR beside PNG; ``sheet``: with text."""
+    file = command.add_argument_group("file")
     spaces = _COLOUR_SPACES if radiance else _COLOUR_SPACES[:2]
     exr = "; 16 or 32 of an EXR (default: 32)" if radiance else ""
     command.set_defaults(bits=None, transparent=False)
@@ -202,17 +216,17 @@ def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, shee
             f"--bits {bits}": f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
             "--transparent": "the object alone, with its share of each pixel as alpha",
         }
-        add_arguments(command, texts, bits=int)
+        add_arguments(file, texts, bits=int)
     rest = ", linear; rec2020 for EXR" if radiance else ""
     texts = {
         "--colour-space": f"colours of the file, its ICC profile within (default: srgb{rest})",
         "--samples N": "real time: samples per pixel, where the GPU has them (default: 4)",
     }
-    add_arguments(command, texts, colour_space=spaces)
+    add_arguments(file, texts, colour_space=spaces)
     command.set_defaults(exposures=None)
     if not sheet:
         text = "real time, depth of field and motion blur: pictures that are averaged (default: 64)"
-        add_arguments(command, {"--exposures N": text})
+        add_arguments(file, {"--exposures N": text})
 
 
 def parse_settings(options: argparse.Namespace) -> PictureSettings:

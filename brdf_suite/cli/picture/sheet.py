@@ -1,29 +1,34 @@
-"""``brdf-suite sheet PALETTE|FOLDER -o out.png|out.pdf``: contact sheet of paints in the same light, with figures."""
+"""``brdf-suite sheet PAINT|PALETTE… -o out.png|out.pdf``: contact sheet of paints in the same light, with figures."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
+from brdf_suite.cli.arguments import PAINTS, add_arguments, add_export, add_output
+from brdf_suite.cli.output import export_progress, print_written
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.palettes.swatches.look import RENDERED, SwatchLook
 from brdf_suite.reports.contact_sheet.document import write_sheet
 from brdf_suite.reports.contact_sheet.page_layout import FIELDS, PageStyle
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Render every paint of a palette (of any format that palette info reads) or of a folder on the "
         "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°."
     )
+    command.examples = (
+        "brdf-suite sheet summer.brdfpalette -o summer.pdf --page a4 --landscape",
+        "brdf-suite sheet blue red copper -o three.png --form sphere",
+    )
+    add_arguments(command, {"sources PAINT|PALETTE...": PAINTS}, sources=Path)
+    add_output(command, "the sheet (.png or .pdf)", stream=".png")
     add_arguments(
-        command,
+        command.add_argument_group("sheet"),
         {
-            "source PALETTE|FOLDER|PAINT": "a palette, a folder of .brdfpaint files, or a single paint, measured "
-            "file or name",
-            "-o/--output FILE (required)": "the sheet (.png or .pdf)",
             "--columns N": "in a row (default: a sheet of 4 to 3)",
             "--form {surface,sphere,panel,chips,flop_strip}=surface": "the picture of a paint: --mesh in its "
             "surroundings, a sphere or a curved panel before mid grey as Color Swatch has it, bands of its colours at "
@@ -33,7 +38,6 @@ def add(command: argparse.ArgumentParser) -> None:
             "--show FIELDS": "what stands below the pictures of a PDF, by commas: code, colours (chips at 15, 45 and "
             "110°), figures (flop index and gloss), lab (default: all)",
         },
-        source=Path,
     )
     add_scene(command, (360, 240))
     add_picture(command, radiance=False, sheet=True)
@@ -50,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
     style = PageStyle(options.page, options.landscape, fields=shown)
     with export_progress("sheet", options) as progress:
         made = write_sheet(
-            options.source,
+            options.sources,
             view,
             options.size,
             options.output,

@@ -6,9 +6,11 @@ import argparse
 import math
 from dataclasses import replace
 
+from brdf_suite.cli.arguments import add_arguments, add_json, add_output
 from brdf_suite.cli.fit_options import add_fitting, parse_fitting
-from brdf_suite.cli.output import add_arguments, print_json, progress_bar
+from brdf_suite.cli.output import print_csv, print_done, print_json, progress_bar
 from brdf_suite.cli.picture.reference_options import samples
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.extras import import_extra
 from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.scene import environment_names
@@ -16,7 +18,7 @@ from brdf_suite.progress import subrange
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
@@ -25,7 +27,7 @@ def add(command: argparse.ArgumentParser) -> None:
     add_arguments(
         command,
         {
-            "--paints FILE|PAINT...": "default: all shipped designed paints",
+            "--paints PAINT...": "default: all shipped designed paints",
             "--environments FILE|NAME...": "default: all shipped environments",
             "--mesh FILE|NAME...": "the surfaces, each reported separately (default: sphere); all but the first in the "
             "shipped environments, where one is among those given",
@@ -39,13 +41,14 @@ def add(command: argparse.ArgumentParser) -> None:
             "eight populations of flakes",
             "--lobes": "trace the fitted lobes too: separates the fit's error from the look-up's",
             "--keep FOLDER": "keep what is traced in this folder",
-            "-o/--output FILE": "a page (.md) to write; its pictures go into images/ beside it",
-            "--json": "print every figure as one JSON object",
         },
         forms=tuple(FORMS),
         spp=samples,
         noise=_bound,
     )
+    command.examples = ("brdf-suite agreement --paints blue --environments booth -o agreement.md",)
+    add_output(command, "a page (.md) to write; its pictures go into images/ beside it", required=False)
+    add_json(command, csv=True)
     add_fitting(command)
     command.set_defaults(run=run)
 
@@ -103,6 +106,21 @@ def run(options: argparse.Namespace) -> int:
             }
         )
         return 0
+    if options.csv:
+        print_csv(
+            {
+                "paint": case.paint,
+                "environment": case.environment,
+                "form": form,
+                "delta_e_mean": error.mean,
+                "delta_e_p99": error.p99,
+                "flip": error.flip,
+                "noise": case.noise.mean,
+            }
+            for case in cases
+            for form, error in case.errors.items()
+        )
+        return 0
     print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}  form")
     for case in cases:
         form = judged_form(case.errors)
@@ -127,7 +145,7 @@ def run(options: argparse.Namespace) -> int:
             f"{shown.de00_worst:6.2f} {shown.noise:6.2f} {shown.luminance:6.3f}"
         )
     if options.output is not None:
-        print(f"{options.output}: written")
+        print_done(f"{options.output}: written")
     return 0
 
 

@@ -9,8 +9,10 @@ from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
-from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_json, whole_number
+from brdf_suite.cli.arguments import add_arguments, add_export, add_output, whole_number
+from brdf_suite.cli.output import export_progress, print_json
 from brdf_suite.cli.tools.measurements import describe_machine
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import load_database
@@ -22,7 +24,7 @@ _MOST_STARTS, _MOST_WORKERS = 64, 64
 _LIBRARIES = ("brdf-suite", "numpy", "scipy", "highspy")
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Search the exponents of the fixed cosine lobes: one lobe is added at a time, and each count is "
@@ -33,8 +35,7 @@ def add(command: argparse.ArgumentParser) -> None:
     add_arguments(
         command,
         {
-            f"-o/--output FILE={_OUTPUT}": f"default: {_OUTPUT}",
-            "--database DIR": "a folder of .brdfpaint files; default: the shipped paints",
+            "--database FOLDER": "a folder of .brdfpaint files; default: the shipped paints",
             "--lobes N=11": "the largest count, 1 to 12; default: 11",
             "--starts N=4": "starts per count; default: 4",
             "--workers N": "processes; default: one per core",
@@ -46,6 +47,9 @@ def add(command: argparse.ArgumentParser) -> None:
         workers=whole_number(1, _MOST_WORKERS),
         default=whole_number(1, 12),
     )
+    command.examples = ("brdf-suite basis --database paints -o basis.json --lobes 8",)
+    add_output(command, f"the file to write (default: {_OUTPUT})", required=False)
+    command.set_defaults(output=_OUTPUT)
     add_export(command)
     command.set_defaults(run=run)
 

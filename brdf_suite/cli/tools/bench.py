@@ -15,6 +15,7 @@ import subprocess
 from pathlib import Path
 from types import ModuleType
 
+from brdf_suite.cli.arguments import add_json
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.cli.tools.measurements import (
     Bound,
@@ -25,6 +26,7 @@ from brdf_suite.cli.tools.measurements import (
     renew_section,
     today,
 )
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
 
@@ -34,13 +36,14 @@ _DOCS = _CHECKOUT / "docs" / "method"
 _INSERT_FIGURES = _CHECKOUT / "packaging" / "documents" / "insert_figures.py"
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
+    command.examples = ("brdf-suite bench fit", "brdf-suite bench --list")
     command.description = "Measure. Without --json a table with the bound beside each figure."
     command.add_argument("name", nargs="?", metavar="NAME", help="which benchmark; see --list")
     command.add_argument("--list", action="store_true", help="name the benchmarks")
     command.add_argument("--all", action="store_true", help="run them all")
-    command.add_argument("--json", action="store_true", help="print one JSON object per benchmark")
+    add_json(command)
     command.add_argument(
         "--write",
         action="store_true",

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import argparse
 from datetime import UTC, datetime
+from typing import Any
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.arguments import add_json
+from brdf_suite.cli.output import print_csv, print_json, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import FileError
 from brdf_suite.files.array_file import read_header
 from brdf_suite.files.cache.disk_cache import CacheEntry
@@ -14,7 +17,7 @@ from brdf_suite.lighting.lobe_map_cache import PLAIN, MapCache
 from brdf_suite.palettes.swatches.store import SwatchStore
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command and what it does."""
     command.description = (
         "The prefiltered maps of environments are kept on disk and found again by the content of the "
@@ -25,6 +28,7 @@ def add(command: argparse.ArgumentParser) -> None:
         "The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
         "of maps and occlusion."
     )
+    command.examples = ("brdf-suite cache info", "brdf-suite cache verify --remove")
     actions = command.add_subparsers(dest="action", metavar="info|clear|verify", required=True)
     for name, words, run in (
         ("info", "say where the cache is, how large, and what is in it", info),
@@ -32,7 +36,8 @@ def add(command: argparse.ArgumentParser) -> None:
         ("verify", "read every entry and compare its checksum; status 1 where one is damaged", verify),
     ):
         action = actions.add_parser(name, help=words, description=words[0].upper() + words[1:] + ".")
-        action.add_argument("--json", action="store_true", help="print one JSON object")
+        action.examples = (f"brdf-suite cache {name}",)
+        add_json(action, csv=name == "info")
         action.set_defaults(run=run)
         if name == "verify":
             action.add_argument(
@@ -69,6 +74,9 @@ def info(options: argparse.Namespace) -> int:
                 },
             }
         )
+        return 0
+    if options.csv:
+        print_csv({**row, "exponents": len(row["exponents"])} for row in rows)
         return 0
     print(f"{cache.folder}: {_count(len(rows), 'entry', 'entries')}, {_share(used, cache.limit_bytes)}")
     for row in rows:
@@ -165,7 +173,7 @@ def verify(options: argparse.Namespace) -> int:
     return 0 if passed else 1
 
 
-def _row(entry: CacheEntry) -> dict[str, object]:
+def _row(entry: CacheEntry) -> dict[str, Any]:
     """Return one entry as plain values; ``environment`` is empty where the file does not name it."""
     try:
         facts = read_header(PLAIN, entry.path)

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.cli.output import progress_bar
+from brdf_suite.cli.arguments import add_output
+from brdf_suite.cli.output import print_done, progress_bar
+from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.lighting.filter.shading_table import shading_table
 from brdf_suite.reflectance.facet_table import facet_table
@@ -17,7 +19,7 @@ from brdf_suite.reflectance.facet_table import facet_table
 _OUTPUT, _FACETS = Path("look_ups.json"), Path("facet_albedo.npy")
 
 
-def add(command: argparse.ArgumentParser) -> None:
+def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Find direction, exponent and amplitude by which a cosine lobe times the cosine of incidence is "
@@ -26,8 +28,12 @@ def add(command: argparse.ArgumentParser) -> None:
         "facets reflect, by roughness, angle and Fresnel reflectance, from which multiple scattering follows; the "
         "suite's own is resources/shading/facet_albedo.npy."
     )
-    command.add_argument(
-        "-o", "--output", metavar="FILE", type=Path, help=f"default: {_OUTPUT}, or {_FACETS} with --facets"
+    command.examples = ("brdf-suite shading-table -o look_ups.json",)
+    add_output(
+        command,
+        f"the file to write (default: {_OUTPUT}, or {_FACETS} with --facets)",
+        stream=_OUTPUT.suffix,
+        required=False,
     )
     command.add_argument("--facets", action="store_true", help="make the table of rough facets instead")
     command.set_defaults(run=run)
@@ -44,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
         text = text.replace(opening, "\n" + opening)  # one lobe on a line
     output = options.output or _OUTPUT
     write_atomically(output, f"{text}\n".encode())
-    print(f"{output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
+    print_done(f"{output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
     return 0
 
 
@@ -54,5 +60,5 @@ def _write_facets(output: Path) -> int:
     data = io.BytesIO()
     np.save(data, table)
     write_atomically(output, data.getvalue())
-    print(f"{output}: {' × '.join(map(str, table.shape))} numbers")
+    print_done(f"{output}: {' × '.join(map(str, table.shape))} numbers")
     return 0

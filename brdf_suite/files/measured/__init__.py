@@ -81,8 +81,8 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
 
 
 # Any: each writer takes its own value classes and says what it cannot write.
-def write_measured(value: Any, path: PathLike) -> WrittenMeasurement:
-    """Write a reflectance in the format that the ending of ``path`` names; return that format, and notes.
+def write_measured(value: Any, path: PathLike, format_name: str = "") -> WrittenMeasurement:
+    """Write a reflectance in the format of that name, or that the ending of ``path`` names; return it, and notes.
 
     The file is written whole or not at all.
 
@@ -95,7 +95,8 @@ def write_measured(value: Any, path: PathLike) -> WrittenMeasurement:
     ending = Path(path).suffix.lower()
     writers = [known for known in FORMATS if known.write is not None]
     for known in writers:
-        if ending in known.endings and known.write is not None:
+        meant = known.name == format_name if format_name else ending in known.endings
+        if meant and known.write is not None:
             return WrittenMeasurement(known, known.write(value, path) or ())
     endings = ", ".join(sorted({end for known in writers for end in known.endings}))
     raise FileError(path, f"the ending {ending or '(none)'} names no format that is written here ({endings})")

@@ -19,7 +19,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
-from brdf_suite.files.measured.samples import (
+from brdf_suite.files.measured.goniometer_rows import (
     SampleRows,
     angles,
     as_samples,

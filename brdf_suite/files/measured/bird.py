@@ -21,7 +21,7 @@ from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import MOST_SAMPLES
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
-from brdf_suite.files.measured.samples import (
+from brdf_suite.files.measured.goniometer_rows import (
     SampleRows,
     angles,
     as_samples,

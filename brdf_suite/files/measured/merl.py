@@ -232,7 +232,7 @@ def _sniff(head: bytes, size: int) -> bool:
 FORMAT = MeasuredFormat(
     "merl",
     "MERL isotropic table",
-    (".binary",),
+    (".binary", ".merl"),
     _sniff,
     lambda path, options: read_merl(
         path, scale_factors=options.scale_factors, average_reciprocal=options.average_reciprocal

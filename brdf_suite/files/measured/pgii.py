@@ -14,7 +14,7 @@ import numpy as np
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
-from brdf_suite.files.measured.samples import SampleRows, directions, rgb_values, samples
+from brdf_suite.files.measured.goniometer_rows import SampleRows, directions, rgb_values, samples
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 _LARGEST = 256 << 20

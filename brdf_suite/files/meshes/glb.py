@@ -36,6 +36,7 @@ _LOOKS = {
     word: {"baseColorFactor": list(colour), "metallicFactor": metallic, "roughnessFactor": roughness}
     for word, colour, metallic, roughness in (
         ("paint", (0.20, 0.03, 0.03, 1.0), 0.0, 0.15),
+        ("second_paint", (0.03, 0.03, 0.20, 1.0), 0.0, 0.15),
         ("glass", (0.02, 0.025, 0.03, 0.4), 0.0, 0.02),
         ("lens", (0.9, 0.9, 0.9, 0.08), 0.0, 0.02),
         ("rubber", (0.02, 0.02, 0.02, 1.0), 0.0, 0.75),

@@ -205,7 +205,7 @@ def _repaired(path: PathLike, raw: list[RawPart], unit: str) -> Mesh:
             parts.append(part)
     if not parts:
         raise FileError(path, f"no triangle that can be drawn ({'; '.join(notes)})")
-    return Mesh(Path(path).stem, tuple(parts), tuple(notes))
+    return Mesh(Path(path).stem, tuple(parts), tuple(notes), factor)
 
 
 def _in_unit(mesh: Mesh, unit: str) -> Mesh:

@@ -8,6 +8,7 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -16,6 +17,7 @@ from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import FitErrors, errors_of, half_and_difference, samples_of
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
+from brdf_suite.notebook import Shown
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
@@ -115,7 +117,7 @@ def _of_samples(samples: ScatteredSamples, fit: CookTorranceFit) -> FitPlot:
 
 
 @dataclass(frozen=True, eq=False)
-class FileFit:
+class FileFit(Shown):
     """Lobes beside what they were fitted to.
 
     ``errors`` are over every measured bin or sample; ``errors_within`` over those not beyond the grazing angle of the
@@ -130,6 +132,10 @@ class FileFit:
     errors: FitErrors
     errors_within: FitErrors
     seconds: float
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return what was fitted, f_r (..., 3) in 1/sr; arguments as of :meth:`.Reflectance.eval`."""
+        return self.fit.eval(wi, wo)
 
     @cached_property
     def plot(self) -> FitPlot:

@@ -26,7 +26,7 @@ from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.fitting.homomorphic.factorize import (
+from brdf_suite.fitting.homomorphic.product_fit import (
     DEFAULT_RESOLUTION,
     DEFAULT_SMOOTHNESS,
     FactorizationResult,
@@ -105,12 +105,12 @@ def factorize_with_peak(
     """Factor ``samples`` clamped at ``cut`` times (over 1) the body itself, and the clamped remainder.
 
     All channels of a sample are cut by one factor, so that what is left keeps its colour. Other arguments as of
-    :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; ``bias`` is over the mean of what is left.
+    :func:`~brdf_suite.fitting.homomorphic.product_fit.factorize`; ``bias`` is over the mean of what is left.
 
     Raises
     ------
     ValueRangeError, FittingError
-        As :func:`~brdf_suite.fitting.homomorphic.factorize.factorize`; or ``cut`` or ``form`` is not as above.
+        As :func:`~brdf_suite.fitting.homomorphic.product_fit.factorize`; or ``cut`` or ``form`` is not as above.
     """
     if not cut > 1.0:
         raise ValueRangeError("cut", f"expected more than 1 time the body, not {cut:g}")

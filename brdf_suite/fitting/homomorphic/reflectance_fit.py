@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal, get_args
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats, triple
@@ -24,18 +25,18 @@ from brdf_suite.fitting.homomorphic.factorization import (
     as_radial,
     asymmetries,
 )
-from brdf_suite.fitting.homomorphic.factorize import (
-    BIAS,
-    DEFAULT_RESOLUTION,
-    FactorizationResult,
-    correct_mean,
-    factorize,
-)
 from brdf_suite.fitting.homomorphic.peak import (
     MEASURED_SMOOTHNESS,
     PEAK_BIAS,
     FactorizationWithPeak,
     factorize_with_peak,
+)
+from brdf_suite.fitting.homomorphic.product_fit import (
+    BIAS,
+    DEFAULT_RESOLUTION,
+    FactorizationResult,
+    correct_mean,
+    factorize,
 )
 from brdf_suite.fitting.homomorphic.samples import (
     DEFAULT_PAIRS,
@@ -51,6 +52,7 @@ from brdf_suite.geometry.factor_words import (
     factor_words,
     parse_factors,
 )
+from brdf_suite.notebook import Shown
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.factored.model import Factored, build_factored
@@ -97,7 +99,7 @@ class FactoringOptions:
 
 
 @dataclass(frozen=True, eq=False)
-class FactoredFit:
+class FactoredFit(Shown):
     """A product of textures beside what it came from.
 
     ``maps``: (n, 3) or (n, n, 3) by the names in ``factors`` and ``peak``, the words of how they are read; ``peak`` is
@@ -121,6 +123,10 @@ class FactoredFit:
     left_out: int
     raised: int
     solver: str
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return what was fitted, f_r (..., 3) in 1/sr; arguments as of :meth:`.Reflectance.eval`."""
+        return self.value.eval(wi, wo)
 
     def to_json(self) -> dict[str, object]:
         """Return the figures by their names."""

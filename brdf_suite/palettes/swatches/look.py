@@ -58,8 +58,9 @@ class SwatchLook:
     Attributes
     ----------
     form
-        ``sphere``, ``panel`` and ``speed_form`` are drawn by the renderer. ``flop_strip`` runs from 15° at the left to
-        110° at the right, light at 45°; ``chips`` has one band for each of ``angles_deg``, from the left.
+        ``sphere``, ``panel`` and ``speed_form`` are drawn by the renderer, as is a mesh by the absolute path of its
+        file. ``flop_strip`` runs from 15° at the left to 110° at the right, light at 45°; ``chips`` has one band for
+        each of ``angles_deg``, from the left.
     environment
         The light, by packaged name or absolute path of a file.
     size
@@ -70,14 +71,15 @@ class SwatchLook:
         What the light's white is taken for; it tints every form.
     """
 
-    form: Form = "sphere"
+    form: str = "sphere"
     environment: str = "booth"
     size: int = 96
     angles_deg: tuple[float, ...] = (15.0, 45.0, 110.0)
     light_colour: LightColour = field(default_factory=LightColour)
 
     def __post_init__(self) -> None:
-        check_choice(self.form, "form", FORMS)
+        if not self.is_mesh:
+            check_choice(self.form, "form", FORMS)
         if isinstance(self.size, bool) or not isinstance(self.size, int):
             raise ValueRangeError("size", f"a whole number of pixels is wanted, not {self.size!r}")
         if not SMALLEST <= self.size <= LARGEST:
@@ -94,17 +96,23 @@ class SwatchLook:
         self.view()
 
     @property
+    def is_mesh(self) -> bool:
+        """Whether the form is the mesh of a file."""
+        return Path(self.form).is_absolute()
+
+    @property
     def is_rendered(self) -> bool:
         """Whether the renderer draws this form."""
-        return self.form in RENDERED
+        return self.is_mesh or self.form in RENDERED
 
     def view(self) -> View:
         """Return the view that is drawn. Its exposure is locked: a darker paint shall look darker."""
         return View(
             environment=self.environment,
             surface=self.form if self.is_rendered else "sphere",
-            # A sphere occludes nothing of itself; baking it would take a third of the time of the first picture.
-            surface_look=SurfaceLook(occlusion=self.form != "sphere"),
+            # A sphere occludes nothing of itself; baking it would take a third of the time of the first picture, and
+            # that of a mesh any time.
+            surface_look=SurfaceLook(occlusion=self.form != "sphere" and not self.is_mesh),
             background="colour",
             background_colour=GROUND,
             light_colour=self.light_colour,
@@ -138,6 +146,7 @@ class SwatchLook:
         parts: list[object] = [self.form, self.size, self.light_colour.illuminant, self.light_colour.adapted]
         if self.is_rendered:
             parts += [self.environment, file_stamp(self.environment), _shaders()]
+            parts += [file_stamp(self.form)] if self.is_mesh else []
         elif self.form == "chips":
             parts.append(self.angles_deg)
         return repr((_DRAWING_VERSION, *parts)).encode()

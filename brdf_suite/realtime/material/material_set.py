@@ -74,6 +74,10 @@ class MaterialSet:
         """Take the weights of a material; they are written when it is next drawn."""
         self._weights[name] = weights
 
+    def has(self, name: str) -> bool:
+        """Whether weights were set for a material."""
+        return name in self._weights
+
     def find(self, name: str, modes: Modes, ladder: Ladder) -> MaterialOnGpu:
         """Return a material as it is drawn, written where anything has changed.
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SECOND_PAINT
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.camera import MIDDLE, CameraMatrices, LensPoint, crop, matrices
 from brdf_suite.realtime.environment.backdrop import backdrop
@@ -38,8 +39,8 @@ from brdf_suite.realtime.relief.textures import ReliefTextures
 from brdf_suite.realtime.relief.values import PeelTile
 
 DEFAULT_SAMPLES = 4
-PAINT, SECOND_PAINT = "paint", "paint_two"
-"""The material that relief and masks belong to, and the one that is blended over it."""
+PAINT = "paint"
+"""The material that masks belong to; relief belongs to it and to the second paint."""
 Corner = tuple[int, int]
 Region = tuple[int, int, int, int]
 Drawn: TypeAlias = tuple[int, str, Features]
@@ -302,16 +303,22 @@ class LightPass:
     def drawn_parts(self, view: View, features: Features) -> list[Drawn]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
 
-        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place. What is drawn
-        as a line over it, a gap, is painted through.
+        Relief belongs to the paints. By a mask, a second paint is drawn over the first, by its share at each place.
+        What is drawn as a line over it, a gap, is painted through. A part of the second paint has the first where the
+        view names no second.
         """
         chosen = view.surface_look.chosen
         owned = enumerate(zip(self.mesh.names, self.mesh.materials, strict=True))
         names = [
             chosen.get(part, PAINT if number in self.mesh.gaps else own) for number, (part, own) in owned
         ]
+        if view.two_tone.paint is None or not self._materials.has(SECOND_PAINT):
+            names = [PAINT if name == SECOND_PAINT else name for name in names]
         painted = features | self.relief.features(view)
-        drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
+        drawn = [
+            (part, name, painted if name in (PAINT, SECOND_PAINT) else features)
+            for part, name in enumerate(names)
+        ]
         if self.relief.has_second_paint(view):
             over = painted | {"SECOND_PAINT"}
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]

@@ -69,17 +69,29 @@ def _draw_geometry(
 ) -> tuple[Singles, Singles]:
     """Return (h, w, 4) each, top row first: position and part from 1, normal; 0 past the surface."""
     width, height = framebuffer.size
-    assign(program, {"world_to_clip": columns(world_to_clip), "eye": tuple(eye.tolist())})
-    renderer.objects.bind(framebuffer, (width, height), depth=True)
     found = []
     for as_normal in (False, True):
-        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
-        for part, array in enumerate(renderer.mesh.arrays(program)):
-            assign(program, {"part": part, "as_normal": as_normal})
-            array.render(moderngl.TRIANGLES)
+        _draw_quantity(renderer, program, framebuffer, world_to_clip, eye, as_normal=as_normal)
         read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
         found.append(read.reshape(height, width, 4)[::-1])
     return found[0], found[1]
+
+
+def _draw_quantity(
+    renderer: Renderer,
+    program: moderngl.Program,
+    framebuffer: moderngl.Framebuffer,
+    world_to_clip: Floats,
+    eye: Floats,
+    *,
+    as_normal: bool,
+) -> None:
+    assign(program, {"world_to_clip": columns(world_to_clip), "eye": tuple(eye.tolist())})
+    renderer.objects.bind(framebuffer, framebuffer.size, depth=True)
+    framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+    for part, array in enumerate(renderer.mesh.arrays(program)):
+        assign(program, {"part": part, "as_normal": as_normal})
+        array.render(moderngl.TRIANGLES)
 
 
 _TILE = (2, 2)
@@ -134,6 +146,21 @@ class PixelProbe:
         self._objects = renderer.objects
         self._program: moderngl.Program | None = None
         self._target = Target(self._objects, has_depth=True)
+        self._whole = Target(self._objects, has_depth=True)
+
+    def parts(self, view: View, size: Size) -> NDArray[np.int32]:
+        """Return which part of the mesh the middle of each pixel of a picture shows, (h, w), top row first; -1 none."""
+        width, height = check_size(size)
+        camera = self._renderer.camera_matrices(view, (width, height))
+        with graphics_errors(self._renderer.context, "looking for the parts in the picture"):
+            framebuffer, _ = self._whole.prepare((width, height), "f4")
+            program = self._geometry_program()
+            _draw_quantity(
+                self._renderer, program, framebuffer, camera.world_to_clip, camera.eye, as_normal=False
+            )
+            read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
+        numbers = read.reshape(height, width, 4)[::-1, :, 3]
+        return np.rint(numbers).astype(np.int32) - 1
 
     def at(
         self,
@@ -178,10 +205,13 @@ class PixelProbe:
         self, view: View, size: Size, corner: tuple[int, int]
     ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Return two tiles (2, 2, 4), top row first: position and part from 1, normal; 0 past the surface."""
-        if self._program is None:
-            self._program = self._objects.program(compose("mesh.vert.glsl"), compose("probe.frag.glsl"))
         camera = self._renderer.camera_matrices(view, size)
         cropped = crop(size, corner, _TILE) @ camera.world_to_clip
         with graphics_errors(self._renderer.context, "looking for the surface under the cursor"):
             framebuffer, _ = self._target.prepare(_TILE, "f4")
-            return _draw_geometry(self._renderer, self._program, framebuffer, cropped, camera.eye)
+            return _draw_geometry(self._renderer, self._geometry_program(), framebuffer, cropped, camera.eye)
+
+    def _geometry_program(self) -> moderngl.Program:
+        if self._program is None:
+            self._program = self._objects.program(compose("mesh.vert.glsl"), compose("probe.frag.glsl"))
+        return self._program

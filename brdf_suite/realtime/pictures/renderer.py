@@ -274,7 +274,8 @@ class Renderer:
             raise ValueRangeError(
                 "view", "lamps and relief are not captured; draw such a view paint by paint"
             )
-        if view.two_tone.mask is not None and view.two_tone.paint is not None:
+        two_tone = view.two_tone.mask is not None or view.surface_look.wears_second
+        if two_tone and view.two_tone.paint is not None:
             raise ValueRangeError("view", "two paints on one form are not captured")
         if view.glare != "off":
             raise ValueRangeError("view", "glare is not captured; it depends on the whole picture")

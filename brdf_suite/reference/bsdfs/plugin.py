@@ -5,12 +5,11 @@ Mitsuba's class differs from variant to variant, so ours is made when it is firs
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
 from brdf_suite.reference.bsdfs import directions, terms
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, LocalBsdf, TwoToneBsdf
-from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.mitsuba_modules import dr, mi, per_variant
 from brdf_suite.reference.scene.camera import Pinhole
 from brdf_suite.reference.scene.place import Place
 
@@ -27,13 +26,13 @@ def make_pane(ior: float, transmittance: float) -> Any:
 
     What it passes goes straight on and is not its own: a picture's coverage is what a pane mirrors or keeps.
     """
-    made = _pane_plug_in(mi.variant())(mi.Properties())
+    made = _pane_plug_in()(mi.Properties())
     made.ior, made.transmittance = ior, transmittance
     return made
 
 
-@cache
-def _pane_plug_in(_variant: str) -> Any:
+@per_variant
+def _pane_plug_in() -> Any:
     class PaneBsdf(mi.BSDF):
         """Mirrors, or lets pass, by chance: as often as it lets pass, so that what passes keeps its weight."""
 
@@ -80,7 +79,7 @@ def _pane_plug_in(_variant: str) -> Any:
     return PaneBsdf
 
 
-@cache
+@per_variant
 def _plug_in() -> Any:
     class SuiteBsdf(mi.BSDF):
         """f_r of a term times the cosine of the light, sampled by the term's samplers."""

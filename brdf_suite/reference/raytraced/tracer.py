@@ -17,8 +17,11 @@ channel is traced apart.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -41,6 +44,8 @@ from brdf_suite.reference.scene.lamps import LampAim, lamp_power
 
 _GOLDEN = 0x9E3779B9
 """The golden ratio's part of 2³²: places of a sequence that fills the circle evenly."""
+NONE_SEEN: Mapping[int, FlakesSeen] = MappingProxyType({})
+"""No flakes are seen one by one."""
 DEFAULT_DEPTH = 4
 """Reflections one after the other: between clearcoats each leaves a twentieth of the light, towards grazing more."""
 
@@ -128,7 +133,7 @@ class SampleBudget:
 class TracerScene:
     """The traced scene. ``materials`` are splits, by their numbers; the ground's ``height`` is None for none.
 
-    ``sparkle`` is of the material number ``paint``.
+    ``sparkles`` are the flakes of those materials that have some, by their numbers.
     """
 
     surface: Surface
@@ -136,8 +141,7 @@ class TracerScene:
     sky: TracedSky
     lights: LightArrays
     height: Real | None
-    sparkle: FlakeLayer | None
-    paint: int
+    sparkles: Mapping[int, FlakeLayer]
     depth: int = DEFAULT_DEPTH
 
 
@@ -206,14 +210,18 @@ def _meeting(
 
 def _flakes(
     stage: TracerScene, camera: Pinhole, direction: Vector, hit: SurfaceHit, met: Any
-) -> FlakesSeen | None:
-    if stage.sparkle is None:
-        return None
+) -> Mapping[int, FlakesSeen]:
+    """Return the flakes of the pixel, by the number of the material that they are in."""
+    if not stage.sparkles:
+        return {}
     far = dr.norm(hit.place - camera.place)
     across, down = camera.footprint(direction, far, hit.normal)
-    painted = met & (stage.surface.material(hit, met) == stage.paint)
+    material = stage.surface.material(hit, met)
+    painted = met & reduce(or_, (material == number for number in stage.sparkles))
     at, per_column, per_row = stage.surface.texture_place(hit, across, down, painted)
-    return flakes_seen(stage.sparkle.flakes, at, per_column, per_row)
+    return {
+        number: flakes_seen(layer.flakes, at, per_column, per_row) for number, layer in stage.sparkles.items()
+    }
 
 
 Pick = Callable[[Any, Any], tuple[Any, Real]]
@@ -245,7 +253,7 @@ def _lit(
     on_ground: Any,
     pick: Pick,
     number: Any,
-    seen: FlakesSeen | None = None,
+    seen: Mapping[int, FlakesSeen] = NONE_SEEN,
     *,
     lamps_on_ground: bool = False,
 ) -> tuple[Colour, Colour]:
@@ -302,7 +310,7 @@ def _value(
     light: Vector,
     view: Vector,
     kind: Any,
-    seen: FlakesSeen | None,
+    seen: Mapping[int, FlakesSeen],
     spread: Real,
     active: Any,
 ) -> Colour:
@@ -328,10 +336,10 @@ def _value(
         value = values[0](light, view, kind, spread, active)
     else:
         value = dr.switch(material, values, light, view, kind, spread, active)
-    if seen is None or stage.sparkle is None:
-        return value
-    bright = sparkling(stage.sparkle, seen, light, view, spread, value)
-    return dr.select(material == stage.paint, bright, value)
+    for number, flakes in seen.items():
+        bright = sparkling(stage.sparkles[number], flakes, light, view, spread, value)
+        value = dr.select(material == number, bright, value)
+    return value
 
 
 def _reflected(

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.filter.prefilter import prefilter
+from brdf_suite.lighting.filter.lobe_maps import prefilter
 from brdf_suite.lighting.latlong import sample
 from brdf_suite.reference.scene.camera import PinholeCamera
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
-from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.mitsuba_modules import dr, mi, per_variant
 from brdf_suite.reference.scene.lamps import lamp_light
 from brdf_suite.reference.scene.place import texture
 
@@ -180,7 +179,7 @@ def ground_mesh(ground: GroundGrid, environment: Any) -> tuple[Any, Any]:
     return mesh, emitter
 
 
-@cache
+@per_variant
 def _plug_in() -> Any:
     class GroundLight(mi.Emitter):
         """Emitter of the environment's light reflected by the ground; paths meet it, the camera does not see it."""

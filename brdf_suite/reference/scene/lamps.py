@@ -10,14 +10,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.geometry.directions import from_horizon
-from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.mitsuba_modules import dr, mi, per_variant
 
 _FAR = 1e5
 """Metres: where a distant lamp is taken to be."""
@@ -33,7 +32,7 @@ def lamp_emitter(lamp: Lamp) -> Any:
     power = mi.ScalarColor3f(lamp_power(lamp).tolist())
     aim = LampAim.of(lamp)
     if aim.radius > 0.0:
-        emitter = _plug_in(mi.variant())(mi.Properties())
+        emitter = _plug_in()(mi.Properties())
         emitter.aim = aim
         emitter.power = power
         return emitter
@@ -98,8 +97,8 @@ def lamp_light(
     return arrived, sent
 
 
-@cache
-def _plug_in(_variant: str) -> Any:
+@per_variant
+def _plug_in() -> Any:
     class DiscLamp(mi.Emitter):
         """Emitter that rays are sent to and that none meets."""
 

@@ -97,7 +97,7 @@ class Sheet:
 
 
 def write_sheet(
-    source: Path,
+    sources: Sequence[Path],
     view: View,
     cell: Size,
     path: Path,
@@ -108,7 +108,7 @@ def write_sheet(
     style: PageStyle | None = None,
     progress: Progress | None = None,
 ) -> Sheet:
-    """Draw every paint of ``source`` (:func:`sheet_items`) and write the sheet; see :func:`write_sheet_of`.
+    """Draw every paint of the sources (:func:`sheet_items`) and write the sheet; see :func:`write_sheet_of`.
 
     Raises
     ------
@@ -118,7 +118,9 @@ def write_sheet(
         The progress callback asked for it; the old file stays.
     """
     _check(path, columns, settings or PictureSettings())
-    title, items = sheet_items(source)
+    found = [sheet_items(source) for source in sources]
+    title = ", ".join(dict.fromkeys(title for title, _ in found))
+    items = [item for _, some in found for item in some]
     return write_sheet_of(
         title, items, view, cell, path, columns, settings, form=form, style=style, progress=progress
     )

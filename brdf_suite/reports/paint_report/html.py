@@ -198,19 +198,20 @@ def _table(made: Report) -> str:
 def _plots(made: Report) -> str:
     plots = "".join(
         f'<svg viewBox="0 0 {plot.width:g} {plot.height:g}" role="img" aria-label="{escape(plot.title)}">'
-        f"{''.join(map(_stroke, plot.strokes))}</svg>"
+        f"{''.join(map(stroke_svg, plot.strokes))}</svg>"
         for plot in plots_of(made, 200.0, 140.0)
     )
     key = " &nbsp; ".join(
         '<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">'
-        f"{_stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[curve.title]))}</svg> {curve.title}"
+        f"{stroke_svg(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[curve.title]))}</svg> {curve.title}"
         for curve in made.curves
     )
     marks = " &nbsp; ● readings" + (" &nbsp; □ standard" if made.batch is not None else "")
     return f'<div class="plots">{plots}</div>\n<p class="soft">{key}{marks}</p>\n'
 
 
-def _stroke(stroke: Stroke) -> str:
+def stroke_svg(stroke: Stroke) -> str:
+    """Return a stroke of a plot as an SVG element."""
     if isinstance(stroke, PlotLine):
         points = " ".join(f"{x:.2f},{y:.2f}" for x, y in stroke.points)
         dashes = (

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
@@ -33,10 +32,10 @@ class RaytracedPicture(TracedFile):
 
 
 def render_raytraced(
-    paint: str | os.PathLike[str] | Material,
+    paint: PathLike | Material,
     view: View,
     size: Size,
-    path: Path,
+    path: PathLike,
     *,
     quality: str | Quality = DEFAULT_PRESET,
     samples: int | None = None,
@@ -58,6 +57,7 @@ def render_raytraced(
     seconds
         To trace at most; at least one pass is traced.
     """
+    path = Path(path)
     if path.suffix.lower() not in (".png", ".exr"):
         raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
     check_target(path)

@@ -18,6 +18,7 @@ import os
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
+from itertools import chain
 from time import perf_counter
 
 import numpy as np
@@ -62,9 +63,10 @@ def scene_key(inputs: PictureInputs, mesh: Mesh) -> str:
     shown = {name: document[name] for name in _LIT_BY if name in document}
     quality = {**asdict(inputs.quality), "tables": inputs.tables, "version": _VERSION}
     digest = hashlib.sha256(json.dumps([shown, quality], sort_keys=True).encode())
-    paint = inputs.paint
-    digest.update(repr((paint.name, paint.flakes, inputs.size, inputs.environment.content_hash)).encode())
-    digest_reflectance(paint.reflectance, digest, 256)
+    digest.update(repr((inputs.size, inputs.environment.content_hash)).encode())
+    for paint in inputs.paints.values():
+        digest.update(repr((paint.name, paint.flakes)).encode())
+        digest_reflectance(paint.reflectance, digest, 256)
     digest_mesh(mesh, digest)
     return digest.hexdigest()
 
@@ -177,19 +179,20 @@ class RaytracedSession:
         """
         chosen = find_quality(quality)
         loaded = load_inputs(self._parts, paint, view, environment, mesh, progress)
-        inputs = PictureInputs(*loaded, view, size, chosen, tables)
+        inputs = PictureInputs(*loaded, view, size, chosen, tables, self._parts.second(view))
         report(progress, 0.9, "building the scene")
         shaped, bounds = self._parts.mesh(inputs)
         inputs = replace(inputs, view=replace(view, camera=compose(view.camera, bounds, size)))
         _, paint_notices = self._parts.splits(inputs, shaped)
         self._wanted = inputs
+        notices = chain.from_iterable(paint.notices for paint in inputs.paints.values())
         of_files = *inputs.environment.notes, *shaped.notes
         self._scene = RaytracedScene(
             name=inputs.paint.name,
             environment=inputs.environment.name,
             surface=shaped.name,
             renderer=self._renderer,
-            notices=(*inputs.paint.notices, *paint_notices, *of_files, *left_out(inputs)),
+            notices=(*notices, *paint_notices, *of_files, *left_out(inputs)),
             view=inputs.view,
             size=size,
             key=scene_key(inputs, shaped),
@@ -275,8 +278,12 @@ class RaytracedSession:
             sky,
             self._parts.lights(inputs, turn),
             d.number(bounds.minimum[1]) if inputs.view.surface_look.ground else None,
-            sparkle_of(inputs.paint, inputs.view) if "paint" in names else None,
-            names.index("paint") if "paint" in names else 0,
+            {
+                number: layer
+                for number, name in enumerate(names)
+                if name in inputs.paints
+                and (layer := sparkle_of(inputs.paints[name], inputs.view)) is not None
+            },
         )
 
 
@@ -288,11 +295,13 @@ def rays_a_sample(quality: Quality) -> float:
 def left_out(inputs: PictureInputs) -> tuple[str, ...]:
     """Return sentences about what the view asks for and the ray tracer does not draw."""
     view, notices = inputs.view, []
-    peeled = view.relief.orange_peel > 0.0 or inputs.paint.orange_peel is not None
+    peeled = view.relief.orange_peel > 0.0 or any(
+        paint.orange_peel is not None for paint in inputs.paints.values()
+    )
     if view.relief.normal_map is not None or peeled:
         notices.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:
-        notices.append("The ray tracer shows the first paint alone.")
+        notices.append("The ray tracer shows the first paint alone where the mask divides two.")
     if view.lens.blurs:
         notices.append(
             "The ray tracer shows all sharp: without depth of field, and without the blur of a turn."

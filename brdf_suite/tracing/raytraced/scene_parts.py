@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SECOND_PAINT
+from brdf_suite.files.bounded_reading import file_stamp
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.environment import Environment
@@ -32,7 +34,7 @@ from brdf_suite.reference.raytraced.tracer import LightArrays
 from brdf_suite.reference.scene.backdrop import blur_map
 from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.optics import divide_paint, lobe_term
+from brdf_suite.tracing.optics import divide_paint, load_lit, lobe_term
 from brdf_suite.tracing.traced_picture import PAINT, Kept, Size, choose_materials
 
 _BLURRED_ROWS = 96
@@ -41,7 +43,7 @@ _TOO_MUCH = "times the light that falls on it"
 
 @dataclass(frozen=True, eq=False)
 class PictureInputs:
-    """All that a picture is made of, loaded."""
+    """All that a picture is made of, loaded; ``second`` is the paint of parts that wear it."""
 
     paint: Material
     environment: Environment
@@ -50,10 +52,25 @@ class PictureInputs:
     size: Size
     quality: Quality
     tables: TableSplit
+    second: Material | None = None
+
+    @property
+    def paints(self) -> dict[str, Material]:
+        """The paints by the words of parts that have them."""
+        paints = {PAINT: self.paint}
+        return paints if self.second is None else {**paints, SECOND_PAINT: self.second}
 
 
 class Parts(Kept):
     """Makes the parts of a picture; what was made for the same is given again."""
+
+    def second(self, view: View) -> Material | None:
+        """Return the view's second paint, read where it changed; None where no part wears one."""
+        asked = view.two_tone.paint
+        if asked is None or not view.surface_look.wears_second:
+            return None
+        made_of = (asked, file_stamp(asked), view.light_colour.illuminant)
+        return self.keep("second paint", made_of, lambda: load_lit(asked, view))
 
     def mesh(self, inputs: PictureInputs) -> tuple[Mesh, Bounds]:
         """Return the mesh with the materials that the view gives its parts, and its bounds."""
@@ -62,7 +79,8 @@ class Parts(Kept):
             mesh = choose_materials(inputs.mesh, inputs.view)
             return mesh, Bounds.of(p.positions for p in mesh.parts)
 
-        return self.keep("mesh", (Same(inputs.mesh), inputs.view.surface_look.materials), make)
+        worn = (inputs.view.surface_look.materials, inputs.view.two_tone.paint is None)
+        return self.keep("mesh", (Same(inputs.mesh), *worn), make)
 
     def surface(self, mesh: Mesh, view: View) -> Any:
         """Return the mesh in the ray tracer."""
@@ -86,20 +104,29 @@ class Parts(Kept):
 
         def stock() -> dict[str, Any]:
             weights = stock_materials(default_basis().exponents)
-            used = {name: weights.get(name, weights["neutral"]) for name in names if name != PAINT}
+            used = {
+                name: weights.get(name, weights["neutral"]) for name in names if name not in inputs.paints
+            }
             return {name: split(lobe_term(w, view), mirror=mirror) for name, w in used.items()}
 
-        others = self.keep("stock", (tuple(names), mirror, view.fresnel), stock)
-        if PAINT not in names:
-            return [others[name] for name in names], ()
-        made_of = (Same(inputs.paint.reflectance), view.fresnel)
-        term, notices = self.keep("term", made_of, lambda: term_of(inputs.paint, view))
+        cuts = dict(self.keep("stock", (tuple(names), mirror, view.fresnel), stock))
+        notices: tuple[str, ...] = ()
+        for name, paint in inputs.paints.items():
+            if name in names:
+                cuts[name], more = self._cut(name, paint, inputs)
+                notices = (*notices, *more)
+        return [cuts[name] for name in names], notices
+
+    def _cut(self, name: str, paint: Material, inputs: PictureInputs) -> tuple[Any, tuple[str, ...]]:
+        mirror, view = inputs.quality.mirrors, inputs.view
+        made_of = (Same(paint.reflectance), view.fresnel)
+        term, notices = self.keep(f"term of {name}", made_of, lambda: term_of(paint, view))
         cut = self.keep(
-            "paint",
+            f"cut of {name}",
             (Same(term), mirror, inputs.tables),
             lambda: split(term, mirror=mirror, tables=inputs.tables),
         )
-        return [cut if name == PAINT else others[name] for name in names], notices
+        return cut, notices
 
     def light(self, inputs: PictureInputs) -> tuple[TracedSky, NDArray[np.float32]]:
         """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""

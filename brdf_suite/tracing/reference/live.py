@@ -108,6 +108,7 @@ class LiveReference:
             light.radiance.shape,
             view.lamps,
             view.surface_look.materials,
+            view.two_tone.paint is None,
             # The ground's shadow is that of one light.
             view.surface_look.ground and (view.rotation_deg, view.light_colour, light),
         )

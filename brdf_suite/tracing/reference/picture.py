@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -12,9 +11,10 @@ import numpy as np
 from brdf_suite.appearance.colour.spaces import WORKING_SPACE, DisplaySpace
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings, check_target
+from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
@@ -90,10 +90,10 @@ class ReferencePicture(TracedFile):
 
 
 def render_reference(
-    paint: str | os.PathLike[str],
+    paint: PathLike | Material,
     view: View,
     size: Size,
-    path: Path,
+    path: PathLike,
     *,
     samples: int | None = None,
     seconds: float | None = None,
@@ -116,7 +116,7 @@ def render_reference(
     denoise
         Take the noise out, where there is an NVIDIA graphics card; an EXR keeps the noisy light beside.
     """
-    settings = settings or PictureSettings()
+    settings, path = settings or PictureSettings(), Path(path)
     check_settings(path, settings)
     check_target(path)
     if denoise:  # checked before the work, not after it

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
@@ -18,12 +17,13 @@ from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
-from brdf_suite.errors import UnreachableError
+from brdf_suite.documents.view_settings import SECOND_PAINT
+from brdf_suite.errors import PathLike, UnreachableError
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.output.exposures import GOLDEN, aperture_radius, focused
+from brdf_suite.output.exposures import aperture_radius, focused, moment_of
 from brdf_suite.output.turning import turned
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.material import Material
@@ -182,7 +182,7 @@ class ReferenceScene(SceneFacts):
 
 
 def prepare_reference(
-    paint: str | os.PathLike[str],
+    paint: PathLike | Material,
     view: View,
     size: Size,
     *,
@@ -237,10 +237,14 @@ def build_reference(
     dress = load_dress(view) if dress is None else dress
     energy = _energy(material, dress)
     if variant.is_scalar:
-        optics = scalar_optics(material, dress, view, variant.instead)
+        make_optics = partial(scalar_optics, view=view, instead=variant.instead)
     else:
-        optics = optics_of(material, dress, view, bounds)
+        make_optics = partial(optics_of, view=view, bounds=bounds)
+    optics = make_optics(material, dress)
     used = {p.material for p in mesh.parts}
+    paints = {PAINT: optics.term}
+    if dress.second is not None and SECOND_PAINT in used:
+        paints[SECOND_PAINT] = make_optics(dress.second, replace(dress, mask=None, second=None)).term
     make = scalar_lobes if variant.is_scalar else lobe_term
     stock = stock_materials(default_basis().exponents).items()
     others = {
@@ -248,7 +252,7 @@ def build_reference(
         for name, weights in stock
         if name in used
     }
-    terms = {**others, PAINT: optics.term}
+    terms = {**others, **paints}
     tint = environment_matrix(view.light_colour)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     ground = None
@@ -299,9 +303,7 @@ def _eye(view: View, bounds: Bounds, size: Size) -> PinholeCamera:
 
 
 def _moment(view: View, bounds: Bounds, size: Size, number: int) -> Moment:
-    """Return a moment of the turn, by its number; they are spread evenly about the middle of the exposure."""
-    share = (number * GOLDEN + 0.5) % 1.0 - 0.5
-    shown = turned(view, share * view.lens.turn_deg, bounds.centre)
+    shown = turned(view, moment_of(number) * view.lens.turn_deg, bounds.centre)
     return Moment(_eye(shown, bounds, size), shown.rotation_deg, shown.lamps)
 
 
