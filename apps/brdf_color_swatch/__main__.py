@@ -6,7 +6,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from brdf_qt.program.run import program_parser, run_program
+from brdf_qt.program.run import add_actions, program_parser, run_program
 
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.grid.tile import FORMS
@@ -42,14 +42,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--form", choices=FORMS, help="form of the swatches")
     parser.add_argument("--swatch-size", type=int, metavar="PX", help="size of the swatches in pixels")
     parser.add_argument("--list", action="store_true", help="show a list instead of the grid")
-    parser.add_argument(
-        "--do",
-        action="append",
-        default=[],
-        metavar="ACTION",
-        help="perform this action after startup, in the order given: a command name as in Ctrl+K, or search=TEXT, "
-        "select=N,N…, group=PATH, sort=KEY",
-    )
+    add_actions(parser, "search=TEXT, select=N,N…, group=PATH, sort=KEY")
     return parser
 
 

@@ -97,7 +97,7 @@ class ColorSwatch(Program):
         self.session.recall()
         self.controller = PaletteController(self.session, self.window, self.window)
         self.features += (feature(self.session, self.window) for feature in FEATURES)
-        self.features.append(self.feature(PaintExchange).link)
+        self.features += (self.feature(FileCommands).projects, self.feature(PaintExchange).link)
         note = tr("Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.")
         FitCommand(self.window, note).add_to_menu()
         self.window.complete()

@@ -8,7 +8,8 @@ from pathlib import Path
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import TabsLeft
-from brdf_qt.documents.projects import is_project, open_project
+from brdf_qt.documents.project_files import ProjectFiles
+from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
@@ -24,11 +25,14 @@ from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.coat_flakes.control import CoatControl
 from brdf_designer.colour.commands import ColourCommands
 from brdf_designer.colour.nearest_offer import NearestOffer
+from brdf_designer.colour.reach import ReachControl
 from brdf_designer.controller import Controller
+from brdf_designer.documents.paint_drawer import PaintDrawer
 from brdf_designer.documents.paint_offer import PaintOffer
+from brdf_designer.documents.project_part import DesignerProject
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.export.control import HandoverControl
-from brdf_designer.from_measurement.control import MOST_TABS, MeasuredControl
+from brdf_designer.from_measurement.control import MeasuredControl
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.lobes.control import LobesControl
 from brdf_designer.picture.control import PictureControl
@@ -47,19 +51,20 @@ from brdf_suite.documents.store import (
     save_paint,
 )
 from brdf_suite.errors import SuiteError
-from brdf_suite.paint_design.standard import standard_of
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 
 FIRST_PAINT = "blue"
 PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     ColourCommands,
+    ReachControl,
     CoatControl,
     TextureControl,
     NearestOffer,
     PictureControl,
     LobesControl,
     HistoryControl,
+    PaintDrawer,
     StandardControl,
     VariationsControl,
     HandoverControl,
@@ -119,6 +124,9 @@ class Designer(Program):
         self._has_closed_documents = False
         self._join()
         self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
+        part = DesignerProject(self.session, self.feature(PictureControl), self.feature(StandardControl))
+        self.projects = ProjectFiles(self.window, part, self.documents.dialogs)
+        self.features.append(self.projects)
         measured = self.feature(MeasuredControl)
         self.documents.foreign = lambda path: self._open_project(path) or measured.open_foreign(path)
         self.fit.add_to_menu()
@@ -175,41 +183,27 @@ class Designer(Program):
         if taken:
             self.documents.restore_tabs(tabs)
         else:
-            self.documents.record.drop(tabs)
+            self.documents.drop_tabs(tabs)
 
     def _offer_tabs(self, tabs: TabsLeft) -> None:
         """Offer the saved paints that were open when a run was ended."""
-        names = [tab.path.name for tab in tabs.tabs if tab.path is not None and tab.path.is_file()]
+        names = [name for name in map(self.documents.title_of_left, tabs.tabs) if name]
         if not names:
-            self.documents.record.drop(tabs)
+            self.documents.drop_tabs(tabs)
             return
         text = tr("Designer closed unexpectedly. Reopen the paints that were open: {names}?")
         actions = (
             (tr("Reopen"), lambda: self.documents.restore_tabs(tabs)),
-            (tr("Discard"), lambda: self.documents.record.drop(tabs)),
+            (tr("Discard"), lambda: self.documents.drop_tabs(tabs)),
         )
         what = text.format(names=", ".join(tr("“{name}”").format(name=name) for name in names[:8]))
         self.window.show_message(Message("recovery", what, actions=actions))
 
     def _open_project(self, path: Path) -> bool:
-        """Open the paints of a project in tabs, the main one in front, beside its standard; False for other files."""
+        """Open a project, or say why it cannot be; False for other files."""
         if not is_project(path):
             return False
-        try:
-            project = open_project(path).project
-        except SuiteError as error:
-            todo = tr("The open paints are unchanged.")
-            self.window.show_message(message_of(error, "open", todo=todo))
-            return True
-        standard = project.standard
-        for paint in [one for one in project.paints if isinstance(one, Paint)][:MOST_TABS]:
-            self.session.open_paint(paint, clean=True)
-            if isinstance(standard, Paint):
-                self.feature(StandardControl).set_standards([standard_of(standard, project.name)])
-        row = self.documents.row
-        opened = [one for one in row if one.store.value == project.paints[0]] if project.paints else []
-        if opened:
-            self.documents.show(opened[-1])
+        self.projects.open(path)
         return True
 
     def open(self, name_or_path: str) -> None:

@@ -34,6 +34,7 @@ class Controller(QObject):
         session.refused.connect(self._show_refusal)
         session.edit_refused.connect(self._note_refusal)
         session.gesture_ended.connect(self._settle)
+        session.preview_changed.connect(self._show_preview)
         session.history_changed.connect(self._show_history)
         self._documents.row_changed.connect(self._show_tabs)
         self._documents.front_changed.connect(self._show_tabs)
@@ -95,6 +96,16 @@ class Controller(QObject):
         self._uncurved = fit
         if not self._later.isActive():
             self._later.start()
+
+    def _show_preview(self, fit: LobeFit | None) -> None:
+        """Show another paint for a moment in patches and strip; None: the paint itself again."""
+        self._view.show_patches(colours_of(self._session.paint if fit is None else fit.paint))
+        shown = fit or self._session.fit
+        if shown is None:
+            self._view.patches.show_differences(None)
+        else:
+            self._view.show_given(fit_state_of(shown))
+            self._view.strip.show_curves(curves_of(shown))
 
     def _show_curves(self) -> None:
         fit, self._uncurved = self._uncurved, None

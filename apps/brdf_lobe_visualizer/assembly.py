@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from brdf_qt.documents.project_files import ProjectFiles
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.fit_choice import FitChoice, FitCommand
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, QTimer
@@ -25,16 +27,19 @@ from brdf_lobe_visualizer.statistics.panel import AskPath, Numbers
 from brdf_lobe_visualizer.status import Status
 from brdf_lobe_visualizer.subjects.fits import KEY as DESIGNER
 from brdf_lobe_visualizer.subjects.fits import Fits, FollowedPaint
+from brdf_lobe_visualizer.subjects.paint_strip import StripControl
+from brdf_lobe_visualizer.subjects.project_part import LobesProject
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.pipeline.material import default_paint_name, load_document
 
 _LOOK_EVERY_MS = 50
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
-    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
+    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.merl *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
     "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
 )
 
@@ -85,14 +90,19 @@ class LobeVisualizer(Program):
         self.panel_dock = self.window.add_dock(
             "reflectances", mark("Reflectances"), self.panel, Qt.DockWidgetArea.LeftDockWidgetArea
         )
+        self.strip = StripControl(self.session, self.window, self.sources)
         self._ask_files = ask_files or _ask_files
         self._asked = asked
         self._default = ""
         self._build_commands()
-        self.features += (self.sources, self.fits, self.legend.errors, self.followed)
+        self.features += (self.sources, self.fits, self.legend.errors, self.followed, self.strip)
         self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
-        self.features += (self.numbers, self.link)
+        self.projects = ProjectFiles(
+            self.window, LobesProject(self.session, self.sources), QtDialogs(self.window)
+        )
+        self.sources.open_project = self._open_project
+        self.features += (self.numbers, self.projects, self.link)
         self.fit.add_to_menu()
         self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
@@ -107,9 +117,6 @@ class LobeVisualizer(Program):
 
     def start(self) -> None:
         """Open what was asked for, or the default paint where nothing was, and look for the other programs."""
-        # Deferred to the painted window: what finds a paint knows environments too, and they are much to import.
-        from brdf_suite.pipeline.material import default_paint_name
-
         self.sources.idle.connect(self._show_start, Qt.ConnectionType.SingleShotConnection)
         self.sources.open_many(self._asked)
         if not self._asked and not self.session.subjects:
@@ -117,6 +124,8 @@ class LobeVisualizer(Program):
             self.sources.open(self._default, remember=False)
         self.window.show_recent(self.sources.recent())
         super().start()
+        self.panel.fill()
+        self.strip.fill([*self.panel.names["paints"], *self.panel.names["table_1"]], load_document)
 
     def _show_start(self) -> None:
         self._look = make_timer(self, self._look_idle, _LOOK_EVERY_MS)
@@ -134,6 +143,10 @@ class LobeVisualizer(Program):
         """Leave the link and end what runs; only the first call acts."""
         super().close()
         self.session.tasks.stop()
+
+    def _open_project(self, path: Path) -> bool:
+        self.projects.open(path)
+        return True
 
     def ask_files(self) -> None:
         folder = str(settings().value(_FOLDER_KEY, ""))

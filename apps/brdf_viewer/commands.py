@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from functools import partial
 
-from brdf_qt.fields.choices import Source
+from brdf_qt.choosing.sources import Source
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.shortcuts import give_keys
-from brdf_qt.window.view_titles import BACKGROUND_TITLES, FRESNEL_TITLES, LOOK_UP_TITLES, PRESETS, TONE_TITLES
+from brdf_qt.window.view_titles import BACKGROUND_TITLES, PRESETS, TONE_TITLES
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
 from brdf_viewer.compare.section import MODE_TITLES
-from brdf_viewer.paint.sparkle_section import SPARKLE_TITLES
 from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 _OPENED = (
@@ -28,14 +27,12 @@ _OPENED = (
 )
 _TURN = mark("One turn of the object, as a video or a folder of pictures")
 _EXPORTS = {
-    "picture": (mark("E&xport Picture…"), "export", mark("A picture of any size, as PNG or EXR")),
-    "turntable": (mark("Export &Turntable…"), None, _TURN),
-    "sheet": (
-        mark("Export &Contact Sheet…"),
-        None,
-        mark("All paints of a palette or a folder in this light"),
-    ),
+    "picture": (mark("Export &Picture…"), mark("A picture of any size, as PNG or EXR")),
+    "turntable": (mark("Export &Turntable…"), _TURN),
+    "sheet": (mark("Export &Contact Sheet…"), mark("All paints of a palette or a folder in this light")),
 }
+_TRACED = mark("Save the traced picture as EXR with the variance of each pixel")
+NO_TRACED = mark("There is no traced picture yet: choose Ray-traced or Path-traced in the tab Export")
 _RENDERERS = ("real_time", "ray_traced", "path_traced")
 _RECENT = {
     "paint": mark("Recent &Paints"),
@@ -78,7 +75,7 @@ class ViewerCommands(QObject):
     open_requested(kind), recent_requested(kind, path)
         Of a ``paint``, ``palette``, ``view``, ``environment`` or ``surface``.
     export_requested(kind)
-        ``picture``, ``turntable`` or ``sheet``.
+        ``picture``, ``turntable``, ``sheet``; empty: as last time.
     paint_requested(name), preset_requested(key)
         A shipped paint; a side to look from.
     step_requested(step)
@@ -98,18 +95,23 @@ class ViewerCommands(QObject):
         self._add_file()
         self._add_view()
         self._add_paint()
-        self.undo = self._add(window.edit_menu, mark("&Undo"), None, "undo")
-        self.redo = self._add(window.edit_menu, mark("&Redo"), None, "redo")
+        self.undo = self._add(window.edit_menu, mark("&Undo"), None, "undo", "arrow-counter-clockwise")
+        self.redo = self._add(window.edit_menu, mark("&Redo"), None, "redo", "arrow-clockwise")
         self.show_history("", "")
         window.edit_menu.addSeparator()
         tip = mark("Copy the picture to the clipboard at full resolution")
         self.copy = self._add(window.edit_menu, mark("&Copy Picture"), None, "copy", "copy", tip)
         window.toolbar.addActions([self.open_paint, self.follow])
         window.toolbar.addSeparator()
-        window.toolbar.addActions([*self.presets, self.frame])
+        window.toolbar.addActions([self.undo, self.redo])
+        # Their texts name the step; in the toolbar, that would move what is beside them.
+        self.undo.setIconText(tr("Undo"))
+        self.redo.setIconText(tr("Redo"))
+        window.toolbar.addSeparator()
+        window.toolbar.addActions([self.frame, self.turntable])
         self.frame.setIconText(tr("Frame"))
         window.toolbar.addSeparator()
-        window.toolbar.addAction(self.turntable)
+        window.toolbar.addAction(self.export)
 
     def set_recent(self, kind: str, paths: Iterable[str]) -> None:
         """List the recent files of a kind in the File menu."""
@@ -143,12 +145,20 @@ class ViewerCommands(QObject):
         self.save_view = add(menu, mark("&Save View"), None, "save", "floppy-disk", tip)
         self.save_view_as = add(menu, mark("Save View &As…"), None, "save_as")
         menu.addSeparator()
+        tip = mark("A picture, a turntable or a contact sheet, with a preview")
+        self.export = add(
+            menu, mark("E&xport…"), partial(self.export_requested.emit, ""), "export", "export", tip
+        )
+        kinds = menu.addMenu(tr("Export &As"))
+        kinds.setToolTipsVisible(True)
+        for kind, (text, tip) in _EXPORTS.items():
+            add(kinds, text, partial(self.export_requested.emit, kind), tip=tip)
+        kinds.addSeparator()
         tip = mark("Save the picture as PNG at full resolution, with paint and settings as metadata")
-        self.save_picture = add(menu, mark("Save &Picture…"), None, "save_picture", "floppy-disk", tip)
-        tip = mark("Save the traced picture as EXR with the variance of each pixel")
-        self.save_traced = add(menu, mark("Save T&raced Picture…"), None, "save_traced", "floppy-disk", tip)
-        for kind, (text, keys, tip) in _EXPORTS.items():
-            add(menu, text, partial(self.export_requested.emit, kind), keys, "export", tip)
+        self.save_picture = add(kinds, mark("&Save Picture…"), None, "save_picture", "floppy-disk", tip)
+        self.save_traced = add(
+            kinds, mark("Save T&raced Picture…"), None, "save_traced", "floppy-disk", _TRACED
+        )
         menu.addSeparator()
         self.studio = menu.addMenu(tr("S&tudio"))
         menu.addSeparator()
@@ -189,9 +199,12 @@ class ViewerCommands(QObject):
         tip = mark("Frame time, lobes, tone curve and readout")
         self.figures = add(menu, mark("Figures over the &Picture"), None, "figures", tip=tip)
         self.figures.setCheckable(True)
-        self.fresnel = ChoiceGroup(window, menu.addMenu(tr("Fres&nel")), FRESNEL_TITLES)
-        self.look_up = ChoiceGroup(window, menu.addMenu(tr("&Look-up")), LOOK_UP_TITLES)
-        self.sparkle = ChoiceGroup(window, menu.addMenu(tr("Spar&kle")), SPARKLE_TITLES)
+        window.add_tabs_menu()
+
+    def offer_traced(self, there: bool) -> None:
+        """Offer to save the traced picture where there is one; the tip says why not."""
+        self.save_traced.setEnabled(there)
+        self.save_traced.setToolTip(plain_tip(tr(_TRACED if there else NO_TRACED)))
 
     def _add_renderers(self, menu: QMenu) -> None:
         self.renderer = ChoiceGroup(self._window, menu, RENDERER_TITLES)

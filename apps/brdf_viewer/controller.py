@@ -6,7 +6,8 @@ import math
 from functools import partial
 from pathlib import Path
 
-from brdf_qt.documents.projects import is_project, open_project
+from brdf_qt.documents.project_files import ProjectFiles
+from brdf_qt.documents.projects import is_project
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.names import title_of
 from brdf_qt.program.program import Program
@@ -14,7 +15,7 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.fit_choice import FitCommand
-from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QTimer, Signal
@@ -35,18 +36,24 @@ from brdf_viewer.documents.file_kinds import (
     ask_target,
     kind_of,
 )
+from brdf_viewer.documents.project_part import ViewerProject
 from brdf_viewer.documents.remembered import remember
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.control import LightingControl
+from brdf_viewer.light.lamp_handles import LampHandles
 from brdf_viewer.light.studio.control import StudioControl
+from brdf_viewer.overlay.part_control import PartControl
+from brdf_viewer.overlay.part_drops import PartDrops
 from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
+from brdf_viewer.overlay.seen_parts import SeenParts
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.drawing import SceneDrawer
+from brdf_viewer.scene.standing_question import StandingQuestion
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
 from brdf_viewer.surface.relief_control import IMAGES, ReliefControl
@@ -122,6 +129,10 @@ class ViewerController(Program):
         self.paint = PaintControl(*parts, self.link, self._tasks, paint, follow=follow)
         self.surface = SurfaceControl(*parts, self.scene)
         self.relief = ReliefControl(*parts, ask)
+        self.seen = SeenParts(*parts)
+        self.parts = PartControl(*parts, self.surface, self.seen)
+        self.standing = StandingQuestion(*parts)
+        self.drops = PartDrops(*parts, self.seen, self.parts, self.surface, self.paint)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self._settle)
         self.tone = ToneControl(*parts)
@@ -130,12 +141,16 @@ class ViewerController(Program):
         self.views = ViewFiles(*parts, dialogs)
         self.studio = StudioControl(*parts, self.scene, dialogs)
         self.lighting = LightingControl(*parts)
+        self.lamps = LampHandles(*parts, self.seen)
         self.sparkle = SparkleControl(*parts)
         self.traced = TracedControl(*parts, self._tasks, ask_target)
         self.compare = CompareControl(*parts, self._tasks, ask)
         self.readout = Readout(*parts)
         self.figures = FiguresOverlay(*parts, self._meter, self.readout)
-        self.features = [*self.window.findChildren(ViewerFeature), self.link]
+        part = ViewerProject(*parts, self.paint, self.scene, self.views)
+        self.projects = ProjectFiles(self.window, part, dialogs)
+        own = self.window.findChildren(ViewerFeature)
+        self.features = [*own, self.projects, self.link, self.window.thumbnails]
         self.fit.add_to_menu()
         self._connect()
         self._show_view(None, view)
@@ -166,7 +181,7 @@ class ViewerController(Program):
     def open_file(self, path: str) -> None:
         """Open a file of any kind that the Viewer knows."""
         if is_project(path):
-            self._open_project(path)
+            self.projects.open(Path(path))
             return
         kind = kind_of(path)
         if kind is None:
@@ -177,19 +192,6 @@ class ViewerController(Program):
             self.window.messages.show_message(message)
         else:
             self._open(kind, path)
-
-    def _open_project(self, path: str) -> None:
-        """Show the first view and the main paint of a project."""
-        try:
-            opened = open_project(path)
-        except SuiteError as error:
-            todo = tr("The picture is unchanged.")
-            self.window.messages.show_message(message_of(error, "dropped", todo=todo))
-            return
-        for named in opened.project.views[:1]:
-            self.views.show(named.view)
-        for paint in opened.paints[:1]:
-            self.paint.open(str(paint))
 
     def _open_files(self, paths: list[Path]) -> None:
         for path in paths:
@@ -219,6 +221,8 @@ class ViewerController(Program):
         self.picture_complete.connect(lambda: self.reached.emit("complete"))
         self.picture_finished.connect(lambda: self.reached.emit("finished"))
         self.failed.connect(self._end_start)
+        self.picture_complete.connect(window.thumbnails.begin)
+        window.strip.second_taken.connect(lambda key: self.compare.choose(self.paint.name_of(key)))
         environment, commands = window.environment, window.commands
         for field, signal in (
             ("rotation_deg", environment.rotation.edited),
@@ -227,14 +231,13 @@ class ViewerController(Program):
             ("background", commands.background.picked),
             ("background_colour", environment.background_colour.edited),
             ("fresnel", window.fresnel.mode.picked),
-            ("fresnel", commands.fresnel.picked),
             ("look_up", window.fresnel.look_up.picked),
-            ("look_up", commands.look_up.picked),
         ):
             signal.connect(lambda value, field=field: state.change_view(**{field: value}))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
             chooser.browse_requested.connect(lambda kind=kind: self._browse(kind))
+        window.strip.palette_requested.connect(lambda: self._browse("palette"))
         commands.open_requested.connect(self._browse)
         commands.recent_requested.connect(self._open)
         commands.copy.triggered.connect(self._copy_picture)
@@ -271,10 +274,8 @@ class ViewerController(Program):
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background, new.background_colour)
         commands.background.show_choice(new.background)
-        for box in (window.fresnel.mode, commands.fresnel):
-            box.show_choice(new.fresnel)
-        for box in (window.fresnel.look_up, commands.look_up):
-            box.show_choice(new.look_up)
+        window.fresnel.mode.show_choice(new.fresnel)
+        window.fresnel.look_up.show_choice(new.look_up)
         if not self._publish.isActive():
             self._publish.start()
 

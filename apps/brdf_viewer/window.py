@@ -1,23 +1,33 @@
-"""The Viewer's window: the picture takes it, the inspector is at the right, a slim toolbar above."""
+"""The Viewer's window: the picture takes the middle, five tabs are at the right, a slim toolbar above."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property, partial
 
+from brdf_qt.choosing.scenes import SceneThumbnails
+from brdf_qt.choosing.strip import PaintStrip
+from brdf_qt.choosing.thumbnails import PaintThumbnails, ThumbnailWork
+from brdf_qt.fields.focus_order import order_focus
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.gl.surface import Drawer, GlSurface
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.window.section import Section
+from brdf_qt.window.tab_panel import standard_tabs
+from brdf_qt.work.pictures import Pictures
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
+from brdf_suite.pipeline.material import load_document
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.section import CameraSection
 from brdf_viewer.commands import ViewerCommands
 from brdf_viewer.compare.section import CompareSection
+from brdf_viewer.export.section import ExportSection
 from brdf_viewer.light.environment_section import EnvironmentSection
 from brdf_viewer.light.section import LightingSection
 from brdf_viewer.light.studio.panel import StudioPanel
@@ -30,6 +40,13 @@ from brdf_viewer.surface.section import SurfaceSection
 from brdf_viewer.tone.section import ToneSection
 from brdf_viewer.tracing.section import RendererSection
 
+TABS = standard_tabs(
+    paint=mark("Which paint, its flakes, orange peel and second colour"),
+    light=mark("The light that the paint stands in, and what is behind it"),
+    form=mark("The form that carries the paint, and from where it is seen"),
+    compare=mark("A second paint or picture beside the first"),
+    export=mark("The renderer, and files of what is seen"),
+)
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""
 _BUSY_EVERY_MS = 60
@@ -46,25 +63,15 @@ class ViewerWindow(SuiteWindow):
     closing = Signal()
 
     def __init__(self, make_drawer: Callable[[Context], Drawer], parent: QWidget | None = None) -> None:
-        super().__init__(tr("Viewer"), parent)
+        super().__init__("Viewer", parent, TABS)
         self.setWindowTitle("BRDF Suite Viewer")
         # The renderer averages four samples a pixel by itself, in linear light as the eye does.
         self.picture = GlSurface(make_drawer, samples=0)
         self.picture.setAccessibleName(tr("Picture"))
         self.overlay = PictureOverlay(self.picture)
         self.set_centre(self.picture, tab_hides_panels=True)
-        add = self.inspector.add_section
-        self.environment = add(EnvironmentSection())
-        self.lighting = add(LightingSection())
-        self.surface = add(SurfaceSection())
-        self.relief = add(ReliefSection())
-        self.paint = add(PaintSection())
-        self.fresnel = add(FresnelSection())
-        self.sparkle = add(SparkleSection())
-        self.tone = add(ToneSection())
-        self.renderer = add(RendererSection())
-        self.compare = add(CompareSection())
-        self.camera = add(CameraSection())
+        self._fill_panel()
+        self._add_thumbnails()
         self.commands = ViewerCommands(self)
         self.studio_dock = self.add_panel(mark("Studio"), QWidget(), Qt.DockWidgetArea.LeftDockWidgetArea)
         self.studio_dock.hide()
@@ -73,15 +80,51 @@ class ViewerWindow(SuiteWindow):
             self.picture.addAction(action)
         self.busy: dict[str, tuple[float, str]] = {}
         self._busy_delay = make_timer(self, self._show_busy)
-        names = (mark("frame"), mark("renderer"), mark("lobes"), mark("fit"), mark("exposure"))
-        for name in (*names, mark("environment"), mark("palette")):
-            self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
-        for name, text in (("frame", "888.8 ms"), ("lobes", "88 lobes"), ("fit", "fit 88.88 ms · ΔE 88.88")):
-            self.status.cell(name).reserve(text)
+        for name in (mark("frame"), mark("fit"), mark("exposure"), mark("environment"), mark("palette")):
+            self.status.cell(name, elastic=name in ("environment", "palette"))
+        for name, text in (("frame", tr("Frame {ms} ms")), ("fit", tr("Fit ΔE {worst}"))):
+            self.status.cell(name).reserve(text.format(ms=decimal("888.8"), worst=decimal("88.88")))
         for name in (mark("readout"), mark("link")):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()
+        order_focus([self.toolbar, self.picture, *self.panel.focus_parts()])
         self.picture.setFocus()
+
+    def _fill_panel(self) -> None:
+        """Put what is used daily behind its tab, and the rest into the folds."""
+        self.paint, self.sparkle, self.relief = PaintSection(), SparkleSection(), ReliefSection()
+        self.environment, self.lighting, self.tone = EnvironmentSection(), LightingSection(), ToneSection()
+        self.fresnel, self.surface, self.camera = FresnelSection(), SurfaceSection(), CameraSection()
+        self.compare, self.renderer, self.export = CompareSection(), RendererSection(), ExportSection()
+        self.paint.complete(self.sparkle.daily, self.relief.daily)
+        light = Section(tr("Light"), "light", titled=False)
+        fill_column(light.add(QWidget()), self.environment.daily, self.lighting.daily)
+        form = Section(tr("Form"), "form", titled=False)
+        fill_column(form.add(QWidget()), self.surface.daily, self.camera.daily)
+        for key, daily, rest in (
+            ("paint", (self.paint,), (self.sparkle, self.relief)),
+            ("light", (light,), (self.lighting, self.tone, self.environment, self.fresnel)),
+            ("form", (form,), (self.camera, self.surface)),
+            ("compare", (self.compare,), (self.compare.rest,)),
+            ("export", (self.renderer, self.export), (self.renderer.rest,)),
+        ):
+            page = self.panel.pages[key]
+            for section in daily:
+                page.add_section(section)
+            for section in rest:
+                page.add_more(section)
+
+    def _add_thumbnails(self) -> None:
+        pictures = Pictures(self)
+        self.paint_thumbnails = PaintThumbnails(pictures, load_document)
+        lights, forms = SceneThumbnails("environments", pictures), SceneThumbnails("meshes", pictures)
+        self.thumbnails = ThumbnailWork(pictures, (self.paint_thumbnails, lights, forms))
+        for chooser in (self.paint.chooser, self.compare.chooser, self.relief.paint):
+            chooser.list.set_thumbnails(self.paint_thumbnails)
+        self.environment.chooser.list.set_thumbnails(lights)
+        self.surface.chooser.list.set_thumbnails(forms)
+        self.strip = PaintStrip(self.paint.chooser.sources, second=True)
+        self.add_strip(self.strip)
 
     @cached_property
     def studio(self) -> StudioPanel:
@@ -99,7 +142,7 @@ class ViewerWindow(SuiteWindow):
 
     def keep_opened(self) -> None:
         """Take what is shown for what the view had when it was opened: a double click on a number goes back to it."""
-        for field in self.inspector.findChildren(NumberField):
+        for field in self.panel.findChildren(NumberField):
             field.set_default(field.value())
 
     def surround(self) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from brdf_qt.choosing.drag import carry
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication
@@ -19,7 +20,7 @@ from brdf_color_swatch.editing.entry_edits import (
     what_words,
     with_date,
 )
-from brdf_color_swatch.editing.transfer import Carried, carry, hexes_of, read_data
+from brdf_color_swatch.editing.transfer import Carried, hexes_of, read_data
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.grid.view_state import Scope

@@ -8,21 +8,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from brdf_qt.choosing.drag import MIME, PAINT_MIME, SOURCE_MIME
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QColor
 
 from brdf_suite.appearance.colour.flat_colours import lab_to_hex
 from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.palette import Entry, Palette, new_id
-from brdf_suite.documents.palette_store import palette_from_json, palette_to_json
-from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_any_paint, paint_to_json
+from brdf_suite.documents.palette import Entry, new_id
+from brdf_suite.documents.palette_store import palette_from_json
+from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_any_paint
 from brdf_suite.errors import SuiteError
 
-MIME = "application/x-brdf-swatches"
-SOURCE_MIME = "application/x-brdf-swatches-source"
-"""Run of the program and palette that swatches come from, without the swatches: read at every move of a drag."""
-PAINT_MIME = "application/x-brdf-paint"
 _TEXT, _COLOUR, _URIS = "text/plain", "application/x-color", "text/uri-list"
 TAKEN = (MIME, PAINT_MIME, _TEXT, _COLOUR, _URIS)
 _MOST_LINES = 100_000
@@ -49,25 +46,6 @@ class Carried:
     def ids(self) -> tuple[str, ...]:
         """The entries' ids in the palette that they come from."""
         return tuple(entry.id for entry in self.entries)
-
-
-def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: str) -> QMimeData:
-    """Return what is put on the clipboard or dragged; ``hexes`` are ``#rrggbb`` of the 45° colours."""
-    data = QMimeData()
-    whole = {"owner": owner, "source": source, "palette": palette_to_json(Palette("carried", tuple(entries)))}
-    data.setData(MIME, json.dumps(whole, ensure_ascii=False).encode("utf-8"))
-    data.setData(SOURCE_MIME, f"{owner}\n{source}".encode())
-    lines = [
-        "\t".join((colour, entry.name.replace("\t", " "), entry.code)).rstrip()
-        for entry, colour in zip(entries, hexes, strict=True)
-    ]
-    data.setText("\n".join(lines))
-    if len(entries) == 1:
-        data.setColorData(QColor(hexes[0]))
-        content = entries[0].content
-        if not isinstance(content, FlatColour):
-            data.setData(PAINT_MIME, json.dumps(paint_to_json(content), ensure_ascii=False).encode("utf-8"))
-    return data
 
 
 def can_take(data: QMimeData) -> bool:

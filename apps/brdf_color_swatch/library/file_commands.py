@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from brdf_qt.documents.projects import is_project, open_project
+from brdf_qt.documents.project_files import ProjectFiles
+from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
@@ -13,6 +14,7 @@ from PySide6.QtCore import QPoint
 from brdf_color_swatch.editing.entry_edits import add_entries
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.project_part import SwatchProject
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.paint import Paint
@@ -55,6 +57,7 @@ class FileCommands(SwatchFeature):
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
         self._close = add("file", mark("&Close Palette"), "close", self.close_palette, "close", icon="x")
         window.menus["file"].addSeparator()
+        self.projects = ProjectFiles(window, SwatchProject(session), session.library.dialogs)
         for action in (new, opened, self._close):
             window.add_library_button(action)
         for action in (new, opened, self._save):
@@ -82,7 +85,7 @@ class FileCommands(SwatchFeature):
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
         session = self._session
         if path is not None and is_project(path):
-            self._open_project(path)
+            self.projects.open(path)
             return
         if path is not None and _names_material(path):
             self._add_material(str(path))
@@ -90,17 +93,6 @@ class FileCommands(SwatchFeature):
         key = session.loader.ask_open(path)
         if key is not None:
             session.show_scope(Scope(key))
-
-    def _open_project(self, path: Path) -> None:
-        """Open the paints of a project as a palette without a file."""
-        try:
-            project = open_project(path).project
-        except SuiteError as error:
-            self._session.library.fails(error, "open")
-            return
-        entries = tuple(Entry(paint, id=new_id()) for paint in project.paints)
-        palette = Palette(project.name, entries, notes=project.notes)
-        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
 
     def open_shipped(self) -> None:
         """Open the shipped paints as a palette without a file, which is read-only; show it where it is open."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QObject
 
 from brdf_designer.session.paint_session import PaintSession
@@ -30,6 +30,19 @@ class AcquireControl(Feature, QObject):
             "acquire",
             tip=tr("From photographs of a painted sphere to a paint, step by step"),
         )
+
+        window.add_command(
+            "file",
+            mark("Try a S&imulated Acquisition"),
+            None,
+            self.open_sample,
+            "acquire_sample",
+            tip=mark("Open photographs of a simulated sphere; made once, in about ten seconds"),
+        )
+
+    def open_sample(self) -> None:
+        """Show the assistant with photographs of a simulated rig."""
+        self.open().sessions.open_sample()
 
     def open(self) -> Assistant:
         """Show the assistant."""

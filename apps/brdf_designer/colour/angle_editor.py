@@ -8,12 +8,13 @@ from functools import partial
 
 import numpy as np
 from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.focus_order import Ordered
 from brdf_qt.fields.form import fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QGridLayout,
@@ -27,7 +28,6 @@ from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
 from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour, Colours
-from brdf_designer.window.focus_order import Ordered
 from brdf_designer.window.widgets import set_font
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
@@ -278,13 +278,24 @@ class AngleEditors(QWidget, Ordered):
         for editor in self.editors:
             editor.set_space(space)
         if self._colours is not None:
-            self.show_colours(self._colours)
+            self.show_now(self._colours)
 
     def hue_of(self, index: int) -> float:
         """Return the hue, degrees, that a grey at that measurement would get."""
         return next((editor.hue for editor in self.editors if editor.index == index), 0.0)
 
     def show_colours(self, colours: Colours) -> None:
+        """Show every measurement; while it is not seen, when it is."""
+        self._colours = colours
+        if self.isVisible() or len(colours.angles) != len(self.editors):
+            self.show_now(colours)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._colours is not None:
+            self.show_now(self._colours)
+
+    def show_now(self, colours: Colours) -> None:
         """Show every measurement; only what is another is worked out and drawn."""
         self._colours = colours
         self._make(len(colours.angles))

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import partial
 
+from brdf_qt.fields.number import NumberField
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark
-from PySide6.QtCore import QObject
+from brdf_qt.window.section import Section
+from PySide6.QtCore import QObject, Qt
 
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.window.focus_order import focus_first_number
 from brdf_designer.window.window import DesignerWindow
 
 _MODES = (
@@ -54,5 +56,16 @@ class ColourCommands(Feature, QObject):
     def type_numbers(self) -> None:
         """Go to the first number of the colour: of the first angle, or of the flop where that is edited."""
         editors = self._window.editors
+        editors.numbers.set_open(True)
         numbers = [*editors.flop.fields.values(), *(field for one in editors.editors for field in one.fields)]
         focus_first_number(self._window.section("colour"), numbers)
+
+
+def focus_first_number(section: Section, numbers: Iterable[NumberField]) -> None:
+    """Let the next keys be typed into the first of ``numbers`` that is shown, in place of what it has."""
+    section.set_open(True)
+    for number in numbers:
+        if number.isVisibleTo(section) and number.isEnabled():
+            number.setFocus(Qt.FocusReason.ShortcutFocusReason)
+            number.selectAll()
+            return

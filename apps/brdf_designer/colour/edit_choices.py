@@ -1,4 +1,4 @@
-"""Over the colours: which angles there are, in which terms they are edited, and what an edit moves."""
+"""The choices of the colours: which angles there are, in which terms they are edited, and what an edit moves."""
 
 from __future__ import annotations
 
@@ -75,10 +75,11 @@ class ColourHead(QWidget):
         self.rest.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
         self.rest.add_row(tr("Add angle"), further)
         self.spaces = _Choice(_SPACES, "designer/space", tr("Colour space"))
+        """For the numbers; it stands with them."""
         self.modes = _Choice(_MODES, None, tr("Angles that an edit changes"))
         self.spaces.chosen.connect(self.space_chosen)
         self.modes.chosen.connect(self.mode_chosen)
-        self.setLayout(row_of(PlainLabel(tr("Edit")), self.modes, None, self.spaces, margins=(0, 0, 0, 4)))
+        self.setLayout(row_of(PlainLabel(tr("Edit")), self.modes, None, margins=(0, 0, 0, 4)))
 
     @property
     def space(self) -> Space:

@@ -182,19 +182,47 @@ class Documents(QObject):
         front = self._front
         for place, tab in enumerate(left.tabs):
             document = next((one for one in self._row if one.autosave == tab.autosave != ""), None)
-            if document is None and tab.path is not None and tab.path.is_file():
-                document = self.with_path(tab.path)
-                if document is None and self.open(tab.path):
-                    document = self._front
+            if document is None:
+                document = self._restored(tab)
             if document is not None and document not in found:
                 found.append(document)
                 if place == left.front:
                     front = document
         self._row = [*found, *(one for one in self._row if one not in found)]
-        self.record.drop(left)
+        self.drop_tabs(left)
         self.row_changed.emit()
         if front in self._row:
             self.show(front)
+
+    def drop_tabs(self, left: TabsLeft) -> None:
+        """Give the tabs of a run that was ended up, and the histories that were kept for them."""
+        self.record.drop(left)
+        self._front.recovery.sweep()
+
+    def title_of_left(self, tab: OpenTab) -> str:
+        """Return the name of a saved tab of a run that was ended; empty where it cannot come back."""
+        if tab.path is not None:
+            return tab.path.name if tab.path.is_file() else ""
+        history = self._front.recovery.saved_history(tab.autosave)
+        return "" if history is None else history.states[history.place][1].name
+
+    def _restored(self, tab: OpenTab) -> OpenDocument | None:
+        """Open a saved tab with its history, where that still ends in what the file holds."""
+        history = self._front.recovery.saved_history(tab.autosave)
+        if tab.path is None:
+            if history is None:
+                return None
+            document = self.add(history.states[history.place][1])
+        else:
+            present = self.with_path(tab.path)
+            if present is not None or not tab.path.is_file() or not self.open(tab.path):
+                return present
+            document = self._front
+        store = document.store
+        if history is not None and history.states[history.place][1] == store.value:
+            place = history.place
+            store.restore(history.states, place, store.path, saved=place, stamp=store.stamp)
+        return document
 
     def _open_tabs(self) -> tuple[list[OpenTab], int]:
         """Return what a kill leaves of the tabs; those that were never touched are nothing."""

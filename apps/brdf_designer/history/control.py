@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from brdf_qt.choosing.thumbnails import USUAL_LOOK, thumbnail
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, QPoint
@@ -11,7 +12,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu
 
 from brdf_designer.history.strip import HistoryState, HistoryStrip
-from brdf_designer.picture.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 

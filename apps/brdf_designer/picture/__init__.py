@@ -1,1 +1,1 @@
-"""Small pictures of the paint."""
+"""The picture of the paint in the middle of the window, and small ones."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from typing import TYPE_CHECKING
 
@@ -37,14 +36,8 @@ def remember(view: View) -> None:
 
 
 def recall() -> View | None:
-    """Return the view of the last time from where a first look begins; None where there is none, or a damaged one.
-
-    Camera, exposure and the turn of the light start afresh, as in Viewer: a picture that opens too dark or from behind
-    would look like a fault.
-    """
+    """Return the view of the last time; None where there is none, or a damaged one."""
     try:
-        view = view_from_json(json.loads(str(settings().value(_KEY, ""))))
+        return view_from_json(json.loads(str(settings().value(_KEY, ""))))
     except (SuiteError, ValueError):
         return None
-    first = View()
-    return dataclasses.replace(view, camera=first.camera, rotation_deg=first.rotation_deg)

@@ -58,9 +58,12 @@ class PictureControl(Feature, QObject):
         self._loader: PictureScene | None = None
         self._contents = PictureContents()
         self._drawer: PictureDrawer | None = None
-        self._pending: set[str] = set()
+        self._pending: dict[str, str] = {}
+        """What is being made, and for which light or form."""
         self._plan: list[tuple[int, bool]] = []
         self._whole = False
+        self._asked: View | None = None
+        """A view to be shown that came before there was a picture."""
         self.view = View()
         self.pace = PicturePace()
         self.panel = PicturePanel(self._new_surface)
@@ -76,6 +79,7 @@ class PictureControl(Feature, QObject):
             surface.canvas_changed.connect(self._listen)
             self._listen(surface.canvas)
             session.fit_changed.connect(self._take)
+            session.preview_changed.connect(self._take_preview)
             window.first_painted.connect(self._load_first)
         session.fit_changed.connect(lambda _fit: self.panel.show_state(stale=False))
         session.refused.connect(lambda _error: self.panel.show_state(stale=True))
@@ -114,6 +118,19 @@ class PictureControl(Feature, QObject):
         """Show the paint on another form; the old picture stays until it is there."""
         self._load(_FORM, name)
 
+    @property
+    def has_scene(self) -> bool:
+        """Whether there is a picture, whose scene the user may have changed."""
+        return self._loader is not None
+
+    def take_view(self, view: View) -> None:
+        """Show camera, light and form of a view; the old picture stays until they are there."""
+        self._asked = view
+        if self._loader is not None:
+            self._show(view)
+            self._load(_FORM, view.surface)
+            self._load(_LIGHT, view.environment)
+
     # The scene.
 
     def _load_first(self) -> None:
@@ -126,7 +143,7 @@ class PictureControl(Feature, QObject):
         loader.failed.connect(lambda kind, _key, error: self._report(kind, error))
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
-        self._show(loader.first)
+        self._show(self._asked or loader.first)
         self._load(_FORM, self.view.surface)
         self._load(_LIGHT, self.view.environment)
 
@@ -134,7 +151,7 @@ class PictureControl(Feature, QObject):
         if self._loader is None:
             return
         self._window.dismiss_message("picture")
-        self._pending.add(kind)
+        self._pending[kind] = name
         look = self.view.surface_look
         self._loader.load(kind, name, look=look, basis=self._session.fitting.basis)
 
@@ -167,7 +184,7 @@ class PictureControl(Feature, QObject):
             return
         if not loader.wants_baking(self.view.surface_look):
             return
-        self._pending.add(_BAKED)
+        self._pending[_BAKED] = self.view.surface
         self._tasks.submit(
             _BAKED,
             loader.bake,
@@ -184,11 +201,11 @@ class PictureControl(Feature, QObject):
             self._draw_later()
 
     def _moved(self, kind: str, fraction: float, _what: str) -> None:
-        name = title_of(self.view.environment if kind == _LIGHT else self.view.surface)
+        name = title_of(self._pending.get(kind, ""))
         self._window.progress.set_job(kind, fraction, tr(_WORK[kind]).format(name=name))
 
     def _ended(self, kind: str) -> None:
-        self._pending.discard(kind)
+        self._pending.pop(kind, None)
         self._window.progress.end_job(kind)
 
     def _report(self, kind: str, error: Exception) -> None:
@@ -201,6 +218,11 @@ class PictureControl(Feature, QObject):
     def _take(self, fit: LobeFit) -> None:
         self._contents.fit = fit
         self._draw_later()
+
+    def _take_preview(self, fit: LobeFit | None) -> None:
+        shown = fit or self._session.fit
+        if shown is not None:
+            self._take(shown)
 
     def _draw_later(self) -> None:
         """Plan the picture anew: while the hand moves, a slow one waits, and shows the newest when it rests."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
+from brdf_qt.choosing.thumbnails import shipped_picture
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.choices import ChoiceBox, ColourButton, SliderField
 from brdf_qt.fields.form import Form, described
@@ -21,7 +22,8 @@ from brdf_qt.window.view_titles import (
     TONE_TIPS,
     TONE_TITLES,
 )
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QPushButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS, View
@@ -29,15 +31,16 @@ from brdf_suite.documents.view import PARAMETERS, View
 LIGHTS = ("photo_studio", "street", "light_tunnel", "booth", "overcast", "sunny")
 FORMS = ("car", "speed_form", "panel", "sphere")
 _COLUMNS = 2
+_PICTURE = QSize(40, 40)
 _MEANINGS = (mark("On a 36 mm sensor"), mark("Each step doubles the light"))
 
 
 class ShippedChoice(QWidget):
-    """A button for each thing that comes with the programs; ``picked(name)`` when the user takes one."""
+    """A button with its picture for each thing that comes with the programs; ``picked(name)`` when one is taken."""
 
     picked = Signal(str)
 
-    def __init__(self, names: tuple[str, ...], spoken: str) -> None:
+    def __init__(self, names: tuple[str, ...], spoken: str, kind: str) -> None:
         super().__init__()
         self.setAccessibleName(spoken)
         self.buttons: dict[str, ChoiceButton] = {}
@@ -48,7 +51,9 @@ class ShippedChoice(QWidget):
             title = title_of(name)
             button = described(ChoiceButton(title), spoken=f"{spoken}: {title}", tip=f"{spoken}: {title}")
             button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-            button.setMinimumHeight(button.fontMetrics().height() + 14)
+            button.setIcon(QIcon(shipped_picture(kind, name)))
+            button.setIconSize(_PICTURE)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(partial(self._picked, name))
             group.addButton(button)
@@ -105,7 +110,7 @@ class ViewPages(QObject):
         return partial(self.edited.emit, field)
 
     def _light(self) -> QWidget:
-        self.lights = ShippedChoice(LIGHTS, tr("Light"))
+        self.lights = ShippedChoice(LIGHTS, tr("Light"), "environments")
         self.lights.picked.connect(self.light_chosen)
         turn, stops = PARAMETERS["rotation_deg"], PARAMETERS["exposure_ev"]
         self.rotation = SliderField(tr("Rotation"), turn.unit, -180.0, 180.0, 1.0, 1, turn.default)
@@ -145,7 +150,7 @@ class ViewPages(QObject):
         return form
 
     def _form(self) -> QWidget:
-        self.forms = ShippedChoice(FORMS, tr("Form"))
+        self.forms = ShippedChoice(FORMS, tr("Form"), "meshes")
         self.forms.picked.connect(self.form_chosen)
         places = QWidget()
         grid = QGridLayout(places)

@@ -25,8 +25,7 @@ class PictureScene(SceneLoader):
     def __init__(self, runner: TaskRunner, parent: QObject) -> None:
         super().__init__(runner, parent)
         last = recall()
-        first = default_view() if last is None else default_view(last.environment)
-        self.first: View = first if last is None else replace(last, exposure_ev=first.exposure_ev)
+        self.first: View = default_view() if last is None else _afresh(last)
 
     @staticmethod
     def in_light(view: View, name: str) -> View:
@@ -42,3 +41,12 @@ class PictureScene(SceneLoader):
     def bake(form: Mesh, progress: Progress) -> BakedMesh:
         """Return what the ground and the form's own shadows need; for a worker."""
         return baked_occlusion(form, progress)
+
+
+def _afresh(view: View) -> View:
+    """Return a view with camera, exposure and turn of the light as one begins with, as in Viewer.
+
+    A picture that opens too dark or from behind would look like a fault.
+    """
+    first = default_view(view.environment)
+    return replace(view, camera=first.camera, exposure_ev=first.exposure_ev, rotation_deg=first.rotation_deg)

@@ -161,6 +161,41 @@ class PickColour(Edit):
 
 
 @dataclass(frozen=True)
+class MoveInPlane(Edit):
+    """a* and b* at the measurement ``index``, L* kept; with ``at_all_angles`` the same difference at all others."""
+
+    index: int
+    a: float
+    b: float
+    at_all_angles: bool = False
+
+    def apply(self, paint: Paint) -> Paint:
+        lightness, a, b = paint.measurements[self.index].lab
+        if self.at_all_angles:
+            labs = np.array([item.lab for item in paint.measurements])
+            paint = _with_labs(paint, shift_labs(labs, np.array([0.0, self.a - a, self.b - b])))
+        return _with_lab(paint, self.index, (lightness, float(self.a), float(self.b)))
+
+    def step(self, paint: Paint, /) -> str:
+        if self.at_all_angles:
+            return tr("Change Chroma and Hue at All Angles")
+        return tr("Change Chroma and Hue at {angle}").format(angle=angle_text(paint, self.index))
+
+
+@dataclass(frozen=True)
+class TurnHues(Edit):
+    """The hues of all measurements turned by ``degrees``, from red to yellow; L* and C* stay, and so do greys."""
+
+    degrees: float
+    label = mark("Turn Hue at All Angles")
+
+    def apply(self, paint: Paint) -> Paint:
+        lch = lab_to_lch([item.lab for item in paint.measurements])
+        lch[:, 2] += self.degrees
+        return _with_labs(paint, lch_to_lab(lch))
+
+
+@dataclass(frozen=True)
 class SetFlop(Edit):
     """The flop index, or the travel of ``lightness``, ``chroma`` or ``hue`` (degrees)."""
 

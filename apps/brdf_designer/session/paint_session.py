@@ -102,6 +102,9 @@ class PaintSession(QObject):
         A run of edits that is one step is over, or its field is let go.
     edit_refused()
         A field holds what the paint cannot have.
+    preview_changed(LobeFit | None)
+        Another paint is to be seen for a moment, or, None, the paint itself again. An edit ends it without a signal:
+        all that shows the paint follows it anyway.
     """
 
     paint_changed = Signal(object)
@@ -112,6 +115,7 @@ class PaintSession(QObject):
     history_changed = Signal()
     gesture_ended = Signal()
     edit_refused = Signal()
+    preview_changed = Signal(object)
 
     def __init__(
         self,
@@ -127,6 +131,8 @@ class PaintSession(QObject):
         self._idle = IdleWork(self)
         self.fit: LobeFit | None = None
         """The newest fit of the paint; ``None`` while no such paint can be."""
+        self.in_preview = False
+        """Whether another paint is seen for a moment."""
         self._gesture: _Gesture | None = None
         self._shown_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
@@ -255,6 +261,27 @@ class PaintSession(QObject):
         self._end_step()
         self.documents.add(replace(paint, name=title) if title else paint, clean=clean)
 
+    # Seeing without editing.
+
+    def preview(self, paint: Paint) -> None:
+        """Let ``paint`` be seen in the picture and the patches, until :meth:`end_preview` or an edit.
+
+        Nothing is seen of a paint that cannot be.
+        """
+        try:
+            fit = self._fitter.fit(paint)
+        except SuiteError:
+            self.end_preview()
+            return
+        self.in_preview = True
+        self.preview_changed.emit(fit)
+
+    def end_preview(self) -> None:
+        """Let the paint itself be seen again."""
+        if self.in_preview:
+            self.in_preview = False
+            self.preview_changed.emit(None)
+
     # Notifications.
 
     def show_message(self, message: Message) -> None:
@@ -281,6 +308,7 @@ class PaintSession(QObject):
     def refresh(self) -> None:
         """Notify all parts and the other programs of the paint."""
         paint = self.paint
+        self.in_preview = False
         self.paint_changed.emit(paint)
         if paint is not self.paint:
             # A listener has changed it, and the later ones were notified of the newer one.

@@ -6,6 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.choosing.thumbnails import USUAL_LOOK, thumbnail
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
@@ -14,7 +15,6 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.from_measurement.section import standard_patterns
-from brdf_designer.picture.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection
 from brdf_designer.window.window import DesignerWindow

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
+from brdf_qt.fields.focus_order import order_focus
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.start.tour import TourStep
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
 from brdf_qt.window.stage import Drawer, Edge, Stage
-from brdf_qt.window.tab_panel import Tab
+from brdf_qt.window.tab_panel import standard_tabs
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
@@ -26,19 +28,18 @@ from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs_bar import DocumentTabs
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
-from brdf_designer.window.focus_order import order_focus
 from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
 from brdf_suite.documents.paint import Paint
 
-TABS = (
-    Tab("paint", mark("Paint"), "paint-brush", mark("Colours, gloss and flakes of the paint")),
-    Tab("light", mark("Light"), "sun", mark("The light that the paint stands in")),
-    Tab("form", mark("Form"), "car", mark("The form that carries the paint, and from where it is seen")),
-    Tab("compare", mark("Compare"), "scales", mark("The paint against a standard, and its neighbours")),
-    Tab("export", mark("Export"), "export", mark("Files for other programs, and reports")),
+TABS = standard_tabs(
+    paint=mark("Colours, gloss and flakes of the paint"),
+    light=mark("The light that the paint stands in"),
+    form=mark("The form that carries the paint, and from where it is seen"),
+    compare=mark("The paint against a standard"),
+    export=mark("Files for other programs, and reports"),
 )
 _DEEP = 420
 """Pixels that a drawer at the left is wide."""
@@ -47,14 +48,13 @@ _DEEP = 420
 class DesignerWindow(SuiteWindow):
     """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, and
-    those of ``tabs``.
+    Its sections edit the paint session. Intents: ``new_requested``, and those of ``tabs``.
     """
 
     new_requested = Signal()
-    shipped_requested = Signal(str)
 
     takes_several_files = False
+    opens_paints = True
 
     def __init__(self) -> None:
         super().__init__("Designer", tabs=TABS)
@@ -90,6 +90,38 @@ class DesignerWindow(SuiteWindow):
         give_letters(tuple(self.menus.values()))
         self.restore_layout()
 
+    def tour_steps(self) -> list[TourStep]:
+        """Return the three steps: the picture, the tab that changes the paint, and what one does with it."""
+        buttons = self.panel.buttons
+        return [
+            TourStep(
+                self.stage,
+                tr("The picture"),
+                tr(
+                    "The paint on a form, drawn anew at every edit. Drag to look from elsewhere, turn the wheel to "
+                    "come nearer, drag with Alt to turn the light."
+                ),
+            ),
+            TourStep(
+                buttons["paint"],
+                tr("The paint"),
+                tr(
+                    "Colours at every angle, gloss and flakes. Light and form have tabs of their own beside it, and "
+                    "More at the end of each has the rest."
+                ),
+                partial(self.panel.show_page, "paint"),
+            ),
+            TourStep(
+                buttons["compare"],
+                tr("Compare and export"),
+                tr(
+                    "Compare judges the paint against a standard. Export, beside it, writes files for instruments and "
+                    "other programs, and reports."
+                ),
+                partial(self.panel.show_page, "compare"),
+            ),
+        ]
+
     # What the controller shows.
 
     def show_colours(self, colours: Colours) -> None:
@@ -114,8 +146,19 @@ class DesignerWindow(SuiteWindow):
     def _show_model(self) -> None:
         self.paint_status.show_model(self.model.rule.currentText(), changed=self.model.has_changed)
 
+    def show_patches(self, colours: Colours) -> None:
+        """Show colours in the patches alone."""
+        self.patches.show_colours(colours)
+
     def show_fit(self, state: FitState) -> None:
         """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
+        self.show_given(state)
+        self.coat.show_fit(state)
+        self.model.show_notices(state.notices)
+        self.paint_status.show_fit(state)
+
+    def show_given(self, state: FitState) -> None:
+        """Show what a fit gives at the readings in the patches alone."""
         assert self._colours is not None
         shown = [angle.index for angle in self._colours.angles]
         self.patches.show_differences(
@@ -124,9 +167,6 @@ class DesignerWindow(SuiteWindow):
             time_limited=state.time_limited,
             exact_follows=state.exact_follows,
         )
-        self.coat.show_fit(state)
-        self.model.show_notices(state.notices)
-        self.paint_status.show_fit(state)
 
     def show_curves(self, curves: Curves) -> None:
         """Show what model and lobes give over the aspecular angle, fresh."""
@@ -234,24 +274,13 @@ class DesignerWindow(SuiteWindow):
                 (mark("&Previous Tab"), -1, "previous_tab"),
             )
         ]
-        tabs_menu = self.view_menu.addMenu(tr("Panel &Tabs"))
-        for number, tab in enumerate(TABS, 1):
-            show = self.add_action(
-                tabs_menu, tab.title, partial(self.show_tab, tab.key), f"panel_{number}", tab.icon
-            )
-            show.setObjectName(f"action_tab_{tab.key}")
+        self.add_tabs_menu()
         viewer = self.openers["viewer"]
         for entry in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
             if entry is None:
                 self.toolbar.addSeparator()
             else:
                 self.toolbar.addAction(entry)
-
-    def show_tab(self, key: str) -> None:
-        """Bring a tab of the panel to the front, with the keyboard in it."""
-        self.inspector_dock.show()
-        self.panel.show_page(key)
-        self.panel.buttons[key].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     # The picker, drops and the end.
 
@@ -265,7 +294,7 @@ class DesignerWindow(SuiteWindow):
         assert self._colours is not None
         self._whole = None
         self.strip.band.keep_opened()
-        self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
+        self.editors.show_all(self._colours)  # also while its numbers are not shown
         self.model.keep_opened()
         self._show_model()
         for part in (self.editors, self.coat, self.flakes, self.model):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from brdf_qt.documents.projects import is_project, open_project
+from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
@@ -20,7 +20,6 @@ from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
-from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.material import Material
@@ -59,6 +58,8 @@ class Sources(Feature, QObject):
         self._waiting: dict[str, str] = {}
         self._turn: dict[str, int] = {}
         self._lines: dict[int, tuple[Srgb, Dash]] = {}
+        self.open_project: Callable[[Path], bool] = lambda _path: False
+        """Takes projects, and reports what is wrong with them."""
 
     @property
     def is_idle(self) -> bool:
@@ -95,23 +96,10 @@ class Sources(Feature, QObject):
 
     def open_many(self, asked: Iterable[str | Path]) -> None:
         """Begin to open several; the first of them is in front where nothing was."""
-        names = [name for one in asked for name in self._in_project(one)]
+        names = [one for one in asked if not (is_project(one) and self.open_project(Path(one)))]
         nothing = not self._session.subjects
         for place, one in enumerate(names):
             self.open(one, select=len(names) == 1 or (nothing and place == 0))
-
-    def _in_project(self, asked: str | Path) -> list[str | Path]:
-        """Return the paints and the measured source of a project; anything else as it is."""
-        if not is_project(asked):
-            return [asked]
-        try:
-            opened = open_project(asked)
-        except SuiteError as error:
-            todo = tr("The previous picture stays.")
-            self._window.show_message(message_of(error, f"open {asked}", todo=todo))
-            return []
-        source = opened.project.source
-        return [*opened.paints, *([source] if source else [])]
 
     def add_representations(self, subject: PlottedMaterial) -> None:
         """Begin to fit the three compact representations of a subject, which come after the subjects that are there.

@@ -34,6 +34,8 @@ class SourcesPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._filled = False
+        self.names: dict[str, Sequence[tuple[str, str]]] = {}
+        """Title and name of what comes with the program, by group; empty until it is filled."""
         text = tr("Search paints and models by name")
         self.query = described(QLineEdit(placeholderText=text), spoken=text)
         self.query.setClearButtonEnabled(True)
@@ -60,7 +62,8 @@ class SourcesPanel(QWidget):
         # Deferred: with it come the tables and models, and the list is hidden at a first start.
         from brdf_lobe_visualizer.subjects.sources import names
 
-        for key, group in names().items():
+        self.names = names()
+        for key, group in self.names.items():
             self._add_group(tr(_GROUPS[key]), group)
 
     def add_palette(self, title: str, entries: Sequence[tuple[str, str]]) -> None:

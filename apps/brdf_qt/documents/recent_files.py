@@ -7,36 +7,41 @@ from pathlib import Path
 
 from PySide6.QtCore import QStandardPaths
 
-from brdf_qt.program.settings import settings
+from brdf_qt.program.settings import SHARED, settings
 
 MOST_RECENT = 10
 
 
 class RecentFiles:
-    """A list of recent files, kept in the settings of the program under ``key``."""
+    """A list of recent files, kept under ``key`` in the settings of a program, by default of the running one."""
 
-    def __init__(self, key: str = "recent") -> None:
-        self._key = key
+    def __init__(self, key: str = "recent", program: str = "") -> None:
+        self._key, self._program = key, program
 
     def paths(self) -> list[str]:
         """Return absolute paths, newest first; files that are gone are left out."""
-        stored = settings().value(self._key, [])
+        stored = settings(self._program).value(self._key, [])
         stored = stored if isinstance(stored, list) else [stored]
-        return [path for path in stored if isinstance(path, str) and Path(path).is_file()]
+        return [path for path in stored if isinstance(path, str) and Path(path).exists()]
 
     def add(self, path: str | Path) -> None:
         """Put ``path`` first."""
         first = str(Path(path).absolute())
         paths = [first, *(known for known in self.paths() if known != first)]
-        settings().setValue(self._key, paths[:MOST_RECENT])
+        settings(self._program).setValue(self._key, paths[:MOST_RECENT])
 
     def remove(self, path: str | Path) -> None:
         """Leave ``path`` out from now on."""
         gone = str(Path(path).absolute())
-        settings().setValue(self._key, [known for known in self.paths() if known != gone])
+        settings(self._program).setValue(self._key, [known for known in self.paths() if known != gone])
 
     def clear(self) -> None:
-        settings().remove(self._key)
+        settings(self._program).remove(self._key)
+
+
+def recent_projects() -> RecentFiles:
+    """Return the projects that were opened or saved last, in any of the programs; files and folders."""
+    return RecentFiles("recent/projects", SHARED)
 
 
 def folder_beside(path: Path | None, recent: Sequence[str]) -> Path:

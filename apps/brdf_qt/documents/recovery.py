@@ -1,7 +1,8 @@
 """Unsaved work survives a kill: it is written beside the settings at least once a second, and offered back.
 
-Each run has a file of its own and holds a lock beside it; the system frees the lock of a process that dies.
-So the work of a program that still runs is never offered to another. A file goes once its work is saved or
+A document that is saved has no work to lose, but a history: where that is kept, it lies in a file beside, and comes
+back with the tab. Each run has a file of its own and holds a lock beside it; the system frees the lock of a process
+that dies. So the work of a program that still runs is never offered to another. A file goes once its work is saved or
 discarded.
 """
 
@@ -28,6 +29,7 @@ from brdf_suite.errors import FileError, SuiteError
 T = TypeVar("T")
 INTERVAL_MS = 700
 _ENDING = ".recovery.json"
+_SAVED_ENDING = ".history.json"
 MOST_STATES = 200
 """States of a history that are kept, around the present one."""
 
@@ -87,6 +89,7 @@ class Recovery(QObject, Generic[T]):
         """The folder of the autosaves of this program."""
         self.file = self.folder / f"{uuid.uuid4().hex}{_ENDING}"
         """The autosave of this store; missing while nothing is unsaved."""
+        self._saved_file = _saved_file(self.file)
         self._lock = lock_of(self.file)
         self._lock.tryLock(0)
         self.timer = make_timer(self, self.write, INTERVAL_MS)
@@ -110,9 +113,11 @@ class Recovery(QObject, Generic[T]):
         self.timer.stop()
         try:
             if self._store.is_clean:
+                self._write_saved()
                 self.file.unlink(missing_ok=True)
             else:
                 self._write()
+                self._saved_file.unlink(missing_ok=True)
         except OSError as error:
             reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
             self._fails = True
@@ -136,10 +141,36 @@ class Recovery(QObject, Generic[T]):
         text = json.dumps(content, ensure_ascii=False)
         if self._keeps_history:
             text = f'{text[:-1]}, "history": {self._history()}}}'
-        # No fsync: what a killed process has written stays in the system, and this runs between two frames.
-        draft = self.file.with_suffix(".tmp")
-        draft.write_text(text, encoding="utf-8")
-        draft.replace(self.file)
+        _replace(self.file, text)
+
+    def _write_saved(self) -> None:
+        """Keep the history of a saved document, and one without a file that is not to be asked about."""
+        worth = self._keeps_history and (self._store.stack.count() > 0 or self._store.path is None)
+        if worth:
+            _replace(self._saved_file, f'{{"history": {self._history()}}}')
+        else:
+            self._saved_file.unlink(missing_ok=True)
+
+    def saved_history(self, autosave: str) -> KeptHistory[T] | None:
+        """Return the history of a saved document of an ended run by the name of its autosave; None where none is kept.
+
+        Its present state is the saved one.
+        """
+        file = _saved_file(self.folder / Path(autosave).name)
+        try:
+            content = json.loads(file.read_text(encoding="utf-8"))["history"]
+            row = content["states"][int(content["place"])][1]
+            return self._read_history(content, self._format.from_json(row, file), file)
+        except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
+            return None  # the document itself is in its file
+
+    def sweep(self) -> None:
+        """Remove the histories of saved documents of ended runs: they were taken, or given up."""
+        for file in self.folder.glob(f"*{_SAVED_ENDING}"):
+            lock = lock_of(file.with_name(file.name.replace(_SAVED_ENDING, _ENDING)))
+            if file != self._saved_file and lock.tryLock(0):
+                file.unlink(missing_ok=True)
+                lock.unlock()
 
     def _history(self) -> str:
         """Return the history as JSON; a state that was encoded before is not encoded again."""
@@ -237,7 +268,19 @@ class Recovery(QObject, Generic[T]):
             self.write()
         else:
             self.file.unlink(missing_ok=True)
+            self._saved_file.unlink(missing_ok=True)
         self._lock.unlock()
+
+
+def _saved_file(autosave: Path) -> Path:
+    return autosave.with_name(autosave.name.replace(_ENDING, _SAVED_ENDING))
+
+
+def _replace(file: Path, text: str) -> None:
+    # No fsync: what a killed process has written stays in the system, and this runs between two frames.
+    draft = file.with_suffix(".tmp")
+    draft.write_text(text, encoding="utf-8")
+    draft.replace(file)
 
 
 def _aside(file: Path) -> Path:

@@ -19,6 +19,11 @@ class Burst(QObject):
         super().__init__(parent)
         self._timer = make_timer(self, self.finished.emit, PAUSE_MS)
 
+    @property
+    def is_running(self) -> bool:
+        """Whether a gesture goes on."""
+        return self._timer.isActive()
+
     def touch(self) -> None:
         running = self._timer.isActive()
         self._timer.start()

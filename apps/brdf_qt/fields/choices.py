@@ -1,15 +1,14 @@
-"""Fields of the inspector: choices, sliders with a number, shipped things and files, colours, small notes."""
+"""Fields of the inspector: choices, sliders with a number, colours, small notes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap
-from PySide6.QtWidgets import QColorDialog, QComboBox, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QColorDialog, QLabel, QPushButton, QWidget
 
-from brdf_qt.fields.form import fill_row, icon_button
+from brdf_qt.fields.form import fill_row
 from brdf_qt.fields.labels import RoomyLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, quieten
@@ -104,65 +103,6 @@ class SliderField(QWidget):
     def _set_slider(self, value: float) -> None:
         with QSignalBlocker(self.slider):
             self.slider.setValue(round(value / self._step))
-
-
-@dataclass(frozen=True)
-class Source:
-    """One entry: ``key`` is what is loaded (a shipped name or a path), ``title`` what is shown."""
-
-    key: str
-    title: str
-
-
-class SourceChooser(QWidget):
-    """Emits ``chosen(key)`` when the user takes an entry and ``browse_requested()`` for the button."""
-
-    chosen = Signal(str)
-    browse_requested = Signal()
-
-    def __init__(self, browse_tip: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.list = QuietComboBox()
-        self.list.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.list.setMinimumContentsLength(14)
-        self.list.activated.connect(lambda index: self.chosen.emit(self.list.itemData(index)))
-        self.button = icon_button("folder-open", browse_tip, self.browse_requested.emit)
-        fill_row(self, self.list, self.button, spacing=4)
-        self.setFocusProxy(self.list)
-
-    def set_sources(self, shipped: Iterable[Source], files: Iterable[Source]) -> None:
-        """Fill the list: shipped things, a line, files; keeps what is shown where it is still there."""
-        current = self.list.currentData()
-        with QSignalBlocker(self.list):
-            self.list.clear()
-            for source in shipped:
-                self.list.addItem(source.title, source.key)
-            files = tuple(files)
-            if files:
-                self.list.insertSeparator(self.list.count())
-            for source in files:
-                self._add_file(source)
-        if current is not None:
-            self.show_source(current, "")
-
-    def show_source(self, key: str, title: str) -> None:
-        """Show ``key`` as the present choice, without a signal; added to the list where it is not in it."""
-        index = self.list.findData(key)
-        if index < 0 and title:
-            self._add_file(Source(key, title))
-            index = self.list.count() - 1
-        with QSignalBlocker(self.list):
-            self.list.setCurrentIndex(index)
-
-    def rename(self, key: str, title: str) -> None:
-        """Give an entry another title; nothing where there is none."""
-        index = self.list.findData(key)
-        if index >= 0:
-            self.list.setItemText(index, title)
-
-    def _add_file(self, source: Source) -> None:
-        self.list.addItem(source.title, source.key)
-        self.list.setItemData(self.list.count() - 1, plain_tip(source.key), Qt.ItemDataRole.ToolTipRole)
 
 
 Colour = tuple[float, float, float]

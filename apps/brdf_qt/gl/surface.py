@@ -127,11 +127,14 @@ class GlSurface(QWidget):
         self._view = view
         self.redraw()
 
-    def redraw(self) -> None:
-        """Draw again: something other than the view has changed. Where frames are slow, the other widgets go first."""
+    def redraw(self, *, at_once: bool = False) -> None:
+        """Draw again: something other than the view has changed. Where frames are slow, the other widgets go first.
+
+        With ``at_once`` they do not: the picture and what is drawn over it change together.
+        """
         if self.is_lost:
             self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
-        elif self.frame_ms < SLOW_MS:
+        elif at_once or self.frame_ms < SLOW_MS:
             self.canvas.update()
         elif not self._give_way.isActive():
             self._give_way.start()

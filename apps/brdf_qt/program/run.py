@@ -9,14 +9,17 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QRect, QTimer
+from PySide6.QtCore import QObject, QRect, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program.application import create_application, process_age_s
 from brdf_qt.program.program import Program
 from brdf_qt.program.theme import THEMES
 from brdf_qt.program.translation import languages
+from brdf_qt.start.launch import Launch
+from brdf_qt.start.page import is_wanted
 from brdf_qt.window.placement import WindowPlaces
+from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
 
 _LARGEST = 20_000
@@ -42,38 +45,56 @@ def window_place(text: str) -> QRect:
     return QRect(x, y, width, height)
 
 
-def program_parser(
-    command: str, description: str, times: str, epilog: str | None = None
-) -> argparse.ArgumentParser:
+def program_parser(command: str, description: str, times: str, epilog: str | None = None) -> CommandParser:
     """Return the parser of ``command`` with the options of every program.
 
     ``times`` completes the help of ``--report-startup``: what is printed beside the time of the painted window.
     """
-    parser = argparse.ArgumentParser(prog=command, description=description, epilog=epilog)
-    parser.add_argument("--theme", choices=THEMES, help="theme of this run (default: the last one chosen)")
-    parser.add_argument(
+    parser = CommandParser(prog=command, description=description, epilog=epilog)
+    parser.examples = (f"{command} --theme light --size 1280x800", f"{command} --screenshot window.png")
+    window = parser.add_argument_group("window and start")
+    window.add_argument("--theme", choices=THEMES, help="theme of this run (default: the last one chosen)")
+    window.add_argument(
         "--language", choices=languages(), help="language of this run (default: the last one chosen)"
     )
-    parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
-    parser.add_argument(
+    window.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
+    window.add_argument(
         "--place", type=window_place, metavar="X,Y,W,H", help="place of the window on the screen in pixels"
     )
-    parser.add_argument(
+    window.add_argument(
         "--screenshot",
         type=Path,
         metavar="FILE",
         help="save a picture of the window once all of it is there, and end",
     )
-    parser.add_argument(
+    window.add_argument(
         "--quit-after", type=float, metavar="S", help="end S seconds after the window is complete"
     )
-    parser.add_argument(
+    window.add_argument(
         "--report-startup",
         action="store_true",
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
         f"window, and {times}",
     )
+    parser.add_argument(
+        "--start-page",
+        action=argparse.BooleanOptionalAction,
+        default=None,
+        help="show the start page first, or not (default: as chosen there, where no file is named)",
+    )
     return parser
+
+
+def add_actions(parser: argparse.ArgumentParser, more: str = "") -> None:
+    """Add the option ``--do``; ``more`` are the options by key and value that the program knows."""
+    parser.add_argument(
+        "--do",
+        action="append",
+        default=[],
+        metavar="ACTION",
+        help="perform this action after startup, in the order given: a command name as in Ctrl+K"
+        + (f", or {more}" if more else ""),
+    )
 
 
 def run_program(
@@ -82,18 +103,30 @@ def run_program(
     make: Callable[[argparse.Namespace], Program],
     argv: Sequence[str] | None = None,
     actions: Callable[[argparse.Namespace], Sequence[str]] = lambda _options: (),
+    *,
+    loads: str = "",
+    is_asked: Callable[[argparse.Namespace], bool] = lambda _options: True,
 ) -> int:
     """Run the program ``name`` ("Designer") that ``make`` returns for the options; return the exit status.
 
     ``actions`` are given to :meth:`Program.do` after the start, each when all that the one before led to is there.
+    ``loads`` is the module that takes long to import; the start page is shown before it, unless ``is_asked`` says that
+    the options name what is to be opened.
     """
     options = parser.parse_args(argv)
+    set_loudness(options)
     app = create_application(name, theme_name=options.theme, language=options.language)
+    run_actions = actions(options)
+    launch = None
+    if loads and (options.start_page or _begins_with_page(options, is_asked(options), run_actions)):
+        launch = Launch(app, name)
     try:
-        program = make(options)
+        program = make(options) if launch is None else launch.load(loads, partial(make, options))
     except SuiteError as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
+    if program is None:
+        return 0
     if options.size is not None:
         program.window.resize(*options.size)
         program.window.fit_inspector()
@@ -104,9 +137,22 @@ def run_program(
         places.step_aside()
     app.aboutToQuit.connect(places.close)
     program.start_when_painted()
-    _Run(app, program, options, parser.prog, actions(options))
-    program.window.show()
+    run = _Run(app, program, options, parser.prog, run_actions)
+    if launch is None:
+        program.window.show()
+    else:
+        run.note("start_page_s", launch.shown_s)
+        program.window.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
+        program.window.show()
+        launch.hand_over(program.window.start)
     return app.exec()
+
+
+def _begins_with_page(options: argparse.Namespace, is_asked: bool, actions: Sequence[str]) -> bool:
+    """Whether a start that says nothing of the page shows it: a user's who asks for nothing yet."""
+    unattended = options.screenshot is not None or options.quit_after is not None or options.report_startup
+    wanted = options.start_page is None and is_wanted()
+    return wanted and not (is_asked or actions or unattended or options.place is not None)
 
 
 class _Run(QObject):
@@ -127,6 +173,10 @@ class _Run(QObject):
         self._times: dict[str, float] = {}
         program.reached.connect(self._reach)
         program.start_failed.connect(self._fail)
+
+    def note(self, name: str, seconds: float) -> None:
+        """Add a time to those that are reported."""
+        self._times[name] = seconds
 
     def _reach(self, milestone: str) -> None:
         self._seen.append(milestone)

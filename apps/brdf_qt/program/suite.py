@@ -30,11 +30,14 @@ MEMBERS = {
 """The programs by their roles on the live link."""
 
 
-def start_member(role: str, place: QRect | None = None) -> bool:
-    """Start a program, with its window at ``place`` of the screen where one is given; False where it cannot be."""
+def start_member(role: str, place: QRect | None = None, *arguments: str) -> bool:
+    """Start a program, with its window at ``place`` of the screen where one is given; False where it cannot be.
+
+    ``arguments`` are those of its command line. It shows what it is asked for at once, and no start page.
+    """
     at = [] if place is None else [f"--place={place.x()},{place.y()},{place.width()},{place.height()}"]
-    program, *arguments = child_command(MEMBERS[role].package, *at)
-    started, _ = QProcess.startDetached(program, arguments)
+    program, *given = child_command(MEMBERS[role].package, "--no-start-page", *at, *arguments)
+    started, _ = QProcess.startDetached(program, given)
     return started
 
 

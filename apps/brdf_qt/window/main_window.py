@@ -30,6 +30,8 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.suite import MEMBERS, start_member
 from brdf_qt.program.theme import theme_menu
 from brdf_qt.program.translation import language_menu, mark, tr
+from brdf_qt.start.control import StartControl
+from brdf_qt.start.tour import TourStep
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
 from brdf_qt.window.manual import Manual
@@ -85,6 +87,8 @@ class SuiteWindow(QMainWindow):
         The recent files are to be forgotten.
     close_requested(QCloseEvent)
         The window is about to close; to be ignored where it must stay.
+    shipped_requested(str)
+        A shipped paint is to be opened, by its name; a program that opens none leaves it to Designer.
     """
 
     first_painted = Signal()
@@ -92,6 +96,9 @@ class SuiteWindow(QMainWindow):
     files_dropped = Signal(list)
     recent_cleared = Signal()
     close_requested = Signal(QCloseEvent)
+    shipped_requested = Signal(str)
+    opens_paints = False
+    """Whether ``shipped_requested`` is answered; otherwise Designer is opened with the paint."""
     takes_several_files = True
     """Whether more than one file at a time can be dropped."""
 
@@ -109,6 +116,10 @@ class SuiteWindow(QMainWindow):
         self.openers: dict[str, QAction] = {}
         self.settings_window: SettingsWindow | None = None
         self.manual: Manual | None = None
+        self.start = StartControl(self, name, self.tour_steps)
+        self.start.paint_requested.connect(self._open_paint)
+        self.start.file_requested.connect(lambda path: self.files_dropped.emit([path]))
+        self.start.command_requested.connect(self._do_or_hand_on)
         self._file_end: QAction | None = None
         self.setAcceptDrops(True)
         titles = (tr("&File"), tr("&Edit"), tr("&View"), tr("&Paint"), tr("&Window"), tr("&Help"))
@@ -234,6 +245,15 @@ class SuiteWindow(QMainWindow):
         self.docks[key] = dock
         return dock
 
+    def add_strip(self, strip: QWidget) -> QDockWidget:
+        """Put ``strip`` below the middle, as high as it is and without a title; Tab hides it with the panels."""
+        dock = self.add_dock("strip", mark("Paint Strip"), strip, visible=True)
+        dock.setFeatures(QDockWidget.DockWidgetFeature.DockWidgetClosable)
+        dock.setTitleBarWidget(QWidget())
+        self.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        give_keys(dock.toggleViewAction(), "paint_strip")
+        return dock
+
     def add_command(
         self,
         menu: str,
@@ -276,7 +296,26 @@ class SuiteWindow(QMainWindow):
         self.recent_menu = self.file_menu.addMenu(tr("Open &Recent"))
         self.recent_menu.setToolTipsVisible(True)
 
+    def add_tabs_menu(self) -> None:
+        """Add View ▸ Panel Tabs, with a command for each tab of the panel."""
+        menu = self.view_menu.addMenu(tr("Panel &Tabs"))
+        for number, tab in enumerate(self.panel.tabs, 1):
+            show = self.add_action(
+                menu, tab.title, partial(self.show_tab, tab.key), f"panel_{number}", tab.icon, tab.tip
+            )
+            show.setObjectName(f"action_tab_{tab.key}")
+
+    def tour_steps(self) -> list[TourStep]:
+        """Return what a tour points at; a window without any has no tour."""
+        return []
+
     # What is shown.
+
+    def show_tab(self, key: str) -> None:
+        """Bring a tab of the panel to the front, with the keyboard in it."""
+        self.inspector_dock.show()
+        self.panel.show_page(key)
+        self.panel.buttons[key].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def show_recent(self, paths: Sequence[Path]) -> None:
         self.recent_menu.clear()
@@ -289,6 +328,8 @@ class SuiteWindow(QMainWindow):
         self.recent_menu.setEnabled(bool(paths))
 
     def show_message(self, message: Message) -> None:
+        if message.key == "recovery":
+            self.start.hide()  # unsaved work goes first
         self.messages.show_message(message)
 
     def dismiss_message(self, key: str) -> None:
@@ -365,7 +406,11 @@ class SuiteWindow(QMainWindow):
         self.palette_window = palette = CommandPalette(self)
         add, menu = self.add_action, self.help_menu
         add(self.view_menu, mark("Se&ttings…"), self._show_settings, "settings", "gear-six")
-        add(menu, mark("&Manual"), self._show_manual, "manual", "book-open")
+        add(menu, mark("&Manual"), self._show_manual, "manual", "book-open").setObjectName("action_manual")
+        add(menu, mark("Start &Page"), self.start.show, icon="squares-four").setObjectName(
+            "action_start_page"
+        )
+        add(menu, mark("&Tour"), self.start.start_tour, icon="map-trifold").setObjectName("action_tour")
         add(menu, mark("Find a &Command…"), palette.open, "find_command", "magnifying-glass")
         add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "shortcuts", "keyboard")
         add(menu, mark("&About BRDF Suite"), lambda: AboutWindow(self, self._program).show(), icon="info")
@@ -390,8 +435,25 @@ class SuiteWindow(QMainWindow):
         self.manual.show()
         self.manual.raise_()
 
-    def open_beside(self, role: str) -> None:
+    def _open_paint(self, name: str) -> None:
+        """Open a shipped paint here, or in Designer where this program designs none."""
+        if self.opens_paints:
+            self.shipped_requested.emit(name)
+        else:
+            self.open_beside("designer", name)
+
+    def _do_or_hand_on(self, key: str) -> None:
+        """Do a command of this window, or of Designer where this one has none of that key."""
+        command = self.command(key)
+        if command is not None:
+            command.trigger()
+        else:
+            self.open_beside("designer", f"--do={key}")
+
+    def open_beside(self, role: str, *arguments: str) -> None:
         """Open another program of the suite: this window takes the left half of the screen, that one the right.
+
+        ``arguments`` are those of its command line.
 
         On a screen too narrow for both, this window stays, and the other one keeps out of its way.
         """
@@ -412,7 +474,7 @@ class SuiteWindow(QMainWindow):
                 for share in shares
             )
             self.setGeometry(ours)
-        if start_member(role, beside):
+        if start_member(role, beside, *arguments):
             self.dismiss_message("start")
             return
         member = MEMBERS[role]

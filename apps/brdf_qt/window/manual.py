@@ -110,7 +110,7 @@ class Manual(QDialog):
         split.addWidget(self.chapters)
         split.addWidget(self.text)
         split.setStretchFactor(1, 1)
-        split.setSizes([300, 780])
+        split.setSizes([340, 740])
         fill_column(self, split, margins=(8, 8, 8, 8))
         for chapter, pages in contents(document_root()).items():
             head = QTreeWidgetItem([chapter])

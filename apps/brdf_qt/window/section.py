@@ -19,7 +19,8 @@ SomeWidget = TypeVar("SomeWidget", bound=QWidget)
 class Section(QWidget):
     """A titled part of the inspector that opens and closes; remembers which under ``key``.
 
-    ``is_open`` is how it is shown until the user has opened or closed it.
+    ``is_open`` is how it is shown until the user has opened or closed it. One that is not ``titled`` has no header and
+    is always open: the tab that it is behind says what it is.
     """
 
     toggled = Signal(bool)
@@ -27,7 +28,13 @@ class Section(QWidget):
     """Its body has come into view: it was opened, or what it is in was shown."""
 
     def __init__(
-        self, title: str, key: str | None = None, parent: QWidget | None = None, *, is_open: bool = True
+        self,
+        title: str,
+        key: str | None = None,
+        parent: QWidget | None = None,
+        *,
+        is_open: bool = True,
+        titled: bool = True,
     ) -> None:
         super().__init__(parent)
         self.title = title
@@ -41,6 +48,7 @@ class Section(QWidget):
         self.header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.header.setAccessibleName(tr("Section {title}").format(title=title))
+        self.header.setToolTip(tr("Show or hide this section"))
         set_bold(self.header, True)
         self.header.clicked.connect(self.set_open)
         self._body = QWidget()
@@ -53,7 +61,9 @@ class Section(QWidget):
         line.setForegroundRole(line.foregroundRole().Mid)
         fill_column(self, self.header, self._body, line, spacing=0)
         self._body.installEventFilter(self)
-        self._show(bool(settings().value(self._key, is_open, type=bool)))
+        if not titled:
+            self.header.hide()
+        self._show(not titled or bool(settings().value(self._key, is_open, type=bool)))
 
     def add(self, widget: SomeWidget) -> SomeWidget:
         """Put ``widget`` at the end of the body and return it."""

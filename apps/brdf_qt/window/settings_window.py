@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QMainWindow, QPushButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QDialog, QDialogButtonBox, QMainWindow, QPushButton
 
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program import theme, translation
 from brdf_qt.program.translation import tr
+from brdf_qt.start import page as start_page
 from brdf_qt.window.dialogs import without_icons
 
 
 class SettingsWindow(QDialog):
-    """Theme, language and lobe fit; a choice holds at once, and is kept for all programs."""
+    """Theme, language, lobe fit and start page; a choice holds at once, and is kept for all programs."""
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
@@ -32,6 +33,10 @@ class SettingsWindow(QDialog):
         form.add_row(tr("Language"), self.language, tr("For all programs, from their next start on"))
         tip = tr("Choose the exponents and the number of lobes, and how they are fitted")
         form.add_row(tr("Reflectance"), self.fit, tip)
+        self.start_page = QCheckBox(tr("Show at start"))
+        self.start_page.setObjectName("settings_start_page")
+        self.start_page.clicked.connect(start_page.set_wanted)
+        form.add_row(tr("Start page"), self.start_page, tr("Help ▸ Start Page shows it at any time"))
         note = PlainLabel(tr("These settings are the same in all programs of the suite."), wordWrap=True)
         form.add_wide(note)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
@@ -48,6 +53,7 @@ class SettingsWindow(QDialog):
         """Show what is chosen now: it may have been changed in a menu, or in another program."""
         self.theme.setCurrentIndex(self.theme.findData(theme.shown()))
         self.language.setCurrentIndex(self.language.findData(translation.chosen()))
+        self.start_page.setChecked(start_page.is_wanted())
 
     def _choose_theme(self) -> None:
         app = QApplication.instance()

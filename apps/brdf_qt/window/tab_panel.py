@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QStackedWidget, QToolBu
 from brdf_qt.fields.form import described, fill_column, fill_row
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Inspector, Section, SomeSection
 
 _LINE = 3
@@ -28,6 +28,17 @@ class Tab:
     title: str
     icon: str
     tip: str
+
+
+def standard_tabs(paint: str, light: str, form: str, compare: str, export: str) -> tuple[Tab, ...]:
+    """Return the five tabs of a program with a picture, with its own tips (English, marked for translation)."""
+    return (
+        Tab("paint", mark("Paint"), "paint-brush", paint),
+        Tab("light", mark("Light"), "sun", light),
+        Tab("form", mark("Form"), "car", form),
+        Tab("compare", mark("Compare"), "scales", compare),
+        Tab("export", mark("Export"), "export", export),
+    )
 
 
 class Page(Inspector):
@@ -107,6 +118,7 @@ class TabPanel(QWidget):
     def __init__(self, tabs: Sequence[Tab] = (), parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("tab_panel")
+        self.tabs = tuple(tabs)
         self.pages: dict[str, Page] = {}
         self.buttons: dict[str, QToolButton] = {}
         self._stack = QStackedWidget()

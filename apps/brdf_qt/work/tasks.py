@@ -48,7 +48,14 @@ class _Job(QRunnable):
             answer, error = self._work(self._request, progress), None
         except Exception as caught:  # noqa: BLE001 - carried to the main thread, where failed() informs the user
             answer, error = None, caught
-        self._runner._ended.emit(key, generation, answer, error)
+        # The answer of what was stopped is dropped anyway, and its runner may be gone by now.
+        if not stop.is_set():
+            self._runner._ended.emit(key, generation, answer, error)
+
+
+def _stop_all(tasks: dict[str, _Task]) -> None:
+    for task in tasks.values():
+        task.stop.set()
 
 
 class TaskRunner(QObject):
@@ -65,6 +72,9 @@ class TaskRunner(QObject):
         self._generation = 0
         self._tasks: dict[str, _Task] = {}
         queued = Qt.ConnectionType.QueuedConnection
+        tasks = self._tasks
+        # One that goes without being stopped waits for its threads, whose answers it can no longer take.
+        self.destroyed.connect(lambda: _stop_all(tasks))
         self._moved.connect(self._on_moved, queued)
         self._ended.connect(self._on_ended, queued)
 

@@ -31,7 +31,8 @@ class CameraControl(ViewerFeature):
         self.turntable.running_changed.connect(commands.turntable.setChecked)
         window.picture.canvas_changed.connect(self._listen)
         self._listen(window.picture.canvas)
-        commands.frame.triggered.connect(self._frame)
+        for signal in (commands.frame.triggered, section.frame.clicked):
+            signal.connect(self._frame)
         commands.turntable.triggered.connect(self.turntable.set_running)
         # Each a step of its own, also close after another.
         for signal in (commands.preset_requested, section.preset_chosen):

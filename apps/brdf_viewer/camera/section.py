@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from brdf_qt.fields.form import Form, fill_row
+from brdf_qt.fields.form import Form, described, fill_row
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
 from brdf_qt.window.view_titles import PRESETS
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QPushButton, QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS, Camera
 
@@ -32,13 +32,16 @@ def signed_deg(angle_deg: float) -> float:
 
 
 class CameraSection(Section):
-    """From where the surface is seen, by preset or by number, through which lens, and how fast it turns."""
+    """The camera by numbers, and how fast the surface turns; ``daily``: the presets, and framing."""
 
     preset_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Camera"), "camera", parent)
-        buttons = QWidget()
+        self.daily, buttons = Form(), QWidget()
+        self.frame = described(
+            QPushButton(tr("Frame")), name="frame", tip=tr("Fill the picture with the surface (F)")
+        )
         self.presets = [self._preset_button(number, key) for number, key in enumerate(PRESETS, 1)]
         fill_row(buttons, *self.presets, spacing=4, even=True)
         start, speed = Camera(), PARAMETERS["turntable_deg_s"]
@@ -47,8 +50,9 @@ class CameraSection(Section):
         self.elevation = NumberField(tr("Elevation"), "°", -89.0, 89.0, 1.0, 1, start.elevation_deg)
         self.focal_length = NumberField(tr("Focal length"), "mm", 12.0, 400.0, 1.0, 0, start.focal_length_mm)
         self.turntable = NumberField(tr("Turntable"), *reach_of(speed, 1.0, 1))
+        self.daily.add_row(tr("View from"), buttons)
+        self.daily.add_row("", self.frame)
         form = self.add(Form())
-        form.add_wide(buttons)
         form.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["camera.azimuth_deg"].meaning))
         form.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["camera.elevation_deg"].meaning))
         form.add_row(tr("Focal length"), self.focal_length, tr(PARAMETERS["camera.focal_length_mm"].meaning))

@@ -7,8 +7,6 @@ from PySide6.QtCore import QElapsedTimer, QObject, Signal
 
 from brdf_viewer.documents.view_history import ViewHistory
 
-_LONGEST_STEP_S = 0.1
-
 
 class Turntable(QObject):
     """Emits ``turned(degrees)`` as time passes while it runs, and ``running_changed(bool)``.
@@ -40,6 +38,5 @@ class Turntable(QObject):
         self.running_changed.emit(running)
 
     def _step(self) -> None:
-        # For the time that has passed; a slow frame makes it slower, not jerky.
-        seconds = min(self._clock.restart() / 1000.0, _LONGEST_STEP_S)
-        self.turned.emit(self.deg_per_second * seconds)
+        # For all the time that has passed: it turns as fast as it says, also where frames are slow.
+        self.turned.emit(self.deg_per_second * self._clock.restart() / 1000.0)

@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
-from brdf_qt.fields.choices import Source, set_note
+from brdf_qt.fields.choices import set_note
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
@@ -19,7 +20,7 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.output.compared import load_compared
-from brdf_suite.pipeline.material import is_file, paint_names
+from brdf_suite.pipeline.material import ENTRY_MARK, is_file, paint_names
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
@@ -109,9 +110,9 @@ class CompareControl(ViewerFeature):
         self.set_mode("blink" if mode != "blink" else self._before_blink)
 
     def flip(self) -> None:
-        """Show the other one of a blink."""
+        """Show the other one of a blink, and with the same frame its label."""
         self._state.shows_second = not self._state.shows_second
-        self._window.picture.redraw()
+        self._window.picture.redraw(at_once=True)
         self._show()
 
     @property
@@ -193,7 +194,7 @@ class CompareControl(ViewerFeature):
         message = Message(
             _OFFER,
             tr("No second paint is selected."),
-            todo=tr("Choose one under Compare in the inspector, or freeze the current paint as B."),
+            todo=tr("Choose one in the tab Compare, or freeze the current paint as B."),
             actions=((tr("Freeze A as B"), self.freeze),),
         )
         self._window.messages.show_message(message)
@@ -227,8 +228,12 @@ class CompareControl(ViewerFeature):
         compare, second = state.view.compare, state.compared
         key = self._loading or compare.paint
         window.compare.show_compare(compare)
-        window.compare.chooser.show_source(key or "", "" if key is None else _title(key))
-        set_note(window.compare.facts, "" if second is None else "\n".join(second_facts(second.value)))
+        title = "" if key is None else _title(key)
+        if key is not None and ENTRY_MARK in key and second is not None and second.key == key:
+            title = name_of(second.key, second.value)
+        window.compare.chooser.show_source(key or "", title)
+        facts = [] if second is None or compare.mode == "off" else second_facts(second.value)
+        set_note(window.compare.facts, "\n".join(facts))
         window.commands.compare.show_choice(compare.mode)
         if second is not None or compare.mode == "off":
             window.messages.dismiss(_OFFER)

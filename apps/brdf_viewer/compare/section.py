@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note
+from brdf_qt.fields.choices import ChoiceBox, note
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QStackedWidget, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
+from brdf_viewer.paint.pickers import second_picker
 
 MODE_TITLES = {
     "off": mark("Off"),
@@ -33,12 +34,15 @@ BASIS_TIPS = {
 
 
 class CompareSection(Section):
-    """How two paints are shown, and which is the second."""
+    """How two paints are shown, and which is the second; ``rest`` is the section with what is seldom changed.
+
+    What one mode alone has stands in one place, which the others leave empty: nothing moves with the mode.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Compare"), "compare", parent)
+        super().__init__(tr("Compare"), "compare", parent, titled=False)
         self.mode = ChoiceBox(MODE_TITLES, MODE_TIPS)
-        self.chooser = SourceChooser(tr("Open a paint, a measured file or a picture (.exr, .png) as B"))
+        self.chooser = second_picker()
         self.freeze = QPushButton(tr("Freeze A as B"))
         self.freeze.setToolTip(tr("Keep the current paint as B while A changes (Ctrl+B)"))
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
@@ -52,23 +56,28 @@ class CompareSection(Section):
         tip = tr("Paint or picture that the current paint is compared with")
         form.add_row(tr("Second (B)"), self.chooser, tip)
         form.add_row("", self.freeze)
-        self._shown_in: dict[QWidget, str] = {}
+        self._of_mode, self._pages = QStackedWidget(), {"": QWidget()}
         for mode, label, field, tip in (
             ("swipe", tr("Divider"), self.divider, tr(divider.meaning)),
             ("blink", tr("Rate"), self.rate, tr(rate.meaning)),
-            ("difference", tr("Basis"), self.basis, tr("Colours whose difference is shown")),
             ("difference", tr("Maximum"), self.scale, tr(scale.meaning)),
         ):
-            self._shown_in |= {form.add_row(label, field, tip): mode, field: mode}
-        form.add_wide(self.facts)
+            self._pages[mode] = page = Form()
+            page.add_row(label, field, tip)
+        for shown in self._pages.values():
+            self._of_mode.addWidget(shown)
+        form.add_wide(self._of_mode, self.facts)
+        self.rest = Section(tr("Difference"), "compare_rest")
+        basis = self.rest.add(Form())
+        basis.add_row(tr("Basis"), self.basis, tr("Colours whose difference is shown"))
         self.show_compare(Compare())
 
     def show_compare(self, compare: Compare) -> None:
-        """Show how it is compared, without a signal; what says nothing in this mode is hidden."""
+        """Show how it is compared, without a signal; what says nothing in this mode is not offered."""
         self.mode.show_choice(compare.mode)
         self.basis.show_choice(compare.basis)
         self.divider.set_value(100.0 * compare.divider)
         self.rate.set_value(compare.rate_hz)
         self.scale.set_value(compare.scale_delta_e)
-        for widget, mode in self._shown_in.items():
-            widget.setVisible(mode == compare.mode)
+        self.basis.setEnabled(compare.mode == "difference")
+        self._of_mode.setCurrentWidget(self._pages.get(compare.mode, self._pages[""]))

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+from brdf_qt.choosing.palettes import PALETTE_ENDINGS
 from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -17,7 +18,10 @@ from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.files.images.relief import IMAGE_ENDINGS
 from brdf_suite.files.meshes.reading import MESH_ENDINGS
 
-_MEASURED = (".alta", ".astm", ".bin", ".binary", ".brdf", ".brdftable", ".bsdf", ".dat", ".json", ".txt")
+_MEASURED = (
+    *(".alta", ".astm", ".bin", ".binary", ".brdf", ".brdftable"),
+    *(".bsdf", ".dat", ".json", ".merl", ".txt"),
+)
 """They stand here and are not asked of their readers, which are much to import."""
 ENDINGS: dict[str, tuple[str, ...]] = {
     "paint": (PAINT_ENDING, *_MEASURED),
@@ -39,6 +43,7 @@ TITLES = {
 }
 ASKED: dict[str, tuple[str, ...]] = {
     **ENDINGS,
+    "palette": PALETTE_ENDINGS,
     "compare": (*ENDINGS["paint"], ".exr", ".png"),
     "normal_map": IMAGE_ENDINGS,
     "tangent_map": IMAGE_ENDINGS,

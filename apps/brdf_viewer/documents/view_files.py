@@ -79,7 +79,7 @@ class ViewFiles(ViewerFeature):
 
     def _write(self, path: Path) -> bool:
         try:
-            save_view(self._seen(), path)
+            save_view(self.seen(), path)
         except SuiteError as error:
             self._report(error, KIND, tr("Choose another name or folder."))
             return False
@@ -91,8 +91,8 @@ class ViewFiles(ViewerFeature):
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
         return True
 
-    def _seen(self) -> View:
-        """The view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
+    def seen(self) -> View:
+        """Return the view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
         state, view = self._state, self._state.view
         if state.surface is None:
             return view

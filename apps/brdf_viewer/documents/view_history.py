@@ -24,6 +24,7 @@ _NAMES = {
     "exposure_ev": mark("Change Exposure"),
     "lamps": mark("Change Lamps"),
     "turntable_deg_s": mark("Change Turntable"),
+    "surface_look.materials": mark("Change Materials"),
     "compare.divider": mark("Move Divider"),
 }
 STEPS = (

@@ -11,11 +11,14 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lens
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import frame, resolve
+from brdf_viewer.commands import NO_TRACED
 from brdf_viewer.documents.file_kinds import AskTarget, ask_open, ask_target, file_name, with_ending
 from brdf_viewer.export.dialog import ExportDialog
 from brdf_viewer.export.job import ExportJob, ExportProcess, ExportSettings
+from brdf_viewer.export.preview import image_of
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -40,8 +43,19 @@ class ExportControl(ViewerFeature):
         self.process: ExportProcess | None = None
         self._given_up = False
         self.dialog = ExportDialog(lambda: window.picture.device_size, ask_source, window)
+        commands = window.commands
         self.dialog.export_requested.connect(self.export)
-        window.commands.export_requested.connect(self._open)
+        self.dialog.cancel_requested.connect(lambda: self._cancelled_by_user(KIND))
+        saves = {"screen": commands.save_picture, "traced": commands.save_traced}
+        self.dialog.save_requested.connect(lambda kind: saves[kind].trigger())
+        self.dialog.preview.wanted.connect(self._preview)
+        for signal in (state.view_changed, state.contents_changed, state.traced_changed):
+            signal.connect(self.dialog.preview.refresh)
+        state.traced_changed.connect(self._offer_traced)
+        commands.export_requested.connect(self._open)
+        window.export.export.clicked.connect(lambda: self._open(""))
+        window.export.copy.clicked.connect(commands.copy.trigger)
+        self._offer_traced()
         window.busy_cancelled.connect(self._cancelled_by_user)
 
     @property
@@ -51,6 +65,27 @@ class ExportControl(ViewerFeature):
     def _open(self, kind: str) -> None:
         self.dialog.set_lens(self._state.view.lens)
         self.dialog.open_for(kind)
+
+    def _offer_traced(self) -> None:
+        self.dialog.offer_traced("" if self._state.traced is not None else tr(NO_TRACED))
+
+    def _preview(self) -> None:
+        """Draw what the export will show, in the size of the preview."""
+        drawer, dialog, picture = self._window.drawer, self.dialog, self._window.picture
+        if drawer is None or not drawer.is_complete:
+            return
+        if dialog.chosen in ("screen", "traced"):
+            dialog.preview.show_image(picture.grab_image())
+            return
+        view = self._view(dialog.chosen, dialog.lens_chosen)
+        size = dialog.preview.size_of(dialog.size_chosen)
+        clear = dialog.transparent.isChecked()
+
+        def draw() -> None:
+            drawer.scene_renderer.prepare(view)
+            dialog.preview.show_image(image_of(drawer.renderer.render_image(view, size, transparent=clear)))
+
+        picture.with_context(draw, redraw=False)
 
     def export(self, wanted: ExportSettings) -> None:
         """Ask for the file and begin; errors are reported in the window."""
@@ -67,7 +102,7 @@ class ExportControl(ViewerFeature):
             self._refuse(KIND, what, todo)
             return
         # As it is when the user asks: the paint may change while the dialog is open.
-        view, paint, key = self._view(wanted), self._state.paint, self._state.paint_key
+        view, paint, key = self._view(wanted.kind, wanted.lens), self._state.paint, self._state.paint_key
         stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name
         name = file_name(stem, wanted.kind)
         chosen = self.ask(self.dialog, name, wanted.form.title, wanted.form.ending)
@@ -96,16 +131,14 @@ class ExportControl(ViewerFeature):
         if self.process is not None:
             self.process.stop()
 
-    def _view(self, wanted: ExportSettings) -> View:
+    def _view(self, kind: str, lens: Lens) -> View:
         view = self._state.exposed_view
         camera = view.camera
-        if wanted.kind == "picture":
+        if kind == "picture":
             camera = resolve(camera, self._state.bounds, self._window.picture.device_size)
-        elif wanted.kind == "sheet":
+        elif kind == "sheet":
             camera = frame(camera)
-        return dataclasses.replace(
-            view, camera=camera, lens=view.lens if wanted.kind == "sheet" else wanted.lens
-        )
+        return dataclasses.replace(view, camera=camera, lens=view.lens if kind == "sheet" else lens)
 
     def _show(self, fraction: float, what: str) -> None:
         if self.process is not None and not self._given_up:

@@ -1,4 +1,4 @@
-"""What to export: a window of its own beside the picture, which stays in use."""
+"""What to export: a window of its own beside the picture, which stays in use, with a preview of what comes out."""
 
 from __future__ import annotations
 
@@ -6,16 +6,27 @@ from collections.abc import Callable
 
 from brdf_qt.fields.choices import note, set_note
 from brdf_qt.fields.form import Form, fill_row
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtGui import QStandardItemModel
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
 
 from brdf_suite.documents.view_settings import PARAMETERS, Lens
 from brdf_suite.output.picture_file import COLOUR_SPACES
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
+from brdf_viewer.export.preview import Preview
 
 _SIZES = {
     "picture": ((1280, 720), (1920, 1080), (3840, 2160), (7680, 4320), (16384, 9216)),
@@ -24,10 +35,19 @@ _SIZES = {
 }
 _SAMPLES = (1, 2, 4, 8, 16)
 _LARGEST = 65_536
+_SAVED_TITLES = {"screen": mark("Picture on screen"), "traced": mark("Traced picture")}
+_SAVED = {
+    "screen": Format(mark("PNG, 8 bits"), ".png"),
+    "traced": Format(mark("EXR, radiance with variance"), ".exr"),
+}
+"""What there is already, in its own size: it is written at once."""
 
 
 class ExportDialog(QDialog):
     """Asks for :class:`ExportSettings`; ``export_requested(settings)`` when the button is pressed.
+
+    ``save_requested(kind)`` where what there is already is to be written, ``screen`` or ``traced``.
+    ``cancel_requested()`` where an export is under way and is to end.
 
     Parameters
     ----------
@@ -38,6 +58,8 @@ class ExportDialog(QDialog):
     """
 
     export_requested = Signal(object)
+    save_requested = Signal(str)
+    cancel_requested = Signal()
 
     def __init__(
         self,
@@ -50,8 +72,9 @@ class ExportDialog(QDialog):
         self.setObjectName("export")
         self._screen_size, self.ask_source = screen_size, ask_source
         self.kind = QuietComboBox()
-        for key, title in KIND_TITLES.items():
+        for key, title in (KIND_TITLES | _SAVED_TITLES).items():
             self.kind.addItem(tr(title), key)
+        self.preview = Preview()
         self.preset = QuietComboBox()
         self.width_field, self.height_field = (_number(1, _LARGEST, 1, " px") for _ in range(2))
         self.format = QuietComboBox()
@@ -75,6 +98,7 @@ class ExportDialog(QDialog):
         self.source = QLineEdit(readOnly=True, placeholderText=tr("A palette, or a folder of paints"))
         self.browse_button = QPushButton(tr("Choose…"))
         self.export_button = QPushButton(tr("Export…"), default=True)
+        self.cancel_button = QPushButton(tr("Cancel"), autoDefault=False)
         self._message = note()
         self._rows: dict[QWidget, tuple[str, ...]] = {}
         self._busy = False
@@ -86,22 +110,61 @@ class ExportDialog(QDialog):
         for field in (self.width_field, self.height_field):
             field.valueChanged.connect(self._show_preset)
         self.browse_button.clicked.connect(self._choose_source)
-        self.export_button.clicked.connect(lambda: self.export_requested.emit(self.settings()))
+        self.export_button.clicked.connect(self._export)
+        self.cancel_button.clicked.connect(self._cancel)
+        for signal in (
+            self.kind.currentIndexChanged,
+            self.preset.currentIndexChanged,
+            self.width_field.valueChanged,
+            self.height_field.valueChanged,
+            self.transparent.toggled,
+            self.aperture.edited,
+            self.focus.edited,
+            self.turn.edited,
+        ):
+            signal.connect(self.preview.refresh)
         self._show_kind()
 
     def open_for(self, kind: str) -> None:
-        self.kind.setCurrentIndex(self.kind.findData(kind))
-        if kind == "picture" and not self.isVisible():
+        """Show the dialog for a kind of export; empty: for that of last time."""
+        self.kind.setCurrentIndex(self.kind.findData(kind or self.chosen))
+        if self.chosen == "picture" and not self.isVisible():
             self._set_size(self._screen_size())
+        self.preview.refresh()
         self.show()
         self.raise_()
         self.activateWindow()
+
+    @property
+    def chosen(self) -> str:
+        """The kind of export that is chosen."""
+        return str(self.kind.currentData())
+
+    @property
+    def size_chosen(self) -> tuple[int, int]:
+        """Width and height of what is exported, pixels."""
+        return (self.width_field.value(), self.height_field.value())
+
+    @property
+    def lens_chosen(self) -> Lens:
+        """The lens of the picture."""
+        return self._lens if self._shown_lens() == self._lens_at_first else self._shown_lens()
+
+    def offer_traced(self, missing: str) -> None:
+        """Offer the traced picture; ``missing`` says why there is none, empty where there is one."""
+        place = self.kind.findData("traced")
+        model = self.kind.model()
+        assert isinstance(model, QStandardItemModel)
+        model.item(place).setEnabled(not missing)
+        self.kind.setItemData(place, plain_tip(missing), Qt.ItemDataRole.ToolTipRole)
+        if missing and self.chosen == "traced":
+            self.kind.setCurrentIndex(0)
 
     def settings(self) -> ExportSettings:
         return ExportSettings(
             kind=self.kind.currentData(),
             form=self._form(),
-            size=(self.width_field.value(), self.height_field.value()),
+            size=self.size_chosen,
             colour_space=self.colour_space.currentData(),
             samples=self.samples.currentData(),
             transparent=self.transparent.isChecked(),
@@ -109,7 +172,7 @@ class ExportDialog(QDialog):
             frames_per_second=float(self.rate.value()),
             source=self.source.text(),
             columns=self.columns.value(),
-            lens=self._lens if self._shown_lens() == self._lens_at_first else self._shown_lens(),
+            lens=self.lens_chosen,
             shutter_deg=self.shutter.value(),
         )
 
@@ -129,6 +192,19 @@ class ExportDialog(QDialog):
         self._busy = busy
         self.export_button.setEnabled(not busy and self._ready())
 
+    def _export(self) -> None:
+        if self.chosen in _SAVED:
+            self.save_requested.emit(self.chosen)
+        else:
+            self.export_requested.emit(self.settings())
+
+    def _cancel(self) -> None:
+        """End the export that is under way; without one, close the dialog."""
+        if self._busy:
+            self.cancel_requested.emit()
+        else:
+            self.reject()
+
     def _build(self) -> None:
         size, chosen = QWidget(), QWidget()
         times = PlainLabel("×")
@@ -138,12 +214,13 @@ class ExportDialog(QDialog):
         form = Form()
         form.add_row(tr("Export"), self.kind)
         self._add(form, tr("Paints"), chosen, "sheet")
-        self._add(form, tr("Size"), self.preset)
-        self._add(form, "", size)
+        self._add(form, tr("Size"), self.preset, *KIND_TITLES)
+        self._add(form, "", size, *KIND_TITLES)
         self._add(form, tr("Format"), self.format)
         tip = tr("Colour space; the ICC profile is embedded in the file")
-        self._add(form, tr("Colours"), self.colour_space, tip=tip)
-        self._add(form, tr("Samples"), self.samples, tip=tr("Per pixel, limited by the graphics card"))
+        self._add(form, tr("Colours"), self.colour_space, *KIND_TITLES, tip=tip)
+        tip = tr("Per pixel, limited by the graphics card")
+        self._add(form, tr("Samples"), self.samples, *KIND_TITLES, tip=tip)
         self._add(form, "", self.transparent, "picture", "turntable")
         self._add(form, tr("Frames"), self.frames, "turntable", tip=tr("Frames per turn"))
         self._add(form, tr("Rate"), self.rate, "turntable", tip=tr("Frames per second of a video"))
@@ -156,14 +233,20 @@ class ExportDialog(QDialog):
         self._add(form, tr("Columns"), self.columns, "sheet")
         form.add_wide(self._message)
         box = QVBoxLayout(self)
+        box.setSpacing(12)
+        box.addWidget(self.preview, 0, Qt.AlignmentFlag.AlignHCenter)
         box.addWidget(form)
         box.addStretch()
-        box.addWidget(self.export_button, 0, Qt.AlignmentFlag.AlignRight)
+        buttons = QHBoxLayout()
+        buttons.addStretch()
+        buttons.addWidget(self.cancel_button)
+        buttons.addWidget(self.export_button)
+        box.addLayout(buttons)
 
     def _add(self, form: Form, label: str, field: QWidget, *kinds: str, tip: str = "") -> None:
         """Add a row that is shown for these kinds of export, for all where none is given."""
         for widget in (form.add_row(label, field, tip), field):
-            self._rows[widget] = kinds or tuple(KIND_TITLES)
+            self._rows[widget] = kinds or (*KIND_TITLES, *_SAVED)
 
     def _show_kind(self) -> None:
         kind = self.kind.currentData()
@@ -171,20 +254,21 @@ class ExportDialog(QDialog):
             widget.setVisible(kind in kinds)
         with QSignalBlocker(self.preset):
             self.preset.clear()
-            if kind != "sheet":
+            if kind in ("picture", "turntable"):
                 self.preset.addItem(tr("As on screen"), "screen")
-            for size in _SIZES[kind]:
+            for size in _SIZES.get(kind, ()):
                 self.preset.addItem("{} × {}".format(*size), size)
             self.preset.addItem(tr("Other"), None)
-        self._set_size(self._screen_size() if kind == "picture" else _SIZES[kind][1])
+        self._set_size(_SIZES[kind][1] if kind in ("turntable", "sheet") else self._screen_size())
         with QSignalBlocker(self.format):
             self.format.clear()
-            for form in FORMATS[kind]:
+            for form in (_SAVED[kind],) if kind in _SAVED else FORMATS[kind]:
                 self.format.addItem(tr(form.title), form)
         self._show_format()
 
     def _form(self) -> Format:
-        return FORMATS[self.kind.currentData()][self.format.currentIndex()]
+        kind = self.chosen
+        return _SAVED[kind] if kind in _SAVED else FORMATS[kind][self.format.currentIndex()]
 
     def _show_format(self) -> None:
         form = self._form()

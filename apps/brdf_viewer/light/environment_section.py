@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.choices import ChoiceBox, ColourButton, SliderField, SourceChooser, note, set_note
+from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.fields.choices import ChoiceBox, ColourButton, SliderField, note, set_note
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import decimal, mark, tr
@@ -159,10 +160,14 @@ LAYOUT_TITLES = {
 
 
 class EnvironmentSection(Section):
-    """Which light, turned how far, how bright, and whether it is seen behind the surface."""
+    """What the light is, and how its file is read; ``daily``: which light, turned how far, how bright, and seen or not.
+
+    What is found out of a light has its place kept from the start: nothing moves when it comes.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Environment"), "environment", parent)
+        self.daily = Form()
         self.chooser = SourceChooser(tr("Open an environment file (.exr, .hdr, .brdfstudio)"))
         self.rotation = SliderField(tr("Rotation"), "°", -180.0, 180.0, 1.0, 1, 0.0)
         self.exposure = SliderField(tr("Exposure"), "EV", -8.0, 8.0, 0.1, 2, 0.0)
@@ -172,27 +177,27 @@ class EnvironmentSection(Section):
         self.edit = QToolButton()
         self.edit.setText(tr("Edit Light"))
         self.edit.setToolTip(tr("Edit this studio or sky in its own panel"))
-        self.facts = note()
+        self.facts = note(lines=2)
         self.figures = EnvironmentFigures()
         turned = tr("{meaning} (Alt + drag)").format(meaning=tr(PARAMETERS["rotation_deg"].meaning))
-        form = self.add(Form())
         tip = tr("High-dynamic-range panorama or studio that lights the surface")
-        form.add_row(tr("Light"), self.chooser, tip)
+        self.daily.add_row(tr("Light"), self.chooser, tip)
+        self.daily.add_row(tr("Rotation"), self.rotation, turned)
+        self.daily.add_row(tr("Exposure"), self.exposure, tr(PARAMETERS["exposure_ev"].meaning))
+        tip = tr("Visible background; the light does not change")
+        self.daily.add_row(tr("Background"), self.background, tip)
+        form = self.add(Form())
+        form.add_row(tr("Colour"), self.background_colour, tr("Colour of a plain background"))
         tip = tr("Projection of the image; choose it where detection fails")
         form.add_row(tr("Projection"), self.layout_list, tip)
-        self._edit_label = form.add_row("", self.edit)
+        form.add_row("", self.edit)
         form.add_wide(self.facts, self.figures)
-        form.add_row(tr("Rotation"), self.rotation, turned)
-        form.add_row(tr("Exposure"), self.exposure, tr(PARAMETERS["exposure_ev"].meaning))
-        form.add_row(tr("Background"), self.background, tr("Visible background; the light does not change"))
-        self._colour_label = form.add_row("", self.background_colour)
 
     def set_background(self, key: str, colour: tuple[float, float, float]) -> None:
         """Show the present background, and its ``colour`` (encoded sRGB, 0 to 1) where it has one."""
         self.background.show_choice(key)
         self.background_colour.set_colour(colour)
-        self._colour_label.setVisible(key == "colour")  # an empty label keeps its row open
-        self.background_colour.setVisible(key == "colour")
+        self.background_colour.setEnabled(key == "colour")
 
     def set_layout(self, key: str, choosable: bool) -> None:
         """Show the present layout; only a file of pixels has a choice of it."""
@@ -201,5 +206,4 @@ class EnvironmentSection(Section):
 
     def set_editable(self, editable: bool) -> None:
         """Offer to edit the light where it has a description."""
-        self._edit_label.setVisible(editable)
-        self.edit.setVisible(editable)
+        self.edit.setEnabled(editable)

@@ -17,7 +17,7 @@ from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QPushButton, QToolButton, QWidget
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
@@ -145,6 +145,12 @@ class LampFields(QWidget):
         form, self._fields = Form(), Form()
         tip = tr("Small lamps in addition to the environment; flakes sparkle in their light")
         form.add_row(tr("Lamps"), row, tip)
+        self.highlight = QPushButton(tr("Put the Highlight Here"))
+        self.highlight.setCheckable(True)
+        self.highlight.setToolTip(
+            plain_tip(tr("Then click on the surface: the lamp moves to where its reflection is seen there"))
+        )
+        form.add_row("", self.highlight)
         self._fields.add_row(tr("Kind"), self.kind)
         self._fields.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["lamp.azimuth_deg"].meaning))
         self._fields.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["lamp.elevation_deg"].meaning))
@@ -166,6 +172,11 @@ class LampFields(QWidget):
         self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))
         fill_column(self, form, self._fields)
         self.set_lamps(())
+
+    def choose(self, index: int) -> None:
+        """Show the fields of the lamp of this place in the list."""
+        self.list.setCurrentIndex(index)
+        self._show()
 
     def set_lamps(self, lamps: tuple[Lamp, ...]) -> None:
         """Show lamps, without a signal; the one that was chosen stays so."""
@@ -263,6 +274,8 @@ Spectra = Literal["unknown", "in work", "used"]
 class LightingSection(Section):
     """Presets of a light booth; light colour; exposure locked or automatic; lamps beside the environment.
 
+    ``daily`` is the illuminant, and what it says of the paint.
+
     ``preset_chosen(key)`` is emitted where a preset's button is pressed.
     """
 
@@ -270,6 +283,7 @@ class LightingSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Lighting"), "lighting", parent)
+        self.daily = Form()
         self.presets = QButtonGroup(self)
         # None is pressed where the light is another.
         self.presets.setExclusive(False)
@@ -282,14 +296,15 @@ class LightingSection(Section):
                 "Off: the tint that a daylight-adapted eye sees"
             )
         )
-        self.metamerism = note()
+        self.metamerism = note(lines=2)
         self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
         self.lamps = LampFields()
         form = self.add(Form())
         form.add_wide(self._preset_buttons())
-        form.add_row(tr("Illuminant"), self.illuminant, tr("Illuminant assumed for the environment's white"))
+        tip = tr("Illuminant assumed for the environment's white")
+        self.daily.add_row(tr("Illuminant"), self.illuminant, tip)
+        self.daily.add_wide(self.metamerism)
         form.add_row("", self.adapted)
-        form.add_wide(self.metamerism)
         light = PARAMETERS["light_colour.brightness"]
         self.brightness = form.add_number(tr("Environment"), light, 0.05, 2)
         form.add_row(

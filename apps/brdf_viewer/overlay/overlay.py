@@ -7,19 +7,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from brdf_qt.gl.layer import PADDING, PictureLayer, draw_chip, draw_paper
 from brdf_qt.program.translation import decimal
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 
 _MARGIN = 12.0
-_PADDING = 6.0
 _HANDLE = 9.0
 _SCALE_WIDTH, _SCALE_HEIGHT = 240.0, 12.0
-_PAPER, _INK = QColor(0, 0, 0, 168), QColor(255, 255, 255)
-"""Neutral, like all of the interface, and readable on any picture."""
 
 
 @dataclass(frozen=True)
@@ -39,23 +37,17 @@ class Scale:
     of: str
 
 
-class PictureOverlay(QWidget):
-    """Covers ``picture`` and follows its size."""
+class PictureOverlay(PictureLayer):
+    """The layer of words, divider and scale."""
 
     def __init__(self, picture: QWidget) -> None:
         super().__init__(picture)
-        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
         self.setObjectName("overlay")
         self.labels: tuple[OverlayLabel, ...] = ()
         self.divider: float | None = None
         self.scale: Scale | None = None
         self.figures: tuple[str, ...] = ()
         self.mark = ""
-        self._picture = picture
-        picture.installEventFilter(self)
-        self._follow()
-        self.hide()
 
     def show_labels(
         self, labels: tuple[OverlayLabel, ...], divider: float | None, scale: Scale | None
@@ -77,11 +69,6 @@ class PictureOverlay(QWidget):
             self.mark = words
             self._changed()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.ChildAdded):
-            self._follow()
-        return super().eventFilter(watched, event)
-
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -93,10 +80,6 @@ class PictureOverlay(QWidget):
         self.setVisible(bool(words) or self.divider is not None or self.scale is not None)
         self.update()
 
-    def _follow(self) -> None:
-        self.setGeometry(self._picture.rect())
-        self.raise_()
-
 
 def _paint(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> None:
     metrics = QFontMetricsF(painter.font())
@@ -104,45 +87,25 @@ def _paint(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> None:
         room = area.width() * label.share - 2 * _MARGIN
         if room > 3 * metrics.height():
             left = area.left() + area.width() * label.begins + _MARGIN
-            _chip(painter, metrics, QPointF(left, area.top() + _MARGIN), (label.text,), room)
+            draw_chip(painter, QPointF(left, area.top() + _MARGIN), (label.text,), room)
     if overlay.divider is not None:
         _divider(painter, area, overlay.divider)
     bottom = area.bottom() - _MARGIN
     if overlay.mark:
         # A line of its own below all else: figures and scale stand on it, at any width.
-        tall = metrics.height() + 2 * _PADDING
-        wide = min(metrics.horizontalAdvance(overlay.mark) + 2 * _PADDING, area.width() - 2 * _MARGIN)
+        tall = metrics.height() + 2 * PADDING
+        wide = min(metrics.horizontalAdvance(overlay.mark) + 2 * PADDING, area.width() - 2 * _MARGIN)
         corner = QPointF(area.right() - _MARGIN - wide, bottom - tall)
-        _chip(painter, metrics, corner, (overlay.mark,), area.width() - 2 * _MARGIN)
+        draw_chip(painter, corner, (overlay.mark,), area.width() - 2 * _MARGIN)
         if overlay.scale is not None or overlay.figures:
-            area = area.adjusted(0.0, 0.0, 0.0, -tall - _PADDING)
+            area = area.adjusted(0.0, 0.0, 0.0, -tall - PADDING)
             bottom = area.bottom() - _MARGIN
     if overlay.scale is not None:
-        bottom = _scale(painter, metrics, area, overlay.scale) - _PADDING
+        bottom = _scale(painter, metrics, area, overlay.scale) - PADDING
     if overlay.figures:
-        tall = len(overlay.figures) * metrics.height() + 2 * _PADDING
+        tall = len(overlay.figures) * metrics.height() + 2 * PADDING
         corner = QPointF(area.left() + _MARGIN, max(area.top() + _MARGIN, bottom - tall))
-        _chip(painter, metrics, corner, overlay.figures, area.width() - 2 * _MARGIN)
-
-
-def _chip(
-    painter: QPainter, metrics: QFontMetricsF, corner: QPointF, lines: tuple[str, ...], room: float
-) -> None:
-    inside = room - 2 * _PADDING
-    shown = [metrics.elidedText(line, Qt.TextElideMode.ElideRight, inside) for line in lines]
-    wide = max(metrics.horizontalAdvance(line) for line in shown) + 2 * _PADDING
-    box = QRectF(corner.x(), corner.y(), wide, len(shown) * metrics.height() + 2 * _PADDING)
-    _draw_paper(painter, box)
-    for row, line in enumerate(shown):
-        base = box.top() + _PADDING + row * metrics.height() + metrics.ascent()
-        painter.drawText(QPointF(box.left() + _PADDING, base), line)
-
-
-def _draw_paper(painter: QPainter, box: QRectF) -> None:
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(_PAPER)
-    painter.drawRoundedRect(box, 4.0, 4.0)
-    painter.setPen(_INK)
+        draw_chip(painter, corner, overlay.figures, area.width() - 2 * _MARGIN)
 
 
 def _divider(painter: QPainter, area: QRectF, share: float) -> None:
@@ -164,17 +127,17 @@ def _divider(painter: QPainter, area: QRectF, share: float) -> None:
 
 def _scale(painter: QPainter, metrics: QFontMetricsF, area: QRectF, scale: Scale) -> float:
     """Draw the bar with its numbers; return its upper edge."""
-    width = min(_SCALE_WIDTH, area.width() - 2 * _MARGIN - 2 * _PADDING)
-    tall = 2 * metrics.height() + _SCALE_HEIGHT + 3 * _PADDING
-    box = QRectF(area.left() + _MARGIN, area.bottom() - _MARGIN - tall, width + 2 * _PADDING, tall)
-    _draw_paper(painter, box)
-    inner = box.adjusted(_PADDING, _PADDING, -_PADDING, -_PADDING)
+    width = min(_SCALE_WIDTH, area.width() - 2 * _MARGIN - 2 * PADDING)
+    tall = 2 * metrics.height() + _SCALE_HEIGHT + 3 * PADDING
+    box = QRectF(area.left() + _MARGIN, area.bottom() - _MARGIN - tall, width + 2 * PADDING, tall)
+    draw_paper(painter, box)
+    inner = box.adjusted(PADDING, PADDING, -PADDING, -PADDING)
     title = metrics.elidedText(f"ΔE00 {scale.of}", Qt.TextElideMode.ElideRight, inner.width())
     painter.drawText(QPointF(inner.left(), inner.top() + metrics.ascent()), title)
-    bar = QRectF(inner.left(), inner.top() + metrics.height() + 0.5 * _PADDING, inner.width(), _SCALE_HEIGHT)
+    bar = QRectF(inner.left(), inner.top() + metrics.height() + 0.5 * PADDING, inner.width(), _SCALE_HEIGHT)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
     painter.drawImage(bar, _scale_image())
-    under = QRectF(bar.left(), bar.bottom(), bar.width(), metrics.height() + 0.5 * _PADDING)
+    under = QRectF(bar.left(), bar.bottom(), bar.width(), metrics.height() + 0.5 * PADDING)
     flags = Qt.AlignmentFlag
     painter.drawText(under, flags.AlignLeft | flags.AlignBottom, "0")
     painter.drawText(under, flags.AlignHCenter | flags.AlignBottom, decimal(f"{0.5 * scale.end:g}"))

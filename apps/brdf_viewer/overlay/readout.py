@@ -115,6 +115,11 @@ FRESNEL_WORDS = {
 }
 
 
+def _rounded(milliseconds: float) -> str:
+    """Return milliseconds, below 100 with one decimal."""
+    return decimal(f"{milliseconds:.1f}" if milliseconds < 100.0 else f"{milliseconds:.0f}")
+
+
 class FrameMeter(QObject):
     """Shows the median of the last frames' milliseconds: one that changes with each frame could not be read.
 
@@ -143,7 +148,7 @@ class FrameMeter(QObject):
     def _show(self) -> None:
         tip = tr("Frame time: median of the last {count}; slowest {slowest:.1f} ms")
         tip = tip.format(count=len(self._frames), slowest=max(self._frames))
-        self._cell.set(decimal(f"{median(self._frames):.1f} ms"), tip)
+        self._cell.set(tr("Frame {ms} ms").format(ms=_rounded(median(self._frames))), tip)
         self.shown.emit()
 
 

@@ -6,8 +6,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
-from brdf_qt.fields.choices import Source, set_note
+from brdf_qt.fields.choices import set_note
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.names import title_of
 from brdf_qt.program.suite import connected_words
@@ -18,6 +19,7 @@ from brdf_qt.work.fit_error import fit_mark, fit_tips
 from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import AnyPaint, paint_from_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.settings import FitSettings
@@ -90,7 +92,8 @@ class PaintControl(ViewerFeature):
         link.received.connect(self._received)
         link.peers_changed.connect(self._show_following)
         window.paint.follow.clicked.connect(self.set_following)
-        window.paint.chooser.chosen.connect(self.open)
+        for taken in (window.paint.chooser.chosen, window.strip.taken):
+            taken.connect(self.open)
         window.commands.follow.triggered.connect(self.set_following)
         window.commands.paint_requested.connect(self.open)
         window.commands.set_paints(self._shipped())
@@ -153,6 +156,10 @@ class PaintControl(ViewerFeature):
         elif self._show_document(key, instead_of_designer=True) and file:
             self._remember(key)
 
+    def name_of(self, key: str) -> str:
+        """Return the name by which a listed paint is loaded: of a swatch, its entry in the palette's file."""
+        return key if self._palette is None else self._palette.name_of(key)
+
     def open_palette(self, path: str) -> None:
         """Go through the paints of a palette from now on, and show its first."""
         path = str(Path(path).absolute())
@@ -161,12 +168,18 @@ class PaintControl(ViewerFeature):
         except SuiteError as error:
             self._complain(error)
             return
+        self._recent_palettes.add(path)
+        self.go_through(path, palette)
+
+    def go_through(self, path: str, palette: Palette) -> None:
+        """Go through the paints of a palette that was read from ``path``, and show its first."""
         self._palette = OpenPalette(path, palette)
         self._paints = self._palette.paints
-        self._recent_palettes.add(path)
+        self._stepped_to = ""
         self._window.messages.dismiss(_KEY)
         self._list()
-        self.step(1)
+        for key in self._palette.keys[:1]:
+            self.open(key)
 
     def _close_palette(self) -> None:
         """Go through the shipped paints again; the paint on show stays."""
@@ -257,6 +270,8 @@ class PaintControl(ViewerFeature):
 
     def _set_fit(self, fit: LobeFit, key: str) -> None:
         self._state.set_fit(fit, key)
+        if key == DESIGNER:
+            self._window.paint_thumbnails.set_content(key, fit.material.document)
         self.show_fit(fit, key)
 
     def _complain(self, error: Exception) -> None:
@@ -280,16 +295,18 @@ class PaintControl(ViewerFeature):
             facts.append(tr("Factored paint: lamps use its maps, the environment uses fitted lobes."))
         set_note(section.facts, "\n".join(facts))
         limited = ", " + tr("time-limited") if fit.time_limited else ""
-        count = tr("{count} lobes").format(count=len(fit.weights.exponents))
-        self._window.status.cell("lobes").set(count, tr("Cosine lobes of the fit"))
-        message, sign = "", fit_mark(worst, fit.time_limited)
-        tip = tr("Duration of the lobe fit; no measured angles to compare with")
+        text, sign = tr("Fit"), fit_mark(worst, fit.time_limited)
+        tip = tr("No measured angles to compare with")
         if worst is not None:
-            message = decimal(f" · ΔE {worst:.2f}")
-            tip = tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")
+            text = tr("Fit ΔE {worst}").format(worst=decimal(f"{worst:.2f}"))
+            tip = tr("Maximum ΔE00 of the fit at the measured angles")
+        how = tr("{count} cosine lobes, fitted in {ms} ms")
+        milliseconds = decimal(f"{fit.fit_seconds * 1e3:.2f}")
+        how = how.format(count=len(fit.weights.exponents), ms=milliseconds)
+        tips = (tip, how, fit_tips(worst, fit.time_limited, follows))
         self._window.status.cell("fit").set(
-            tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",
-            f"{tip}\n{fit_tips(worst, fit.time_limited, follows)}".strip(),
+            f"{text}{limited}",
+            "\n".join(line for line in tips if line),
             "warning" if sign else "fresh",
             sign,
         )
@@ -341,7 +358,7 @@ class PaintControl(ViewerFeature):
 
     def _list(self) -> None:
         files = self._recent.paths()
-        swatches = [Source(key, paint.name) for key, paint in self._paints.items()]
+        swatches = [Source(key, paint.name, "palette", paint) for key, paint in self._paints.items()]
         chooser = self._window.paint.chooser
         chooser.set_sources([*swatches, *self._shipped()], [Source(p, title_of(p)) for p in files])
         commands = self._window.commands

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.choices import SourceChooser, note, set_note
+from brdf_qt.fields.choices import note, set_note
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.program.translation import tr
@@ -11,22 +11,28 @@ from brdf_qt.work.fit_error import fit_mark, fit_tips, is_large
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_viewer.paint.patches import PaintPatches
+from brdf_viewer.paint.pickers import paint_picker
 
 
 class PaintSection(Section):
     """Which paint: the one in Designer, a shipped one, or a file; and what the fit makes of it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Paint"), "paint", parent)
+        super().__init__(tr("Paint"), "paint", parent, titled=False)
         self.follow = QCheckBox(tr("Follow Designer"))
         self.follow.setToolTip(tr("Show the paint that is being edited in Designer, at every change"))
-        self.chooser = SourceChooser(tr("Open a paint (.brdfpaint) or a measured file"))
+        self.chooser = paint_picker()
         self.patches = PaintPatches()
         self.fit, self.facts = note(lines=2), note()
         form = self.add(Form())
-        form.add_row("", self.follow)
         form.add_row(tr("Paint"), self.chooser, tr("Choosing another paint stops following Designer"))
-        form.add_wide(self.patches, self.fit, self.facts)
+        form.add_row("", self.follow)
+        form.add_wide(self.patches, self.fit)
+
+    def complete(self, *daily: QWidget) -> None:
+        """Add what else is used daily, and below it what there is to say of the paint."""
+        for widget in (*daily, self.facts):
+            self.add(widget)
 
     def set_fit_error(self, worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> None:
         """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""

@@ -11,6 +11,7 @@ from brdf_qt.program.translation import tr
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import AnyPaint
+from brdf_suite.pipeline.material import ENTRY_MARK
 
 _MARK = "palette:"
 
@@ -34,6 +35,16 @@ class OpenPalette:
     @property
     def paints(self) -> dict[str, AnyPaint]:
         return dict(zip(self.keys, (to_paint(entry.content) for entry in self.palette), strict=True))
+
+    def name_of(self, key: str) -> str:
+        """Return the name by which a swatch is loaded from the palette's file; any other key as it is.
+
+        >>> OpenPalette("/a.brdfpalette", Palette("Empty")).name_of("blue")
+        'blue'
+        """
+        if key not in self.keys:
+            return key
+        return f"{self.path}{ENTRY_MARK}{self.palette.entries[self.keys.index(key)].id}"
 
     def words(self, key: str) -> str:
         """Return which of the palette's paints this is, as in ``Summer, 3 of 12``; empty for none of them.

@@ -12,13 +12,12 @@ from brdf_viewer.window import ViewerWindow
 
 
 class SparkleControl(ViewerFeature):
-    """Keeps section, commands and view in step."""
+    """Keeps section and view in step."""
 
     def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
         section = window.sparkle
-        for box in (section.mode, window.commands.sparkle):
-            box.picked.connect(lambda mode: state.change_part("sparkle", mode=mode))
+        section.mode.picked.connect(lambda mode: state.change_part("sparkle", mode=mode))
         section.lights.edited.connect(lambda count: state.change_part("sparkle", light_count=round(count)))
         section.strength.edited.connect(lambda strength: state.change_part("sparkle", strength=strength))
         state.view_changed.connect(self._show_view)
@@ -28,7 +27,6 @@ class SparkleControl(ViewerFeature):
 
     def _show_view(self, _old: View | None, new: View) -> None:
         self._window.sparkle.set_sparkle(new.sparkle)
-        self._window.commands.sparkle.show_choice(new.sparkle.mode)
 
     def _show_flakes(self) -> None:
         fit = self._state.fit

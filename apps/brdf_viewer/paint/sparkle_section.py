@@ -18,7 +18,7 @@ class FresnelSection(Section):
     """The Fresnel mode and the form of the look-up, words of :class:`documents.view.View`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Fresnel"), "fresnel", parent)
+        super().__init__(tr("Lobes"), "fresnel", parent, is_open=False)
         self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
         form = self.add(Form())
@@ -41,16 +41,17 @@ NO_FLAKES = mark("This paint has no flake data; no flakes are drawn.")
 
 
 class SparkleSection(Section):
-    """Mode, lights and strength; below them the flakes of the paint on show, which Designer edits."""
+    """Lights and strength; below them the flakes of the paint on show, which Designer edits; ``daily`` is the mode."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sparkle"), "sparkle", parent)
+        self.daily = Form()
         self.mode = ChoiceBox(SPARKLE_TITLES, SPARKLE_TIPS)
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
         self.lights = SliderField(tr("Lights"), *reach_of(lights, 1.0, 0))
         self.strength = SliderField(tr("Strength"), *reach_of(strength, 0.1, 1))
         form = self.add(Form())
-        form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
+        self.daily.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
         form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
         form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
         self.facts = note(tr(NO_FLAKES))

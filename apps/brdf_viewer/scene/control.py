@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
-from brdf_qt.fields.choices import Source, set_note
+from brdf_qt.fields.choices import set_note
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.scene_loading import ENVIRONMENT, SURFACE, SceneLoader
@@ -16,6 +18,7 @@ from PySide6.QtCore import Signal
 
 from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics
 from brdf_suite.pipeline.environments import AUTOMATIC
@@ -105,7 +108,12 @@ class SceneControl(ViewerFeature):
         self._show_facts()
         self._show_choice(kind, key)
         basis = self._state.fitting.basis
-        self.loader.load(kind, key, self._layout, self._state.view.surface_look, basis)
+        self.loader.load(kind, key, self._layout, self._look_of(key), basis)
+
+    def _look_of(self, surface: str) -> SurfaceLook:
+        """Return the look of a surface: axes and unit are those of a file, and another one is taken as it says."""
+        look = self._state.view.surface_look
+        return look if surface == self._state.view.surface else replace(look, unit="file", up="file")
 
     def close(self) -> None:
         self.loader.stop()
@@ -152,7 +160,8 @@ class SceneControl(ViewerFeature):
             if first:
                 self._state.follow_view(surface=key)
             elif key != self._state.view.surface:  # otherwise a view brought its own camera with it
-                self._state.step_view(surface=key, camera=frame(self._state.view.camera))
+                look, camera = self._look_of(key), frame(self._state.view.camera)
+                self._state.step_view(surface=key, surface_look=look, camera=camera)
             set_note(self._window.surface.facts, _surface_facts(value))
         if key not in self._names[kind]:
             self._recent[kind].add(key)

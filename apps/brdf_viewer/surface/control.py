@@ -2,34 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Literal
 
-import numpy as np
 from brdf_qt.fields.choices import set_note
 from brdf_qt.program.translation import tr
 from brdf_qt.work.scene_loading import SURFACE
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Material, PartMaterial
+from brdf_suite.documents.view_settings import SECOND_PAINT, Material, PartMaterial
 from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
 from brdf_suite.pipeline.surface import wants_baking
-from brdf_suite.realtime.camera import matrices
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.rays import BakedMesh
-from brdf_suite.surface.picking import pick
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 OCCLUSION = "occlusion"
-_SHAPE = ("unit", "scale", "recentre", "flip_normals", "normals")
-_CLICK_PIXELS = 4.0
+_SHAPE = ("unit", "up", "scale", "recentre", "flip_normals", "normals")
+_FIRST_SECONDS = ("fine_silver", "dark_grey")
+"""Shipped paints that a part gets that is to wear the second paint where none was chosen."""
 _CLOSING_MS = 60_000
 """Baking hears of its end within a fraction of a second, and on a crowded machine later."""
 _RELOAD_MS = 250
@@ -37,7 +34,7 @@ _RELOAD_MS = 250
 
 
 class SurfaceControl(ViewerFeature):
-    """Wires the Surface section to the viewer state, bakes occlusion, and picks parts in the picture."""
+    """Wires the Surface section to the viewer state, bakes occlusion, and gives parts their materials."""
 
     def __init__(self, state: ViewerState, window: ViewerWindow, scene: SceneControl) -> None:
         super().__init__(state, window)
@@ -46,16 +43,13 @@ class SurfaceControl(ViewerFeature):
         self._mesh: Mesh | None = None
         self._baking: Mesh | None = None
         self._declined: Mesh | None = None
-        self._pressed: QPointF | None = None
         self._reload = make_timer(self, lambda: scene.open(SURFACE, state.view.surface), _RELOAD_MS)
         self._section.edited.connect(lambda field, value: state.change_part("surface_look", **{field: value}))
-        self._section.parts.material_edited.connect(self._material_edited)
+        self._section.parts.material_edited.connect(lambda names, material: self.give(names, material))
         self._section.again.clicked.connect(self.bake)
         state.view_changed.connect(self._view_changed)
         state.contents_changed.connect(self._contents_changed)
         window.busy_cancelled.connect(self._cancelled)
-        window.picture.canvas_changed.connect(self._watch)
-        self._watch(window.picture.canvas)
         self._section.set_look(state.view.surface_look)
 
     @property
@@ -76,48 +70,36 @@ class SurfaceControl(ViewerFeature):
         self._reload.stop()
         self._runner.stop(_CLOSING_MS)
 
-    def _pick_at(self, place: QPointF, *, add: bool) -> None:
-        """Pick the part that is seen at ``place`` of the picture (widget pixels, from the upper left)."""
-        surface, canvas = self._state.surface, self._window.picture.canvas
-        if surface is None:
-            return
-        size = self._window.picture.device_size
-        camera = matrices(self._state.view.camera, self._state.bounds, size)
-        right = (2.0 * place.x() / max(1, canvas.width()) - 1.0) * camera.half_tangents[0]
-        up = (1.0 - 2.0 * place.y() / max(1, canvas.height())) * camera.half_tangents[1]
-        hit = pick(surface.value, camera.eye, camera.view_to_world @ np.array([right, up, -1.0]))
-        if hit is not None:
-            self._section.parts.pick(surface.value.parts[hit.part].name, add=add)
+    def materials_of(self, names: list[str]) -> set[str]:
+        """Return what these parts are made of in the view."""
+        mesh, chosen = self._mesh, self._state.view.surface_look.chosen
+        own = {} if mesh is None else {part.name: part.material for part in mesh.parts}
+        return {chosen.get(name, own[name]) for name in names if name in own}
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Notice clicks, and leave every event to the camera's gestures."""
-        if isinstance(event, QMouseEvent) and event.button() == Qt.MouseButton.LeftButton:
-            if event.type() == QEvent.Type.MouseButtonPress:
-                plain = not event.modifiers() & ~Qt.KeyboardModifier.ControlModifier
-                self._pressed = event.position() if plain else None
-            elif event.type() == QEvent.Type.MouseButtonRelease and self._pressed is not None:
-                moved = event.position() - self._pressed
-                self._pressed = None
-                if abs(moved.x()) + abs(moved.y()) < _CLICK_PIXELS:
-                    held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-                    self._pick_at(event.position(), add=bool(held))
-        return super().eventFilter(watched, event)
+    def give(self, names: list[str], material: Material | Literal[""], second: str | None = None) -> None:
+        """Make these parts of a material, or with "" of their own again; one step that can be undone.
 
-    def _watch(self, canvas: QObject) -> None:
-        canvas.installEventFilter(self)
-
-    def _material_edited(self, names: list[str], material: Material | Literal[""]) -> None:
-        present = self._state.view.surface_look.materials
-        chosen = {item.part: item for item in present if item.part not in names}
+        ``second`` becomes the view's second paint. Where it has none, the first part that is to wear it brings one.
+        """
+        view = self._state.view
+        chosen = {item.part: item for item in view.surface_look.materials if item.part not in names}
         if material:
             chosen |= {name: PartMaterial(name, material) for name in names}
-        self._state.change_part("surface_look", materials=tuple(chosen.values()))
+        look, two_tone = replace(view.surface_look, materials=tuple(chosen.values())), view.two_tone
+        if material == SECOND_PAINT and second is None and two_tone.paint is None:
+            second = next(name for name in _FIRST_SECONDS if name != self._state.paint_key)
+        if second is not None:
+            two_tone = replace(two_tone, paint=second)
+        self._state.step_view(surface_look=look, two_tone=two_tone)
 
     def _view_changed(self, old: View, new: View) -> None:
         if old.surface_look == new.surface_look:
             return
         self._section.set_look(new.surface_look)
-        if any(getattr(old.surface_look, name) != getattr(new.surface_look, name) for name in _SHAPE):
+        # Of another surface, which is loaded as the view says, this is no change of shape.
+        if old.surface == new.surface and any(
+            getattr(old.surface_look, name) != getattr(new.surface_look, name) for name in _SHAPE
+        ):
             self._reload.start()
         elif self._baking is not None and not wants_baking(new.surface_look):
             self._stop()

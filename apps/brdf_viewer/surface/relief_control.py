@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from brdf_qt.fields.choices import Source
+from brdf_qt.choosing.sources import Source
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner

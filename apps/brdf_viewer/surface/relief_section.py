@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note, set_note
+from brdf_qt.fields.choices import ChoiceBox, note, set_note
 from brdf_qt.fields.form import Form, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField, reach_of
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
+from brdf_viewer.paint.pickers import two_tone_picker
 
 PROJECTION_TITLES = {
     "uv": mark("Tiled"),
@@ -47,7 +48,7 @@ class FileChoice(QWidget):
 class ReliefSection(Section):
     """Emits ``edited(part, field, value)``, the part of the view being ``relief`` or ``two_tone``; setters are silent.
 
-    ``browse_requested(part, field)`` asks for a file.
+    ``daily`` has the orange peel and the second paint. ``browse_requested(part, field)`` asks for a file.
     """
 
     edited = Signal(str, str, object)
@@ -55,6 +56,7 @@ class ReliefSection(Section):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Relief and two-tone"), "relief", parent)
+        self.daily = Form()
         self.orange_peel = self._number("relief", "orange_peel", 0.02, 2)
         self.orange_peel_mm = self._number("relief", "orange_peel_mm", 0.5, 1)
         self.peel_facts = note()
@@ -66,16 +68,18 @@ class ReliefSection(Section):
         self.tangent_map = self._file("relief", "tangent_map", *files)
         self.normal_strength = self._number("relief", "normal_strength", 0.1, 2)
         self.normal_width_mm = self._number("relief", "normal_width_mm", 10.0, 1)
-        self.paint = SourceChooser(tr("Open a second paint"))
+        self.paint = two_tone_picker()
         self.paint.chosen.connect(lambda key: self.edited.emit("two_tone", "paint", key or None))
         self.paint.browse_requested.connect(lambda: self.browse_requested.emit("two_tone", "paint"))
         self.mask_file = self._file("two_tone", "mask", tr("Open a mask"), tr("Remove the mask"))
         self.projection = ChoiceBox(PROJECTION_TITLES)
         self.projection.picked.connect(lambda key: self.edited.emit("two_tone", "projection", key))
         self.mask_width_mm = self._number("two_tone", "mask_width_mm", 50.0, 1, tr("Mask width"))
-        self.two_tone_facts = note()
+        self.two_tone_facts = note(lines=1)
+        self.daily.add_row(tr("Orange peel"), self.orange_peel, tr(PARAMETERS["relief.orange_peel"].meaning))
+        self.daily.add_row(tr("Second paint"), self.paint, tr("Shown where the mask is white"))
+        self.daily.add_wide(self.two_tone_facts)
         form = self.add(Form())
-        form.add_row(tr("Orange peel"), self.orange_peel, tr(PARAMETERS["relief.orange_peel"].meaning))
         form.add_row(tr("Wavelength"), self.orange_peel_mm, tr(PARAMETERS["relief.orange_peel_mm"].meaning))
         form.add_wide(self.peel_facts)
         tip = tr("An image of normals (PNG, EXR …), tiled over the paint")
@@ -84,11 +88,9 @@ class ReliefSection(Section):
         form.add_row(tr("Tangent map"), self.tangent_map, tip)
         form.add_row(tr("Strength"), self.normal_strength, tr(PARAMETERS["relief.normal_strength"].meaning))
         form.add_row(tr("Tile width"), self.normal_width_mm, tr(PARAMETERS["relief.normal_width_mm"].meaning))
-        form.add_row(tr("Second paint"), self.paint, tr("Shown where the mask is white"))
         form.add_row(tr("Mask"), self.mask_file, tr("An image: black is the first paint, white the second"))
         form.add_row(tr("Mapping"), self.projection, tr("Mapping of the mask onto the surface"))
         form.add_row(tr("Mask width"), self.mask_width_mm, tr(PARAMETERS["two_tone.mask_width_mm"].meaning))
-        form.add_wide(self.two_tone_facts)
 
     def set_relief(self, relief: Relief) -> None:
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from brdf_qt.fields.choices import ChoiceBox, SourceChooser, note
+from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.fields.choices import ChoiceBox, note
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
@@ -26,6 +27,7 @@ from brdf_suite.documents.view_settings import MATERIALS, PARAMETERS, SurfaceLoo
 
 MATERIAL_TITLES = {
     "paint": mark("Paint"),
+    "second_paint": mark("Second paint"),
     "glass": mark("Glass"),
     "lens": mark("Clear lens"),
     "rubber": mark("Rubber"),
@@ -134,16 +136,21 @@ UNIT_TITLES = {
     "mm": mark("Millimetres"),
     "in": mark("Inches"),
 }
+UP_TITLES = {"file": mark("From file"), "y": mark("Y up"), "z": mark("Z up")}
 NORMALS_TITLES = {"file": mark("From file"), "smooth": mark("Smooth, edges above 40°"), "flat": mark("Flat")}
 
 
 class SurfaceSection(Section):
-    """Emits ``edited(field, value)`` with a field of :class:`SurfaceLook`; setters are silent."""
+    """Emits ``edited(field, value)`` with a field of :class:`SurfaceLook`; setters are silent.
+
+    ``daily`` has the form, and the ground that it stands on.
+    """
 
     edited = Signal(str, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Surface"), "surface", parent)
+        self.daily = Form()
         self.chooser = SourceChooser(tr("Open a mesh (.glb, .gltf, .obj, .stl, .ply)"))
         self.facts = note(lines=2)
         self.occlusion = self._check("occlusion", tr("Occlusion"))
@@ -158,16 +165,18 @@ class SurfaceSection(Section):
         self.again.hide()
         self.parts = SurfaceParts()
         self.unit = self._list("unit", UNIT_TITLES)
+        self.up = self._list("up", UP_TITLES)
         self.recentre = self._check("recentre", tr("Centre on ground"))
         self.normals = self._list("normals", NORMALS_TITLES)
         self.flip_normals = self._check("flip_normals", tr("Flip normals"))
+        self.daily.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
+        self.daily.add_row("", self.ground)
         form = self.add(Form())
-        form.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
-        form.add_wide(self.facts)
+        form.add_wide(self.parts, self.facts)
         form.add_row("", self.occlusion)
-        form.add_row("", self.ground)
-        form.add_wide(self.baking, self.again, self.parts)
+        form.add_wide(self.baking, self.again)
         form.add_row(tr("Unit"), self.unit, tr("Unit of length in the file"))
+        form.add_row(tr("Up axis"), self.up, tr("Axis that points up in the file"))
         self.scale = form.add_number(tr("Scale"), PARAMETERS["surface.scale"], 0.1, 4)
         self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
         tip = tr("Moves the centre over the origin and the lowest point to height 0")
@@ -178,7 +187,7 @@ class SurfaceSection(Section):
     def set_look(self, look: SurfaceLook) -> None:
         for name in ("occlusion", "ground", "recentre", "flip_normals"):
             getattr(self, name).setChecked(getattr(look, name))
-        for name in ("unit", "normals"):
+        for name in ("unit", "up", "normals"):
             getattr(self, name).show_choice(getattr(look, name))
         self.scale.set_value(look.scale)
         self.parts.set_chosen(look.chosen)

@@ -44,6 +44,7 @@ class ToneControl(ViewerFeature):
         section.gamut.clicked.connect(lambda on: state.change_view(gamut_marks=on))
         section.style_box.picked.connect(lambda key: state.change_view(mark_style=key))
         section.profile.clicked.connect(self._use_profile)
+        section.seen.connect(self._count.start)
         state.view_changed.connect(self._changed)
         state.contents_changed.connect(self._count.start)
         state.traced_changed.connect(self._count.start)

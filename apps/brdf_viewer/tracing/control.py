@@ -98,7 +98,6 @@ class TracedControl(ViewerFeature):
             (commands.stop_refining.triggered, self._stop),
             (section.resume.clicked, self._resume),
             (commands.resume_refining.triggered, self._resume),
-            (section.save.clicked, self._save),
             (commands.save_traced.triggered, self._save),
         ):
             signal.connect(slot)
@@ -183,9 +182,7 @@ class TracedControl(ViewerFeature):
         """Ask for a file, and have the newest picture written to it as EXR."""
         fit = self._state.fit
         if self._state.traced is None or fit is None or self._process is None:
-            todo = tr("Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.")
-            self._refuse(KIND, tr("There is no traced picture yet."), todo)
-            return
+            return  # the command is not offered
         name = f"{fit.name} {self.renderer}"
         chosen = self._ask(self._window, name, tr("EXR, radiance with variance"), ".exr")
         if not chosen:
@@ -362,12 +359,11 @@ class TracedControl(ViewerFeature):
         window.commands.renderer.show_choice(renderer)
         window.commands.quality.show_choice(self.quality if renderer == "raytraced" else "")
         running = renderer != "realtime" and not self._stopped and not (picture is not None and picture.done)
-        section.show_work(running=running, stopped=self._stopped, has_picture=picture is not None)
+        section.show_work(running=running, stopped=self._stopped)
+        window.commands.offer_traced(picture is not None)
         words = "" if renderer == "realtime" else self._words(picture)
         section.set_state(words, "\n".join(self._notices) if renderer != "realtime" else "")
         window.overlay.show_mark(words)
-        tip = tr("Renderer of the picture, and its progress")
-        window.status.cell("renderer").set(words, tip, "fresh" if picture is not None else "stale")
         self.changed.emit()
 
     def _words(self, picture: TracedPicture | None) -> str:

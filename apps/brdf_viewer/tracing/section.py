@@ -8,7 +8,7 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
-from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QPushButton, QStackedWidget, QWidget
 
 from brdf_viewer.tracing.process import TracedPicture
 
@@ -65,10 +65,13 @@ DEFAULT_SAMPLES = 1024
 
 
 class RendererSection(Section):
-    """Renderer of the picture, how good it is to become, and how far it is."""
+    """Renderer of the picture, how good it is to become, and how far it is; ``rest`` is the section with its details.
+
+    All has its place from the start, whatever the renderer: nothing moves with it.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("Renderer"), "renderer", parent)
+        super().__init__(tr("Renderer"), "renderer", parent, titled=False)
         self.renderer = ChoiceBox(RENDERER_TITLES, RENDERER_TIPS)
         self.quality = ChoiceBox(QUALITY_TITLES)
         self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
@@ -77,37 +80,44 @@ class RendererSection(Section):
         self.stop.setToolTip(tr("Stop refining and free the processors"))
         self.resume = QPushButton(tr("Resume"))
         self.resume.setToolTip(tr("Refine the picture further"))
-        self.save = QPushButton(tr("Save EXR…"))
-        self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
-        self._buttons = QWidget()
-        fill_row(self._buttons, self.stop, self.resume, self.save, spacing=4, even=True)
+        buttons = QWidget()
+        fill_row(buttons, self.stop, self.resume, spacing=8, even=True)
         self.state, self.facts = note(lines=1), note()
         form = self.add(Form())
-        form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
+        form.add_row(tr("Renderer"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
         samples_tip = tr("Samples per pixel at which the path tracer stops; 0: unlimited")
-        self._shown_for = {
-            form.add_row(tr("Quality"), self.quality, tip): "raytraced",
-            self.quality: "raytraced",
-            form.add_row(tr("Samples"), self.samples, samples_tip): "reference",
-            self.samples: "reference",
-            form.add_row("", self.denoised): "reference",
-            self.denoised: "reference",
-        }
-        form.add_wide(self._buttons, self.state, self.facts)
+        self._good, self._pages = (
+            QStackedWidget(),
+            {"realtime": QWidget(), "raytraced": Form(), "reference": Form()},
+        )
+        for page in self._pages.values():
+            self._good.addWidget(page)
+        self._add_page("raytraced", tr("Quality"), self.quality, tip)
+        self._add_page("reference", tr("Samples"), self.samples, samples_tip)
+        form.add_wide(self._good)
+        form.add_row("", buttons)
+        form.add_wide(self.state)
+        self.rest = Section(tr("Traced picture"), "renderer_rest")
+        rest = self.rest.add(Form())
+        rest.add_row("", self.denoised)
+        rest.add_wide(self.facts)
         self.set_denoiser(tr("The renderer has not been started yet."))
         self.show_renderer("realtime", "fast", DEFAULT_SAMPLES, denoised=False)
-        self.show_work(running=False, stopped=False, has_picture=False)
+        self.show_work(running=False, stopped=False)
+
+    def _add_page(self, renderer: str, text: str, field: QWidget, tip: str) -> None:
+        form = self._pages[renderer]
+        assert isinstance(form, Form)
+        form.add_row(text, field, tip)
 
     def show_renderer(self, renderer: str, quality: str, samples: int, *, denoised: bool) -> None:
-        """Show the choice, without a signal; what says nothing of this renderer is hidden."""
+        """Show the choice, without a signal; what says nothing of this renderer is not offered."""
         self.renderer.show_choice(renderer)
         self.quality.show_choice(quality)
         self.samples.set_value(float(samples))
         self.denoised.setChecked(denoised)
-        for widget, key in self._shown_for.items():
-            widget.setVisible(key == renderer)
-        self._buttons.setVisible(renderer != "realtime")
+        self._good.setCurrentWidget(self._pages[renderer])
 
     def set_denoiser(self, missing: str) -> None:
         """Offer to take the noise away; ``missing`` says why that cannot be, empty where it can."""
@@ -115,11 +125,10 @@ class RendererSection(Section):
         tip = tr("A denoiser estimates detail hidden by noise: for viewing, not for measuring")
         self.denoised.setToolTip(plain_tip(missing or tip))
 
-    def show_work(self, *, running: bool, stopped: bool, has_picture: bool) -> None:
-        """Say what can be done now: stop what runs, go on with what was stopped, save what there is."""
+    def show_work(self, *, running: bool, stopped: bool) -> None:
+        """Say what can be done now: stop what runs, go on with what was stopped."""
         self.stop.setEnabled(running)
         self.resume.setEnabled(stopped)
-        self.save.setEnabled(has_picture)
 
     def set_state(self, text: str, facts: str) -> None:
         """Say how far the picture is, and what this renderer does not show."""

@@ -17,7 +17,7 @@ from brdf_designer.acquire.plots.view import PictureView
 from brdf_designer.acquire.session.start_page import StartPage
 from brdf_designer.acquire.states import Problem
 from brdf_designer.acquire.step_page import AcquirePage, Facts
-from brdf_designer.window.widgets import button, make_row, wrapped
+from brdf_designer.window.widgets import button, wrapped
 from brdf_suite.acquisition.session.session import Session
 
 # Of each number by the end of its key: range, step and decimals of its field, in millimetres or degrees.
@@ -81,19 +81,20 @@ class SessionPage(AcquirePage):
         self.verdict = wrapped()
         self.centre.addWidget(self.verdict)
         self.centre.addWidget(self.problems, 2)
-        opening = make_row(
-            button(tr("Open Folder…"), tr("Open a folder with a session.json"), self.open_requested.emit),
-            button(
-                tr("New Folder…"),
-                tr("Create a folder with a session.json template for new photographs"),
-                self.template_requested.emit,
-            ),
+        # One below the other: beside each other they are wider than the panel in some languages.
+        opening = button(
+            tr("Open Folder…"), tr("Open a folder with a session.json"), self.open_requested.emit
+        )
+        making = button(
+            tr("New Folder…"),
+            tr("Create a folder with a session.json template for new photographs"),
+            self.template_requested.emit,
         )
         self.folder = described(wrapped(), spoken=tr("Folder"))
         self.check_button = button(
             tr("Check Again"), tr("Check all photographs of the folder again"), self.check_requested.emit
         )
-        self.add_part("folder", tr("Folder"), self.folder, opening, self.check_button)
+        self.add_part("folder", tr("Folder"), self.folder, opening, making, self.check_button)
         form = Form()
         self.fields: dict[str, NumberField] = {}
         for key, name, tip in NUMBERS:

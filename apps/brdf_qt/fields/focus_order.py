@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from brdf_qt.fields.number import NumberField
-from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
@@ -42,13 +40,3 @@ def _inside(part: QWidget) -> Iterator[QWidget]:
     for child in part.children():
         if isinstance(child, QWidget) and not child.isWindow():
             yield from _inside(child)
-
-
-def focus_first_number(section: Section, numbers: Iterable[NumberField]) -> None:
-    """Let the next keys be typed into the first of ``numbers`` that is shown, in place of what it has."""
-    section.set_open(True)
-    for number in numbers:
-        if number.isVisibleTo(section) and number.isEnabled():
-            number.setFocus(Qt.FocusReason.ShortcutFocusReason)
-            number.selectAll()
-            return

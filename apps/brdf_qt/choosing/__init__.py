@@ -1,0 +1,1 @@
+"""Choosing paints, lights and forms by their pictures."""

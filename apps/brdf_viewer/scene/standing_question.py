@@ -1,0 +1,144 @@
+"""Asks how a mesh stands that looks wrong: axis up and unit, over the picture, which shows each answer at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.labels import PlainLabel, set_bold
+from brdf_qt.program.translation import decimal, tr
+from brdf_qt.window.floating import Floating
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.realtime.camera import frame
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.standing import Standing, find_standing
+from brdf_viewer.feature import ViewerFeature
+from brdf_viewer.scene.viewer_state import ViewerState
+from brdf_viewer.surface.section import UNIT_TITLES, UP_TITLES
+from brdf_viewer.window import ViewerWindow
+
+_ASKED = {
+    "up": {key: UP_TITLES[key] for key in ("y", "z")},
+    "unit": {key: UNIT_TITLES[key] for key in ("m", "cm", "mm", "in")},
+}
+
+
+class StandingPanel(Floating):
+    """Two rows of choices and a size. Signals: ``answered(field, key)`` with each choice, ``closed()``."""
+
+    answered = Signal(str, str)
+    closed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Edge.BottomEdge, parent)
+        self.setObjectName("standing")
+        self.choices = {field: _choices(titles) for field, titles in _ASKED.items()}
+        self.extent = PlainLabel()
+        self.done = QPushButton(tr("Looks Right"))
+        self.done.clicked.connect(self.closed)
+        paper = QFrame()
+        paper.setFrameShape(QFrame.Shape.StyledPanel)
+        paper.setAutoFillBackground(True)
+        question = PlainLabel(tr("Is it upright, and the right size?"))
+        set_bold(question, True)
+        column = QVBoxLayout(paper)
+        column.addWidget(question)
+        row = QHBoxLayout()
+        for field, group in self.choices.items():
+            for button in group.buttons():
+                row.addWidget(button)
+            group.buttonClicked.connect(
+                lambda button, field=field: self.answered.emit(field, button.objectName())
+            )
+            row.addSpacing(12)
+        row.addStretch(1)
+        column.addLayout(row)
+        last = QHBoxLayout()
+        last.addWidget(self.extent, 1)
+        last.addWidget(self.done)
+        column.addLayout(last)
+        outside = QVBoxLayout(self)
+        outside.setContentsMargins(0, 0, 0, 0)
+        outside.addWidget(paper)
+        self.hide()
+
+    def show_look(self, look: SurfaceLook, mesh: Mesh) -> None:
+        """Show the present answers, and how large that makes the surface."""
+        for field, group in self.choices.items():
+            for button in group.buttons():
+                button.setChecked(button.objectName() == getattr(look, field))
+        low, high = mesh.bounds()
+        x, y, z = (decimal(f"{edge:.3g}") for edge in high - low)
+        words = tr("Now {width} × {depth} m, {height} m high")
+        self.extent.setText(words.format(width=x, depth=z, height=y))
+
+
+class StandingQuestion(ViewerFeature):
+    """Proposes an answer where there is none, shows it, and takes another; the view keeps it with the file."""
+
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
+        super().__init__(state, window)
+        self.panel = StandingPanel()
+        self.panel.float_over(window.picture, window.picture)
+        self.panel.answered.connect(lambda field, key: self._answer(**{field: key}))
+        self.panel.closed.connect(self.panel.hide)
+        self._seen: Mesh | None = None
+        self._asked = ""
+        state.contents_changed.connect(self._look)
+        state.view_changed.connect(self._view_changed)
+
+    def _look(self) -> None:
+        """Look at a surface that was loaded; what has been asked is not asked again."""
+        surface = self._state.surface
+        if surface is None or surface.value is self._seen or surface.key != self._state.view.surface:
+            return  # the view names a new surface a moment after it is there
+        self._seen = surface.value
+        if not self.panel.isHidden():
+            if surface.key == self._asked:
+                self.panel.show_look(self._state.view.surface_look, surface.value)
+                return
+            self.panel.hide()
+        look = self._state.view.surface_look
+        if surface.key == self._asked or (look.up, look.unit) != ("file", "file"):
+            return
+        found = find_standing(surface.value)
+        if found is not None and found.is_doubtful:
+            self._asked = surface.key
+            # Later: this comes from within a change of the view.
+            QTimer.singleShot(0, self, lambda: self._propose(found))
+
+    def _propose(self, found: Standing) -> None:
+        """Show the likeliest answer; undone together with the opening of the file."""
+        view = self._state.view
+        if view.surface != self._asked:
+            return
+        look = replace(view.surface_look, up=found.up, unit=found.unit)
+        self.panel.show()
+        self._state.follow_view(surface_look=look, camera=frame(view.camera))
+
+    def _answer(self, **fields: str) -> None:
+        """Show an answer in the picture, where it may be undone as any change."""
+        look = replace(self._state.view.surface_look, **fields)  # type: ignore[arg-type]  # its check says what is wrong
+        self._state.change_view(surface_look=look, camera=frame(self._state.view.camera))
+
+    def _view_changed(self, old: View, new: View) -> None:
+        if new.surface != old.surface:
+            self._look()
+        if new.surface != self._asked:
+            self.panel.hide()
+        elif self._seen is not None and not self.panel.isHidden():
+            self.panel.show_look(new.surface_look, self._seen)
+
+
+def _choices(titles: Mapping[str, str]) -> QButtonGroup:
+    group = QButtonGroup()
+    for key, title in titles.items():
+        button = ChoiceButton(tr(title))
+        button.setObjectName(key)
+        group.addButton(button)
+    return group
