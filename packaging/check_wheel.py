@@ -28,6 +28,8 @@ NEEDED = (
     "brdf_suite/_resources/environments/street.exr",
     "brdf_suite/_resources/occlusion/",
     "brdf_suite/_resources/lobe_maps/",
+    "brdf_suite/_resources/thumbnails/environments/street.jpg",
+    "brdf_suite/_resources/thumbnails/meshes/car.jpg",
     "brdf_suite/_resources/colour/cie.csv",
     "brdf_suite/_documents/use/designer.md",
     "brdf_suite/_documents/images/designer.png",

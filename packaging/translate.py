@@ -61,6 +61,8 @@ def faults(source: Path) -> list[str]:
             found.append(f"other places in braces: {text!r} and {words!r}")
         elif text.count("&") != words.count("&") and "&" in text.replace("&&", ""):
             found.append(f"without its access key: {text!r} and {words!r}")
+        elif "amp;" in words:
+            found.append(f"an access key written as text: {text!r} and {words!r}")
     return found
 
 

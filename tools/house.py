@@ -34,6 +34,7 @@ OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsub
 # Modules that may import inside functions, with the reason: what the import takes of the processor's time where it is
 # not needed.
 LATE_IMPORTS: dict[str, str] = {
+    "apps/brdf_designer/__main__.py": "all of Designer: the start page is on the screen before it",
     "apps/brdf_designer/acquire/control.py": "80 ms, when the assistant is opened for the first time",
     "apps/brdf_designer/acquire/exposures/control.py": "0.2 s with numba, on a thread",
     "apps/brdf_designer/acquire/mask/control.py": "0.2 s with numba, on a thread",
@@ -50,6 +51,8 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/fitting/lobes/background.py": "concurrent.futures loads logging, and a program may start without a fit",
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
     "brdf_suite/fitting/lobes/highs_model.py": "highspy takes 20 ms, and a program may start without a fit",
+    "brdf_suite/library/__init__.py": "numpy, where a notebook shows a value",
+    "brdf_suite/library/pictures.py": "Mitsuba is optional, and the ray tracer is not needed for other pictures",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/blocks.py": "concurrent.futures loads logging, and small calls need no threads",
     "brdf_suite/reflectance/factored/model.py": "OpenEXR is loaded for the textures of factored paints alone",

@@ -1,8 +1,8 @@
-"""Write the packaged resources: paints, meshes, environments, occlusion of the first surface, maps of the first light.
+"""Write the packaged resources: paints, meshes, lights, baked occlusion, filtered maps, thumbnails.
 
 Run without an argument for all that it can write, or name the kinds::
 
-    python packaging/generators/resources.py [paints] [meshes] [environments] [occlusion] [lobe_maps]
+    python packaging/generators/resources.py [paints] [meshes] [environments] [occlusion] [lobe_maps] [thumbnails]
 
 The environments that are path-traced take hours and Mitsuba; ``traced_environments.py`` writes them.
 
@@ -74,7 +74,7 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
     while they are made.
     """
     from brdf_suite.lighting.environment import SMALL_COLUMNS
-    from brdf_suite.lighting.filter.prefilter import prefilter
+    from brdf_suite.lighting.filter.lobe_maps import prefilter
     from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key, pack_maps
     from brdf_suite.pipeline.environments import read_environment
     from brdf_suite.pipeline.scene import (
@@ -97,12 +97,20 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
         yield path
 
 
+def thumbnails(folder: Path) -> Iterator[Path]:
+    """Write the pictures by which lights and forms are chosen; it needs OpenGL."""
+    from thumbnails import generate
+
+    yield from generate(folder)
+
+
 KINDS: dict[str, Callable[[Path], Iterator[Path]]] = {
     "paints": paints,
     "meshes": meshes,
     "environments": environments,
     "occlusion": occlusion,
     "lobe_maps": lobe_maps,
+    "thumbnails": thumbnails,
 }
 
 

@@ -19,9 +19,17 @@ import numpy as np
 
 from brdf_suite.arrays import Bytes
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, LightColour, Relief, Sparkle, SurfaceLook, TwoTone
+from brdf_suite.documents.view_settings import (
+    SECOND_PAINT,
+    Lamp,
+    LightColour,
+    Relief,
+    Sparkle,
+    SurfaceLook,
+    TwoTone,
+)
 from brdf_suite.files.images.png import write_png
-from brdf_suite.fitting.homomorphic.factorize import factorize
+from brdf_suite.fitting.homomorphic.product_fit import factorize
 from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import Material
@@ -29,7 +37,6 @@ from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.realtime.camera import compose
 from brdf_suite.realtime.pictures.display import LINEAR
-from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.realtime.relief.values import MaskImage, SlopeMap, TangentMap
 from brdf_suite.reflectance.factored.model import Factored

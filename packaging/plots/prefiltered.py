@@ -18,7 +18,7 @@ from matplotlib import pyplot as plt
 
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import prefilter
+from brdf_suite.lighting.filter.lobe_maps import prefilter
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.scene import load_environment
 

@@ -122,14 +122,15 @@ RENDERS = {
 
 
 @contextmanager
-def virtual_screen() -> Iterator[str]:
-    """Run an X server of its own and yield its display; it stays as it is between two programs."""
+def virtual_screen(size: tuple[int, int] = (1920, 1200)) -> Iterator[str]:
+    """Run an X server of its own, ``size`` pixels large, and yield its display; it stays as it is between programs."""
     reading, writing = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1200x24", "-nolisten", "tcp", "-noreset"],
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{size[0]}x{size[1]}x24",
+         "-nolisten", "tcp", "-noreset"],
         pass_fds=[writing],
         stderr=subprocess.DEVNULL,
-    )
+    )  # fmt: skip
     os.close(writing)
     try:
         with os.fdopen(reading) as answer:

@@ -376,12 +376,36 @@
         <translation>Die Form, die den Lack trägt, und von wo sie zu sehen ist</translation>
     </message>
     <message>
-        <source>The paint against a standard, and its neighbours</source>
-        <translation>Der Lack gegen einen Standard, und seine Nachbarn</translation>
+        <source>The paint against a standard</source>
+        <translation>Der Lack im Vergleich mit einem Standard</translation>
     </message>
     <message>
         <source>Files for other programs, and reports</source>
         <translation>Dateien für andere Programme, und Berichte</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>Das Bild</translation>
+    </message>
+    <message>
+        <source>The paint on a form, drawn anew at every edit. Drag to look from elsewhere, turn the wheel to come nearer, drag with Alt to turn the light.</source>
+        <translation>Der Lack auf einer Form, bei jeder Änderung neu gezeichnet. Ziehen dreht die Ansicht, das Rad holt sie näher, Ziehen mit Alt dreht das Licht.</translation>
+    </message>
+    <message>
+        <source>The paint</source>
+        <translation>Der Lack</translation>
+    </message>
+    <message>
+        <source>Colours at every angle, gloss and flakes. Light and form have tabs of their own beside it, and More at the end of each has the rest.</source>
+        <translation>Farben bei jedem Winkel, Glanz und Flakes. Licht und Form haben eigene Reiter daneben; alles Weitere steht jeweils am Ende unter „Mehr“.</translation>
+    </message>
+    <message>
+        <source>Compare and export</source>
+        <translation>Vergleichen und exportieren</translation>
+    </message>
+    <message>
+        <source>Compare judges the paint against a standard. Export, beside it, writes files for instruments and other programs, and reports.</source>
+        <translation>„Vergleichen“ beurteilt den Lack gegen einen Bezug. „Export“ daneben schreibt Dateien für Messgeräte und andere Programme sowie Berichte.</translation>
     </message>
     <message>
         <source>Show or hide L*, C* and h over the aspecular angle</source>
@@ -637,7 +661,11 @@
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Bedienfelderamp;Bedienfelder</translation>
+        <translation>&amp;Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Paint Strip</source>
+        <translation>Lackleiste</translation>
     </message>
     <message>
         <source>Open {program}</source>
@@ -645,7 +673,7 @@
     </message>
     <message>
         <source>Show or Hide P&amp;anels</source>
-        <translation>BedienfT&amp;afeln zeigenamp;elder zeigen oder verbergen</translation>
+        <translation>Bedienf&amp;elder zeigen oder verbergen</translation>
     </message>
     <message>
         <source>Se&amp;ttings…</source>
@@ -654,6 +682,14 @@
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Start &amp;Page</source>
+        <translation>Start&amp;seite</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
     </message>
     <message>
         <source>Find a &amp;Command…</source>
@@ -737,7 +773,7 @@
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation>&amp;Umfeldamp;Erscheinungsbild</translation>
+        <translation>E&amp;rscheinungsbild</translation>
     </message>
     <message>
         <source>L*, C* and h over the aspecular angle</source>
@@ -964,6 +1000,26 @@
         <translation>Alle</translation>
     </message>
     <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Shipped</source>
+        <translation>Mitgeliefert</translation>
+    </message>
+    <message>
+        <source>Search by name</source>
+        <translation>Nach Namen suchen</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>Where the entries come from</source>
+        <translation>Woher die Einträge kommen</translation>
+    </message>
+    <message>
         <source>An edit adds the same difference at all angles.</source>
         <translation>Eine Änderung addiert dieselbe Differenz an allen Winkeln.</translation>
     </message>
@@ -1130,6 +1186,18 @@
     <message>
         <source>Change Flop Index</source>
         <translation>Flop-Index ändern</translation>
+    </message>
+    <message>
+        <source>Change Chroma and Hue at All Angles</source>
+        <translation>Buntheit und Buntton an allen Winkeln ändern</translation>
+    </message>
+    <message>
+        <source>Change Chroma and Hue at {angle}</source>
+        <translation>Buntheit und Buntton bei {angle} ändern</translation>
+    </message>
+    <message>
+        <source>Turn Hue at All Angles</source>
+        <translation>Buntton an allen Winkeln drehen</translation>
     </message>
     <message>
         <source>Change Lightness Travel</source>
@@ -1408,6 +1476,14 @@
         <translation>Zahlen über dem Bild</translation>
     </message>
     <message>
+        <source>Lamps in the picture</source>
+        <translation>Lampen im Bild</translation>
+    </message>
+    <message>
+        <source>Put the highlight where you click</source>
+        <translation>Glanzlicht dorthin setzen, wo geklickt wird</translation>
+    </message>
+    <message>
         <source>Reset the view options</source>
         <translation>Die Optionen der Ansicht zurücksetzen</translation>
     </message>
@@ -1442,6 +1518,10 @@
     <message>
         <source>History</source>
         <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Paint strip</source>
+        <translation>Lackleiste</translation>
     </message>
     <message>
         <source>Colour map</source>
@@ -2883,11 +2963,11 @@ angegeben {stated}</translation>
     </message>
     <message>
         <source>more flop</source>
-        <translation>mehr Flop</translation>
+        <translation>Flop +</translation>
     </message>
     <message>
         <source>less flop</source>
-        <translation>weniger Flop</translation>
+        <translation>Flop −</translation>
     </message>
     <message>
         <source>slightly {word}</source>
@@ -3058,6 +3138,38 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Blauer</translation>
     </message>
     <message>
+        <source>Deeper</source>
+        <translation>Tiefer</translation>
+    </message>
+    <message>
+        <source>Warmer</source>
+        <translation>Wärmer</translation>
+    </message>
+    <message>
+        <source>Finer Flakes</source>
+        <translation>Feinere Flakes</translation>
+    </message>
+    <message>
+        <source>Coarser Flakes</source>
+        <translation>Gröbere Flakes</translation>
+    </message>
+    <message>
+        <source>deeper</source>
+        <translation>tiefer</translation>
+    </message>
+    <message>
+        <source>warmer</source>
+        <translation>wärmer</translation>
+    </message>
+    <message>
+        <source>finer flakes</source>
+        <translation>feinere Flakes</translation>
+    </message>
+    <message>
+        <source>coarser flakes</source>
+        <translation>gröbere Flakes</translation>
+    </message>
+    <message>
         <source>Variations</source>
         <translation>Varianten</translation>
     </message>
@@ -3068,6 +3180,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>{word}: none</source>
         <translation>{word}: keine</translation>
+    </message>
+    <message>
+        <source>Click to use it. Flakes of {size:.1f} µm, {density:.0f} per mm².</source>
+        <translation>Klicken, um sie zu verwenden. Flakes von {size:.1f} µm, {density:.0f} je mm².</translation>
     </message>
     <message>
         <source>No paint of this kind matches these colours exactly: ΔE00 up to {missed:.1f}. L*a*b*:</source>
@@ -3082,12 +3198,20 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>current</source>
-        <translation>aktuell</translation>
+        <source>flop +</source>
+        <translation>Flop +</translation>
     </message>
     <message>
-        <source>Current paint among its neighbours</source>
-        <translation>Aktueller Lack unter seinen Nachbarn</translation>
+        <source>finer</source>
+        <translation>feiner</translation>
+    </message>
+    <message>
+        <source>coarser</source>
+        <translation>gröber</translation>
+    </message>
+    <message>
+        <source>More variations</source>
+        <translation>Weitere Variationen</translation>
     </message>
     <message>
         <source>Step</source>
@@ -3254,12 +3378,24 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Abschnitt {title}</translation>
     </message>
     <message>
+        <source>Show or hide this section</source>
+        <translation>Diesen Abschnitt zeigen oder verbergen</translation>
+    </message>
+    <message>
         <source>Ac&amp;quire…</source>
         <translation>Auf&amp;nehmen …</translation>
     </message>
     <message>
         <source>From photographs of a painted sphere to a paint, step by step</source>
         <translation>Von Fotos einer lackierten Kugel zum Lack, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Try a S&amp;imulated Acquisition</source>
+        <translation>S&amp;imulierte Aufnahme ausprobieren</translation>
+    </message>
+    <message>
+        <source>Open photographs of a simulated sphere; made once, in about ten seconds</source>
+        <translation>Fotos einer simulierten Kugel öffnen; einmal erzeugt, in etwa zehn Sekunden</translation>
     </message>
     <message>
         <source>Coverage over the half-vector angles: θh from the normal, θd between light and half vector. Hatched cells are filled from neighbours.</source>
@@ -3772,6 +3908,82 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Beginnen</translation>
     </message>
     <message>
+        <source>Paints to begin with</source>
+        <translation>Lacke zum Anfangen</translation>
+    </message>
+    <message>
+        <source>Begin with a paint</source>
+        <translation>Mit einem Lack beginnen</translation>
+    </message>
+    <message>
+        <source>New Paint</source>
+        <translation>Neuer Lack</translation>
+    </message>
+    <message>
+        <source>Begin with a solid grey paint</source>
+        <translation>Mit einem grauen Unilack beginnen</translation>
+    </message>
+    <message>
+        <source>Open a Measurement…</source>
+        <translation>Messung öffnen …</translation>
+    </message>
+    <message>
+        <source>Start a design from a measured reflectance or spectrophotometer readings</source>
+        <translation>Einen Entwurf aus gemessener Reflexion oder Messwerten eines Spektralphotometers beginnen</translation>
+    </message>
+    <message>
+        <source>Try a Simulated Acquisition</source>
+        <translation>Simulierte Aufnahme ausprobieren</translation>
+    </message>
+    <message>
+        <source>Photographs of a simulated sphere, from which a paint is reconstructed step by step</source>
+        <translation>Fotos einer simulierten Kugel, aus denen Schritt für Schritt ein Lack rekonstruiert wird</translation>
+    </message>
+    <message>
+        <source>Open a Project…</source>
+        <translation>Projekt öffnen …</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Recent work</source>
+        <translation>Zuletzt bearbeitet</translation>
+    </message>
+    <message>
+        <source>Files and projects that you open are listed here.</source>
+        <translation>Geöffnete Dateien und Projekte stehen hier.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Three steps through the window</source>
+        <translation>In drei Schritten durch das Fenster</translation>
+    </message>
+    <message>
+        <source>All documents, without a network</source>
+        <translation>Alle Dokumente, ohne Netz</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Kennenlernen</translation>
+    </message>
+    <message>
+        <source>Show at start</source>
+        <translation>Beim Start zeigen</translation>
+    </message>
+    <message>
+        <source>Also in View ▸ Settings; Help ▸ Start Page shows it at any time</source>
+        <translation>Auch unter Ansicht ▸ Einstellungen; Hilfe ▸ Startseite zeigt sie jederzeit</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
         <source>Combine all photographs into a table of the reflectance</source>
         <translation>Alle Fotos zu einer Tabelle der Reflexion zusammenfassen</translation>
     </message>
@@ -4036,12 +4248,24 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Alt+{number}</translation>
     </message>
     <message>
+        <source>{number} of {count}</source>
+        <translation>{number} von {count}</translation>
+    </message>
+    <message>
+        <source>Leave the Tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Previous step (Ctrl+PgUp)</source>
@@ -5076,6 +5300,14 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Reflexion</translation>
     </message>
     <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Help ▸ Start Page shows it at any time</source>
+        <translation>Hilfe ▸ Startseite zeigt sie jederzeit</translation>
+    </message>
+    <message>
         <source>These settings are the same in all programs of the suite.</source>
         <translation>Diese Einstellungen gelten für alle Programme der Suite.</translation>
     </message>
@@ -5274,10 +5506,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Designer</source>
         <translation>Designer</translation>
-    </message>
-    <message>
-        <source>Viewer</source>
-        <translation>Viewer</translation>
     </message>
     <message>
         <source>Selected reflectance</source>
@@ -5732,8 +5960,52 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Größen zurücksetzen</translation>
     </message>
     <message>
+        <source>Open Pro&amp;ject…</source>
+        <translation>Pro&amp;jekt öffnen …</translation>
+    </message>
+    <message>
+        <source>Paints, standard, views and lights of one design</source>
+        <translation>Lacke, Bezug, Ansichten und Lichter eines Entwurfs</translation>
+    </message>
+    <message>
+        <source>Save Projec&amp;t…</source>
+        <translation>Projek&amp;t speichern …</translation>
+    </message>
+    <message>
+        <source>What is open here, and all other parts of the open project</source>
+        <translation>Was hier offen ist, und alle anderen Teile des offenen Projekts</translation>
+    </message>
+    <message>
+        <source>Collect &amp;Files…</source>
+        <translation>&amp;Dateien sammeln …</translation>
+    </message>
+    <message>
+        <source>Save the project with a copy of every file that it names</source>
+        <translation>Das Projekt mit einer Kopie jeder genannten Datei speichern</translation>
+    </message>
+    <message>
+        <source>What was open is unchanged.</source>
+        <translation>Was offen war, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Saving {name}</source>
+        <translation>{name} wird gespeichert</translation>
+    </message>
+    <message>
+        <source>The project on disk is as it was. Choose another place, or correct this.</source>
+        <translation>Das gespeicherte Projekt ist unverändert. Wählen Sie einen anderen Ort oder beheben Sie die Ursache.</translation>
+    </message>
+    <message>
         <source>Saved: {path}</source>
         <translation>Gespeichert: {path}</translation>
+    </message>
+    <message>
+        <source>Saved: {path} ({count} files collected)</source>
+        <translation>Gespeichert: {path} ({count} Dateien gesammelt)</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>Projekte</translation>
     </message>
     <message>
         <source>No surface to save. Add a reflectance, or show one in the legend.</source>
@@ -7194,6 +7466,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Kamera</translation>
     </message>
     <message>
+        <source>Fill the picture with the surface (F)</source>
+        <translation>Das Bild mit der Oberfläche füllen (F)</translation>
+    </message>
+    <message>
         <source>View: {view} ({key})</source>
         <translation>Ansicht: {view} ({key})</translation>
     </message>
@@ -7250,10 +7526,6 @@ Ungespeicherte Änderungen.</translation>
         <translation>Ansicht speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>Save &amp;Picture…</source>
-        <translation>&amp;Bild speichern …</translation>
-    </message>
-    <message>
         <source>Save the picture as PNG at full resolution, with paint and settings as metadata</source>
         <translation>Das Bild als PNG in voller Auflösung speichern, mit Lack und Einstellungen als Metadaten</translation>
     </message>
@@ -7264,10 +7536,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Save the traced picture as EXR with the variance of each pixel</source>
         <translation>Das strahlverfolgte Bild als EXR mit der Varianz jedes Pixels speichern</translation>
-    </message>
-    <message>
-        <source>E&amp;xport Picture…</source>
-        <translation>Bild e&amp;xportieren …</translation>
     </message>
     <message>
         <source>A picture of any size, as PNG or EXR</source>
@@ -7298,6 +7566,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>Zuletzt geöffnete &amp;Lacke</translation>
     </message>
     <message>
+        <source>Export &amp;Picture…</source>
+        <translation>&amp;Bild exportieren …</translation>
+    </message>
+    <message>
+        <source>There is no traced picture yet: choose Ray-traced or Path-traced in the tab Export</source>
+        <translation>Es gibt noch kein verfolgtes Bild: im Reiter Export „Strahlverfolgt“ oder „Pfadverfolgt“ wählen</translation>
+    </message>
+    <message>
         <source>Recent Pale&amp;ttes</source>
         <translation>Zuletzt geöffnete &amp;Paletten</translation>
     </message>
@@ -7312,6 +7588,22 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Recent S&amp;urfaces</source>
         <translation>Zuletzt geöffnete &amp;Oberflächen</translation>
+    </message>
+    <message>
+        <source>A picture, a turntable or a contact sheet, with a preview</source>
+        <translation>Ein Bild, ein Drehteller oder ein Kontaktbogen, mit Vorschau</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>Export &amp;As</source>
+        <translation>Exportieren &amp;als</translation>
+    </message>
+    <message>
+        <source>&amp;Save Picture…</source>
+        <translation>Bild &amp;speichern …</translation>
     </message>
     <message>
         <source>View: {view}, framing the surface</source>
@@ -7360,18 +7652,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Frame time, lobes, tone curve and readout</source>
         <translation>Bildzeit, Keulen, Tonwertkurve und Messwerte am Zeiger</translation>
-    </message>
-    <message>
-        <source>Fres&amp;nel</source>
-        <translation>Fres&amp;nel</translation>
-    </message>
-    <message>
-        <source>&amp;Look-up</source>
-        <translation>&amp;Nachschlagen</translation>
-    </message>
-    <message>
-        <source>Spar&amp;kle</source>
-        <translation>&amp;Glitzern</translation>
     </message>
     <message>
         <source>&amp;Renderer</source>
@@ -7462,8 +7742,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>Kein zweiter Lack ist gewählt.</translation>
     </message>
     <message>
-        <source>Choose one under Compare in the inspector, or freeze the current paint as B.</source>
-        <translation>Im Inspektor unter „Vergleichen“ einen wählen oder den jetzigen Lack als B festhalten.</translation>
+        <source>Choose one in the tab Compare, or freeze the current paint as B.</source>
+        <translation>Im Reiter Vergleich einen wählen, oder den aktuellen Lack als B einfrieren.</translation>
     </message>
     <message>
         <source>Freeze A as B</source>
@@ -7650,6 +7930,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Drehteller ändern</translation>
     </message>
     <message>
+        <source>Change Materials</source>
+        <translation>Materialien ändern</translation>
+    </message>
+    <message>
         <source>Move Divider</source>
         <translation>Trennlinie verschieben</translation>
     </message>
@@ -7778,6 +8062,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>{file} wurde ohne {count} der Lacke exportiert.</translation>
     </message>
     <message>
+        <source>Picture on screen</source>
+        <translation>Bild auf dem Schirm</translation>
+    </message>
+    <message>
+        <source>Traced picture</source>
+        <translation>Verfolgtes Bild</translation>
+    </message>
+    <message>
         <source>Transparent background</source>
         <translation>Durchsichtiger Hintergrund</translation>
     </message>
@@ -7816,6 +8108,22 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Paints</source>
         <translation>Lacke</translation>
+    </message>
+    <message>
+        <source>Click to show; drag onto the picture or into a palette</source>
+        <translation>Klicken zeigt den Lack; ziehbar auf das Bild oder in eine Palette</translation>
+    </message>
+    <message>
+        <source>List the paints of a palette</source>
+        <translation>Lacke einer Palette auflisten</translation>
+    </message>
+    <message>
+        <source>A click shows the paint</source>
+        <translation>Ein Klick zeigt den Lack</translation>
+    </message>
+    <message>
+        <source>A click compares with the paint; also Shift click</source>
+        <translation>Ein Klick vergleicht mit dem Lack; auch Umschalt-Klick</translation>
     </message>
     <message>
         <source>Colour space; the ICC profile is embedded in the file</source>
@@ -8398,6 +8706,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>Drei bewegliche Lampen, keine Umgebung – am besten für faktorisierte Lacke</translation>
     </message>
     <message>
+        <source>Put the Highlight Here</source>
+        <translation>Glanzlicht hierher setzen</translation>
+    </message>
+    <message>
+        <source>Then click on the surface: the lamp moves to where its reflection is seen there</source>
+        <translation>Danach auf die Oberfläche klicken: Die Lampe kommt dorthin, wo ihre Spiegelung an dieser Stelle zu sehen ist</translation>
+    </message>
+    <message>
         <source>Extent</source>
         <translation>Ausdehnung</translation>
     </message>
@@ -8882,6 +9198,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Fresnel nach Winkel</translation>
     </message>
     <message>
+        <source>Frame {ms} ms</source>
+        <translation>Bild {ms} ms</translation>
+    </message>
+    <message>
         <source>{sparkle}, {count} lights</source>
         <translation>{sparkle}, {count} Lichter</translation>
     </message>
@@ -8942,20 +9262,24 @@ Ungespeicherte Änderungen.</translation>
         <translation>Das Bild zeigt {shown}. Einen anderen Lack wählen oder diesen berichtigen.</translation>
     </message>
     <message>
-        <source>Cosine lobes of the fit</source>
-        <translation>Kosinuskeulen der Anpassung</translation>
-    </message>
-    <message>
-        <source>Duration of the lobe fit, and its maximum ΔE00 at the measured angles</source>
-        <translation>Dauer der Keulenanpassung und ihr größtes ΔE00 an den gemessenen Winkeln</translation>
-    </message>
-    <message>
         <source>{link} (not following)</source>
         <translation>{link} (folgt nicht)</translation>
     </message>
     <message>
-        <source>Duration of the lobe fit; no measured angles to compare with</source>
-        <translation>Dauer der Keulenanpassung; keine gemessenen Winkel zum Vergleichen</translation>
+        <source>No measured angles to compare with</source>
+        <translation>Keine gemessenen Winkel zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>Fit ΔE {worst}</source>
+        <translation>Anpassung ΔE {worst}</translation>
+    </message>
+    <message>
+        <source>Maximum ΔE00 of the fit at the measured angles</source>
+        <translation>Größtes ΔE00 der Anpassung an den gemessenen Winkeln</translation>
+    </message>
+    <message>
+        <source>{count} cosine lobes, fitted in {ms} ms</source>
+        <translation>{count} Kosinuskeulen, angepasst in {ms} ms</translation>
     </message>
     <message>
         <source>Open palette; the arrow keys select its paints</source>
@@ -9394,6 +9718,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>Zoll</translation>
     </message>
     <message>
+        <source>Y up</source>
+        <translation>Y oben</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z oben</translation>
+    </message>
+    <message>
         <source>Smooth, edges above 40°</source>
         <translation>Glatt, Kanten ab 40°</translation>
     </message>
@@ -9444,6 +9776,14 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Unit of length in the file</source>
         <translation>Längeneinheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Axis that points up in the file</source>
+        <translation>Achse, die in der Datei nach oben zeigt</translation>
     </message>
     <message>
         <source>Place</source>
@@ -9590,14 +9930,6 @@ Ungespeicherte Änderungen.</translation>
         <translation>weniger als 0,1 %</translation>
     </message>
     <message>
-        <source>Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.</source>
-        <translation>Unter Ansicht ▸ Renderer den Strahlverfolger oder die Referenz wählen und speichern, sobald das Bild erscheint.</translation>
-    </message>
-    <message>
-        <source>There is no traced picture yet.</source>
-        <translation>Noch gibt es kein strahlverfolgtes Bild.</translation>
-    </message>
-    <message>
         <source>EXR, radiance with variance</source>
         <translation>EXR, Strahldichte mit Varianz</translation>
     </message>
@@ -9612,10 +9944,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Saved {name}</source>
         <translation>{name} gespeichert</translation>
-    </message>
-    <message>
-        <source>Renderer of the picture, and its progress</source>
-        <translation>Renderer des Bildes und sein Fortschritt</translation>
     </message>
     <message>
         <source>Real-time picture; {renderer}: stopped</source>
@@ -9672,14 +10000,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Refine the picture further</source>
         <translation>Das Bild weiter verfeinern</translation>
-    </message>
-    <message>
-        <source>Save EXR…</source>
-        <translation>EXR speichern …</translation>
-    </message>
-    <message>
-        <source>Radiance of the current picture, with the variance of each pixel</source>
-        <translation>Strahldichte des jetzigen Bildes, mit der Varianz jedes Pixels</translation>
     </message>
     <message>
         <source>Renderer of the picture</source>
@@ -9790,12 +10110,20 @@ Ungespeicherte Änderungen.</translation>
         <translation>Bildzeit</translation>
     </message>
     <message>
-        <source>renderer</source>
-        <translation>Renderer</translation>
+        <source>Which paint, its flakes, orange peel and second colour</source>
+        <translation>Welcher Lack, seine Flakes, Orangenhaut und zweite Farbe</translation>
     </message>
     <message>
-        <source>lobes</source>
-        <translation>Keulen</translation>
+        <source>The light that the paint stands in, and what is behind it</source>
+        <translation>Das Licht, in dem der Lack steht, und der Hintergrund</translation>
+    </message>
+    <message>
+        <source>A second paint or picture beside the first</source>
+        <translation>Ein zweiter Lack oder ein Bild neben dem ersten</translation>
+    </message>
+    <message>
+        <source>The renderer, and files of what is seen</source>
+        <translation>Das Renderverfahren, und Dateien dessen, was zu sehen ist</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -9944,6 +10272,162 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>No picture: OpenGL is not available on this screen. Numbers, patches and curves are complete. Open the paint file in Viewer on another computer to see it.</source>
         <translation>Kein Bild: OpenGL ist auf diesem Bildschirm nicht verfügbar. Zahlen, Farbfelder und Kurven sind vollständig. Öffnen Sie die Lackdatei auf einem anderen Rechner im Viewer, um ihn zu sehen.</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Copy Picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Nothing matches.</source>
+        <translation>Nichts passt.</translation>
+    </message>
+    <message>
+        <source>Show or hide the paints to choose from</source>
+        <translation>Lacke zur Auswahl ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Not listed, as they have no readings to edit: {count} of {whole} paints of the palette.</source>
+        <translation>Nicht aufgeführt, da ohne bearbeitbare Messwerte: {count} von {whole} Lacken der Palette.</translation>
+    </message>
+    <message>
+        <source>The list of paints is unchanged.</source>
+        <translation>Die Liste der Lacke ist unverändert.</translation>
+    </message>
+    <message>
+        <source>what was dropped</source>
+        <translation>das Abgelegte</translation>
+    </message>
+    <message>
+        <source>What was dropped is no paint.</source>
+        <translation>Das Abgelegte ist kein Lack.</translation>
+    </message>
+    <message>
+        <source>Click on the surface where the highlight is to be – Esc cancels</source>
+        <translation>Dort auf die Oberfläche klicken, wo das Glanzlicht sein soll – Esc bricht ab</translation>
+    </message>
+    <message>
+        <source>Light turned to {angle:.0f}° – in the picture, drag with Alt or with the right button</source>
+        <translation>Licht auf {angle:.0f}° gedreht – im Bild: mit Alt oder mit der rechten Taste ziehen</translation>
+    </message>
+    <message>
+        <source>Lamp {number}: azimuth {azimuth:.0f}°, elevation {elevation:.0f}°</source>
+        <translation>Lampe {number}: Azimut {azimuth:.0f}°, Höhe {elevation:.0f}°</translation>
+    </message>
+    <message>
+        <source>Lamps as handles in the picture while their settings are in sight; drag one to move its lamp</source>
+        <translation>Lampen als Griffe im Bild, solange ihre Einstellungen zu sehen sind; ein Griff zieht seine Lampe mit</translation>
+    </message>
+    <message>
+        <source>&amp;Lamps in the Picture</source>
+        <translation>&amp;Lampen im Bild</translation>
+    </message>
+    <message>
+        <source>The next click on the surface moves the lamp to where its reflection is seen there</source>
+        <translation>Der nächste Klick auf die Oberfläche bringt die Lampe dorthin, wo ihre Spiegelung an dieser Stelle zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Put the &amp;Highlight Here</source>
+        <translation>&amp;Glanzlicht hierher setzen</translation>
+    </message>
+    <message>
+        <source>{material} ({paint})</source>
+        <translation>{material} ({paint})</translation>
+    </message>
+    <message>
+        <source>Reset to the File&apos;s Material</source>
+        <translation>Auf Material der Datei zurücksetzen</translation>
+    </message>
+    <message>
+        <source>{part} – {material}</source>
+        <translation>{part} – {material}</translation>
+    </message>
+    <message>
+        <source>{count} parts</source>
+        <translation>{count} Teile</translation>
+    </message>
+    <message>
+        <source>Paint – with Ctrl: second paint of {parts}</source>
+        <translation>Lack – mit Strg: zweiter Lack von {parts}</translation>
+    </message>
+    <message>
+        <source>Second paint of {parts}</source>
+        <translation>Zweiter Lack von {parts}</translation>
+    </message>
+    <message>
+        <source>Looks Right</source>
+        <translation>Passt so</translation>
+    </message>
+    <message>
+        <source>Is it upright, and the right size?</source>
+        <translation>Steht es aufrecht, und stimmt die Größe?</translation>
+    </message>
+    <message>
+        <source>Now {width} × {depth} m, {height} m high</source>
+        <translation>Jetzt {width} × {depth} m, {height} m hoch</translation>
+    </message>
+    <message>
+        <source>Open {name}</source>
+        <translation>{name} öffnen</translation>
+    </message>
+    <message>
+        <source>Loading {program}…</source>
+        <translation>{program} wird geladen …</translation>
+    </message>
+    <message>
+        <source>No palette is open whose paints could be saved in a project.</source>
+        <translation>Keine Palette ist offen, deren Lacke in einem Projekt gespeichert werden könnten.</translation>
+    </message>
+    <message>
+        <source>Pro&amp;ject</source>
+        <translation>Pro&amp;jekt</translation>
+    </message>
+    <message>
+        <source>Light: {name}</source>
+        <translation>Licht: {name}</translation>
+    </message>
+    <message>
+        <source>thick line: what this paint can reach</source>
+        <translation>dicke Linie: was dieser Lack erreicht</translation>
+    </message>
+    <message>
+        <source>outside what this paint can reach</source>
+        <translation>außerhalb dessen, was dieser Lack erreicht</translation>
+    </message>
+    <message>
+        <source>Thin line: the edge of the screen&apos;s colours ({screen}). Thick line: what the paint model can reach at this angle while the other angles stay. Colours beyond are faded.</source>
+        <translation>Dünne Linie: Rand der Farben des Bildschirms ({screen}). Dicke Linie: was das Lackmodell an diesem Winkel erreicht, während die anderen Winkel bleiben. Farben jenseits davon sind verblasst.</translation>
+    </message>
+    <message>
+        <source>Lightness of the plane</source>
+        <translation>Helligkeit der Ebene</translation>
+    </message>
+    <message>
+        <source>thin line: {screen}</source>
+        <translation>dünne Linie: {screen}</translation>
+    </message>
+    <message>
+        <source>Edit the colour at {angle}</source>
+        <translation>Farbe bei {angle} bearbeiten</translation>
+    </message>
+    <message>
+        <source>a* to the right, b* up, at the L* of the reading. Drag the handle, or move it with the arrow keys (Shift: fine); a click on a mark goes to that angle, as Page Up and Page Down do. The ring turns the hue of all angles, as Ctrl+Left and Ctrl+Right do.</source>
+        <translation>a* nach rechts, b* nach oben, beim L* des Messwerts. Den Griff ziehen oder mit den Pfeiltasten bewegen (Umschalt: fein); ein Klick auf eine Marke wechselt zu diesem Winkel, ebenso Bild auf und Bild ab. Der Ring dreht den Buntton aller Winkel, ebenso Strg+Links und Strg+Rechts.</translation>
+    </message>
+    <message>
+        <source>Chroma and hue at {angle}</source>
+        <translation>Buntheit und Buntton bei {angle}</translation>
     </message>
 </context>
 </TS>

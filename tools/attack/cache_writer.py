@@ -25,7 +25,7 @@ from brdf_suite.files.cache import disk_cache as cache_folder
 from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.lighting.lobe_map_cache import MapCache, cache_key
 
 EXPONENTS = (3.0, 40.0)

@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
+from brdf_suite.fitting.homomorphic.product_fit import BIAS, factorize
 from brdf_suite.geometry.factor_words import Factor, Projection
 
 

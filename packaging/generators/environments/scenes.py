@@ -93,4 +93,5 @@ def trace(
     for sums, is_last in accumulate(scene, height, samples, noise, kept):
         environment = finish(scene.name, whole(scene, sums), scene.description)
         paths = sum(own.paths for own in sums.values())
-        yield TracedPicture(environment, paths, relative_noise(sums), relative_noise(sums, 0.95), is_last)
+        typical, most = relative_noise(sums, 0.5, 0.95)
+        yield TracedPicture(environment, paths, typical, most, is_last)

@@ -153,8 +153,8 @@ def whole(scene: TracedScene, sums: Mapping[str, Sums]) -> Floats:
     return scene.finish(np.asarray(sum(s.mean() for s in sums.values())))
 
 
-def relative_noise(sums: Mapping[str, Sums], share: float = 0.5) -> float:
-    """Return the relative standard deviation of a pixel's luminance by noise that a share of the sphere stays below.
+def relative_noise(sums: Mapping[str, Sums], *shares: float) -> list[float]:
+    """Return the relative standard deviation of a pixel's luminance by noise that shares of the sphere stay below.
 
     Taken in squares of 8 × 8 pixels; what is darker than a twentieth of the mean is left out. From the difference of
     two halves with independent samples: the mean of both deviates half as much as they differ, and the median of |x| of
@@ -171,4 +171,5 @@ def relative_noise(sums: Mapping[str, Sums], share: float = 0.5) -> float:
     weights = np.where(dark, 0.0, areas).reshape(shape).sum(axis=(1, 3)).ravel()
     order = np.argsort(squares.ravel())
     reached = np.cumsum(weights[order])
-    return float(squares.ravel()[order][np.searchsorted(reached, share * reached[-1])] / 0.6745)
+    places = np.searchsorted(reached, np.array(shares) * reached[-1])
+    return [float(found) / 0.6745 for found in squares.ravel()[order][places]]
