@@ -12,7 +12,7 @@ import numpy as np
 
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.fitting.homomorphic.factorization import Factorization, accuracy, normalize_maps
-from brdf_suite.fitting.homomorphic.factorize import BIAS, average_samples, factorize
+from brdf_suite.fitting.homomorphic.product_fit import BIAS, average_samples, factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.fitting.homomorphic.solve import MapLayout, constraints
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors

@@ -21,7 +21,7 @@ from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit, lobe_coefficients
 from brdf_suite.lighting.filter.kernels.compilation import compile_now
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
-from brdf_suite.lighting.filter.prefilter import Ready, face_size, prefilter
+from brdf_suite.lighting.filter.lobe_maps import Ready, face_size, prefilter
 from brdf_suite.lighting.latlong import angles, fejer_weights
 from brdf_suite.progress import Progress, report
 

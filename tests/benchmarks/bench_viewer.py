@@ -21,7 +21,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.fitting.lobes.basis import default_basis
-from brdf_suite.lighting.filter.prefilter import face_size
+from brdf_suite.lighting.filter.lobe_maps import face_size
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, material_of

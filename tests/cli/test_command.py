@@ -106,7 +106,7 @@ def refused(done: subprocess.CompletedProcess[str], *words: str) -> None:
 def test_without_a_screen_the_default_scene_is_rendered(command, tmp_path: Path) -> None:
     done = command()
     assert done.returncode == 0, done.stderr
-    assert "no screen" in done.stdout
+    assert "no screen" in done.stderr
     pixels = picture(tmp_path / "brdf-suite.png")
     assert pixels.shape == (720, 1280, 3)
     assert pixels.std() > 20
@@ -172,7 +172,7 @@ def test_files_are_found_from_the_working_folder(inside, tmp_path: Path) -> None
     triangle.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     done = inside("render", "blue", "-o", "out.png", "--mesh", "folder/triangle.obj", "--size", "64x48")
     assert done.returncode == 0, done.stderr
-    assert "note:" in done.stdout  # normals and texture coordinates were made, and that is reported
+    assert "note:" in done.stderr  # normals and texture coordinates were made, and that is reported
 
 
 def test_the_unreadable_mesh_says_why(inside, shared_data: Path) -> None:
@@ -204,7 +204,8 @@ def test_prefilter_fills_the_cache_once(command, inside, shared_cache: Path, sha
 
 
 def test_bad_paints_are_refused_in_one_line(inside, tmp_path: Path) -> None:
-    refused(inside("fit", "no_such_paint"), "no_such_paint", "fine_silver")
+    refused(inside("fit", "no_such_paint"), "no_such_paint", "brdf-suite list paints")
+    refused(inside("fit", "fine_silvr"), "did you mean fine_silver?")
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text('{"format": "brdfpaint", "version": 1,')
     refused(inside("fit", broken), "broken.brdfpaint", "line 1")
@@ -300,7 +301,7 @@ def test_missing_files_are_named_as_they_were_typed(inside) -> None:
 
 
 def test_empty_names_are_refused_in_words(inside) -> None:
-    refused(inside("fit", ""), "name of the paint is empty", "fine_silver")
+    refused(inside("fit", ""), "name of the paint is empty", "brdf-suite list paints")
     refused(inside("render", "", "-o", "out.png"), "name of the paint is empty")
     refused(inside("render", "blue", "-o", "out.png", "--environment", ""), "environment is empty", "booth")
     refused(inside("render", "blue", "-o", "out.png", "--mesh", ""), "surface is empty", "speed_form")

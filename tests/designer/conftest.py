@@ -51,7 +51,8 @@ class ScriptedDialogs:
 
 
 def open_drawers(designer: Designer) -> None:
-    """Show curves, lobes and history, which a first start has beyond the edges of the picture."""
+    """Show curves, lobes, history and the numbers, which a first start has beyond the picture's edges or folded."""
+    designer.window.editors.numbers.set_open(True)
     for drawer in designer.window.stage.drawers.values():
         drawer.set_open(True)
 

@@ -62,6 +62,7 @@ from brdf_suite.documents.view_settings import (
     MASK_PROJECTIONS,
     NORMALS_MODES,
     SPARKLE_MODES,
+    UP_AXES,
     Compare,
     Lamp,
     Lens,
@@ -190,11 +191,14 @@ views = st.builds(
     surface_look=st.builds(
         SurfaceLook,
         unit=st.sampled_from(LENGTH_UNITS),
+        up=st.sampled_from(UP_AXES),
         scale=numbers(S["surface.scale"]),
         recentre=st.booleans(),
         flip_normals=st.booleans(),
         normals=st.sampled_from(NORMALS_MODES),
-        materials=st.sampled_from([(), (PartMaterial("door", "paint"), PartMaterial("glas ü", "glass"))]),
+        materials=st.sampled_from(
+            [(), (PartMaterial("door", "second_paint"), PartMaterial("glas ü", "glass"))]
+        ),
         occlusion=st.booleans(),
         ground=st.booleans(),
     ),

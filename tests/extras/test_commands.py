@@ -19,7 +19,7 @@ SMALL = ("--mesh", "sphere", "--size", "16x16", "--environment", "light.exr")
 
 WORKING = (
     *(f"{program} --help" for program in ("open", "designer", "viewer", "lobes", "swatch")),
-    "environment sky sky.exr",
+    "environment sky -o sky.exr",
     "environment studio new.brdfstudio --new",
     "environment info light.exr",
     "environment lights light.exr -n 2",
@@ -39,10 +39,10 @@ WORKING = (
     "palette convert list.gpl list.brdfpalette",
     "palette info list.gpl",
     "palette find blue --in list.gpl",
-    "project pack mine.brdfproject --paint blue",
+    "project pack -o mine.brdfproject --paint blue",
     "project list mine.brdfproject",
-    "project collect mine.brdfproject whole.brdfproject",
-    "project unpack mine.brdfproject unpacked",
+    "project collect mine.brdfproject -o whole.brdfproject",
+    "project unpack mine.brdfproject -o unpacked",
     "check blue",
     "fit blue",
     "fit-cook-torrance blue.astm -o fitted.brdfpaint --lobes 1 --starts 1 --samples 200",
@@ -53,6 +53,9 @@ WORKING = (
     "cache info",
     "cache verify",
     "bench --list",
+    "list",
+    "completion bash",
+    "help render",
 )
 """Commands that need nothing optional; what they answer is a matter of other tests."""
 

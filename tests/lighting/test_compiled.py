@@ -139,7 +139,7 @@ def test_a_compiler_that_fails_is_reported_once_and_not_asked_again(
 
 def test_numba_is_not_imported_before_it_is_needed() -> None:
     code = (
-        "import sys, brdf_suite.lighting.filter.prefilter, brdf_suite.lighting.lobe_map_cache, brdf_suite.cli.main;"
+        "import sys, brdf_suite.lighting.filter.lobe_maps, brdf_suite.lighting.lobe_map_cache, brdf_suite.cli.main;"
         "raise SystemExit('numba' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

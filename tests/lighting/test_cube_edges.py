@@ -10,7 +10,7 @@ from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
-from brdf_suite.lighting.filter.prefilter import face_size, prefilter
+from brdf_suite.lighting.filter.lobe_maps import face_size, prefilter
 from brdf_suite.lighting.filter.texel_values import balance_edges, pack_lobe
 from brdf_suite.realtime.gl.context import create_context, release_context
 

@@ -20,7 +20,7 @@ from brdf_suite.files.cache.entry_lock import exclusive_entry, lock_path
 from brdf_suite.lighting import lobe_map_cache as cache_module
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.lighting.lobe_map_cache import PLAIN, MapCache, cache_key
 
 

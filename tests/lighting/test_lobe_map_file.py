@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from brdf_suite.errors import FileError
 from brdf_suite.files.array_file import read_header
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.lighting.lobe_map_cache import PLAIN, encode_maps, read_maps
 
 KEY = "ab" * 32

@@ -15,7 +15,7 @@ from brdf_suite.lighting.filter.face_array import pack_faces
 from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit
 from brdf_suite.lighting.filter.kernels import compilation as compiled
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
-from brdf_suite.lighting.filter.prefilter import background_size, face_size, prefilter
+from brdf_suite.lighting.filter.lobe_maps import background_size, face_size, prefilter
 from brdf_suite.lighting.filter.texel_values import pack_lobe
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from brdf_lobe_visualizer.subjects import sources
 from brdf_lobe_visualizer.subjects.sources import MOST_AT_ONCE, MeasuredBins, names, open_source
+from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QPushButton, QWidget
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
-from brdf_suite.documents.project import Project, save_project
+from brdf_suite.documents.project import Project, load_project, save_project
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.measured import write_measured
 from brdf_suite.geometry.directions import illumination, mirror
@@ -171,8 +172,10 @@ def test_what_cannot_be_read_is_reported_with_its_file(tmp_path, content, place)
     assert not place or raised.value.place == place
 
 
-def test_an_unknown_name_is_reported_with_those_that_there_are() -> None:
-    with pytest.raises(SuiteError, match="copper"):
+def test_an_unknown_name_is_reported_with_the_nearest_or_the_way_to_the_list() -> None:
+    with pytest.raises(SuiteError, match="did you mean copper"):
+        open_source("coper")
+    with pytest.raises(SuiteError, match="brdf-suite list paints"):
         open_source("no such paint")
 
 
@@ -330,3 +333,20 @@ def test_a_project_is_opened_by_its_paints_and_its_source(program, holed_table, 
         program.window.open_requested.emit(path)
     qtbot.waitUntil(lambda: len(program.session.subjects) == 2, timeout=60_000)
     assert program.session.subjects[0].title == "Sea"
+
+
+def test_a_saved_project_has_the_paints_that_were_added(
+    program, holed_table, tmp_path, qtbot, monkeypatch
+) -> None:
+    path = tmp_path / "spring.brdfproject"
+    sea = solid_paint("Sea", (30.0, 0.0, -30.0))
+    save_project(Project("Spring", (sea,), source=str(holed_table), notes="Kept"), path)
+    program.window.open_requested.emit(path)
+    program.sources.open("copper")
+    qtbot.waitUntil(lambda: len(program.session.subjects) == 3, timeout=60_000)
+    monkeypatch.setattr(QtDialogs, "save_path", lambda *_asked: path)
+    with qtbot.waitSignal(program.projects.saved):
+        program.window.command("save_project").trigger()
+    found = load_project(path)
+    assert [one.name for one in found.paints] == ["Sea", "Copper"]
+    assert (found.paints[0], found.source, found.notes) == (sea, str(holed_table), "Kept")

@@ -292,7 +292,7 @@ def test_a_sheet_of_a_palette(lit: View, tmp_path: Path) -> None:
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
     save_palette(palette(), source)
     heard: list[str] = []
-    made = write_sheet(source, lit, (80, 60), path, 2, progress=lambda _f, what: heard.append(what))
+    made = write_sheet([source], lit, (80, 60), path, 2, progress=lambda _f, what: heard.append(what))
     assert made.paints == 3
     assert len(made.problems) == 1
     assert made.problems[0].startswith("Impossible:")
@@ -313,7 +313,7 @@ def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(lit: View, tmp
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
     long = "What our customers asked for in the summer of this year and of the one before"
     save_palette(Palette(long, (Entry(WHITE),)), source)
-    narrow = write_sheet(source, lit, (80, 60), path, 1)
+    narrow = write_sheet([source], lit, (80, 60), path, 1)
     with Image.open(path) as image:
         rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))
     # Of the title and of the notices about the light there are more lines than two; gaps part them.
@@ -343,7 +343,7 @@ def test_a_sheet_as_pages(lit: View, tmp_path: Path) -> None:
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.pdf"
     more = tuple(Entry(replace(BLUE, name=f"Blau {index}"), group=("Viele",)) for index in range(9))
     save_palette(replace(palette(), entries=(*palette().entries, *more)), source)
-    made = write_sheet(source, lit, (60, 40), path, 3, form="chips")
+    made = write_sheet([source], lit, (60, 40), path, 3, form="chips")
     assert (made.paints, made.pages, made.width) == (12, 2, 0)
     # A chip shows a reading, and needs no paint that has it.
     assert [problem.split(":")[0] for problem in made.problems] == ["Impossible"]
@@ -357,7 +357,7 @@ def test_a_sheet_as_pages(lit: View, tmp_path: Path) -> None:
     assert "could not be drawn" in texts[0]
     first = next(iter(pages[0].images)).image
     assert first.size == (60, 40)
-    drawn = write_sheet(source, lit, (40, 30), tmp_path / "drawn.pdf")
+    drawn = write_sheet([source], lit, (40, 30), tmp_path / "drawn.pdf")
     # Pictures of one paint under several names are kept once.
     assert sum(len(page.images) for page in PdfReader(drawn.path).pages) >= 2
 
@@ -385,11 +385,11 @@ def test_a_cancelled_sheet_leaves_nothing(lit: View, tmp_path: Path) -> None:
     source = tmp_path / "a.brdfpalette"
     save_palette(palette(), source)
     with pytest.raises(Cancelled):
-        write_sheet(source, lit, (40, 30), tmp_path / "sheet.png", progress=stop_at(0.5))
+        write_sheet([source], lit, (40, 30), tmp_path / "sheet.png", progress=stop_at(0.5))
     with pytest.raises(FileError, match="PNG of 8 bits or as PDF"):
-        write_sheet(source, lit, (40, 30), tmp_path / "sheet.exr")
+        write_sheet([source], lit, (40, 30), tmp_path / "sheet.exr")
     with pytest.raises(ValueRangeError, match="columns"):
-        write_sheet(source, lit, (40, 30), tmp_path / "sheet.png", 0)
+        write_sheet([source], lit, (40, 30), tmp_path / "sheet.png", 0)
     assert [file.name for file in tmp_path.iterdir()] == ["a.brdfpalette"]
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.output.still import with_smaller_maps
 from brdf_suite.pipeline.scene import PreparedEnvironment
 

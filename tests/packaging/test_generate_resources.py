@@ -32,4 +32,6 @@ def test_the_same_code_writes_the_same_files(checkout: Path, tmp_path: Path) -> 
 def test_an_unknown_kind_is_named(checkout: Path) -> None:
     done = generate(checkout, "posters")
     assert done.returncode == 2
-    assert "'posters' is none of paints, meshes, environments, occlusion, lobe_maps" in done.stderr
+    assert (
+        "'posters' is none of paints, meshes, environments, occlusion, lobe_maps, thumbnails" in done.stderr
+    )

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.difference.tolerance import difference_parts
 from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import (
@@ -25,7 +26,13 @@ from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard import Standard
 from brdf_suite.paint_design.standard_files import load_standards
-from brdf_suite.paint_design.variations import DIRECTIONS, examined, flop_shares, variations
+from brdf_suite.paint_design.variations import (
+    DIRECTIONS,
+    FLAKE_RATIO,
+    examined,
+    flop_shares,
+    variations,
+)
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -65,7 +72,8 @@ def test_each_neighbour_goes_one_step_its_way(blue: Paint) -> None:
     assert flop_of(found["more_flop"].paint) > flop_of(blue) > flop_of(found["less_flop"].paint)
     assert found["more_flop"].paint.lab_at(45.0) == pytest.approx(blue.lab_at(45.0), abs=0.006)
     assert (found["hue_forward"].word, found["hue_back"].word) == ("redder", "greener")
-    assert all(one.paint.gloss == blue.gloss and one.paint.flakes == blue.flakes for one in found.values())
+    assert all(one.paint.gloss == blue.gloss for one in found.values())
+    assert all(one.paint.flakes == blue.flakes for key, one in found.items() if "flakes" not in key)
 
 
 def test_what_is_no_colour_is_said(blue: Paint) -> None:
@@ -79,6 +87,8 @@ def test_what_is_no_colour_is_said(blue: Paint) -> None:
         "hue_forward",
         "hue_back",
         "less_flop",
+        "finer_flakes",
+        "coarser_flakes",
     }
     assert all(one.reason for one in grey.values() if one.paint is None)
     dull = named(solid_paint("dull", (50.0, 1.5, 0.0)))
@@ -103,6 +113,41 @@ def test_a_neighbour_that_no_paint_can_have_is_found_by_the_fit(blue: Paint) -> 
         assert examined(variations(rising)[0], fitter).is_missed
     finally:
         fitter.close()
+
+
+def test_deeper_goes_away_from_white_and_warmer_to_orange_and_not_past_it(blue: Paint) -> None:
+    found = named(blue)
+    for angle in ANGLES:
+        old, deep = (lab_to_lch(paint.lab_at(angle)) for paint in (blue, found["deeper"].paint))
+        depths = [math.hypot(100.0 - lch[0], lch[1]) for lch in (old, deep)]
+        assert depths[1] - depths[0] == pytest.approx(2.0, abs=0.02)
+        assert deep[2] == pytest.approx(old[2], abs=0.1)
+        assert deep[0] < old[0]
+        warm = difference_parts(blue.lab_at(angle), found["warmer"].paint.lab_at(angle))
+        # The nearer way from a blue to orange goes over red.
+        assert warm[:2] == pytest.approx((0.0, 0.0), abs=0.02)
+        assert warm[2] > 0.5
+    nearly = solid_paint("orange", (60.0, *(30.0 * math.sin(math.radians(a)) for a in (90.0 - 52.0, 52.0))))
+    turned = named(nearly)["warmer"].paint
+    assert lab_to_lch(turned.lab_at(45.0))[2] == pytest.approx(50.0, abs=0.05)
+    assert named(turned)["warmer"].paint is None
+    grey = named(solid_paint("grey", (50.0, 0.0, 0.0)))
+    assert lab_to_lch(grey["warmer"].paint.lab_at(45.0)) == pytest.approx((50.0, 2.0, 50.0), abs=0.2)
+    assert grey["deeper"].paint.lab_at(45.0) == (48.0, 0.0, 0.0)
+    assert "white" in named(solid_paint("white", (100.0, 0.0, 0.0)))["deeper"].reason
+
+
+def test_finer_and_coarser_flakes_cover_the_same_area(blue: Paint) -> None:
+    found, flakes = named(blue), blue.flakes
+    for key, ratio in (("finer_flakes", 1.0 / FLAKE_RATIO), ("coarser_flakes", FLAKE_RATIO)):
+        paint = found[key].paint
+        assert paint.measurements == blue.measurements
+        assert paint.flakes.size_um == pytest.approx(ratio * flakes.size_um, abs=0.01)
+        covered = [one.density_per_mm2 * one.size_um**2 for one in (flakes, paint.flakes)]
+        assert covered[1] == pytest.approx(covered[0], rel=1e-3)
+    assert "no flakes" in named(replace(blue, flakes=None))["finer_flakes"].reason
+    largest = replace(blue, flakes=replace(flakes, size_um=1900.0))
+    assert "Flake size would be" in named(largest)["coarser_flakes"].reason
 
 
 def test_flop_shares_with_more_angles() -> None:

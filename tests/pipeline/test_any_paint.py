@@ -24,7 +24,9 @@ def test_shipped_paints_table_1_and_files(tmp_path: Path) -> None:
 
 
 def test_what_is_not_there_is_reported_with_what_is() -> None:
-    with pytest.raises(FileError, match="table1_ford_f8"):
+    with pytest.raises(FileError, match="did you mean table1_ford_f8"):
+        load_document("table1_ford_f9")
+    with pytest.raises(FileError, match="brdf-suite list paints"):
         load_document("nothing")
 
 

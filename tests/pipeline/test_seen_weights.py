@@ -15,10 +15,10 @@ from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePai
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import FittingError
-from brdf_suite.files.measured.samples import as_samples
+from brdf_suite.files.measured.goniometer_rows import as_samples
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.filter.prefilter import prefilter
+from brdf_suite.lighting.filter.lobe_maps import prefilter
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import Material, load_material

@@ -14,7 +14,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.environment import SMALL_COLUMNS, Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.prefilter import LobeMaps, prefilter
+from brdf_suite.lighting.filter.lobe_maps import LobeMaps, prefilter
 from brdf_suite.lighting.lobe_map_cache import MapCache, pack_maps, read_packed_maps
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material

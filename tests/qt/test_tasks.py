@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 
 import pytest
+import shiboken6
 from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject
 
 from brdf_suite.errors import FileError
 
@@ -88,3 +90,23 @@ def test_progress_and_errors_arrive(runner, qtbot):
     qtbot.waitUntil(lambda: bool(failed))
     assert moved == [(0.25, "reading")]
     assert isinstance(failed[0], FileError)
+
+
+@pytest.mark.parametrize("stopped", [True, False])
+def test_a_thread_that_outlives_its_runner_ends_in_silence(qapp, capfd, stopped):
+    began, gate = threading.Event(), threading.Event()
+
+    def work(_request, _progress):
+        began.set()
+        gate.wait(10.0)
+
+    owner = QObject()
+    runner = TaskRunner(owner)
+    runner.submit("k", work, 0, fail, fail)
+    assert began.wait(10.0)
+    if stopped:
+        assert not runner.stop(10)
+    threading.Timer(0.2, gate.set).start()
+    shiboken6.delete(owner)
+    assert gate.is_set(), "its threads were waited for"
+    assert capfd.readouterr().err == ""

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook
+from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook, TwoTone
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -65,6 +65,20 @@ def test_every_change_gives_what_a_new_scene_gives(live, light) -> None:
         wanted = fresh(paint, shown, size)
         assert found.radiance.shape == (size[1], size[0], 3)
         np.testing.assert_allclose(found.radiance, wanted.radiance, rtol=1e-4, atol=1e-5)
+
+
+def test_a_part_of_the_second_paint_looks_like_that_paint(live, light) -> None:
+    worn = SurfaceLook(materials=(PartMaterial("sphere", "second_paint"),))
+    view = View(environment=str(light), surface="sphere", background="grey", surface_look=worn)
+    two = TwoTone(paint="copper")
+    for first, shown, like in (
+        ("blue", replace(view, two_tone=two), "copper"),
+        ("blue", view, "blue"),  # without a second paint it is the first
+        ("copper", replace(view, two_tone=TwoTone(paint="blue")), "blue"),
+    ):
+        live.show(first, shown, SIZE)
+        wanted = fresh(like, replace(shown, surface_look=SurfaceLook()), SIZE)
+        np.testing.assert_allclose(live.step().radiance, wanted.radiance, rtol=1e-4, atol=1e-5)
 
 
 def test_what_changes_no_light_keeps_the_estimate(live, light) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, Relief, Sparkle, SurfaceLook
+from brdf_suite.documents.view_settings import Lamp, PartMaterial, Relief, Sparkle, SurfaceLook, TwoTone
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -74,6 +74,22 @@ def local(normal: np.ndarray, directions: np.ndarray) -> np.ndarray:
     x /= np.linalg.norm(x, axis=1)[:, None]
     y = np.cross(normal, x)
     return np.stack([(directions * axis).sum(-1) for axis in (x, y, normal)], axis=-1)
+
+
+def test_a_part_of_the_second_paint_looks_like_that_paint(session, sphere) -> None:
+    """With its flakes: coarse silver has them, blue has none."""
+    worn = SurfaceLook(materials=(PartMaterial(sphere.parts[0].name, "second_paint"),))
+    near = replace(PLAIN, surface_look=worn, sparkle=Sparkle("texture"), camera=Camera(distance=0.2))
+
+    def light(paint: str, view: View) -> np.ndarray:
+        session.show(paint, view, SIZE, Quality(12, 2, 1), environment=sky(), mesh=sphere)
+        return session.frame().sums.radiance
+
+    for two_tone, like in ((TwoTone(paint="coarse_silver"), "coarse_silver"), (TwoTone(), "blue")):
+        wanted = light(like, replace(near, surface_look=SurfaceLook()))
+        np.testing.assert_allclose(
+            light("blue", replace(near, two_tone=two_tone)), wanted, rtol=1e-4, atol=1e-5
+        )
 
 
 @pytest.mark.parametrize("rotation", [0.0, 130.0])

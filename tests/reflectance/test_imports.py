@@ -49,4 +49,5 @@ def test_no_room_above_is_needed(loaded: set[str]) -> None:
         "resources",
         "progress",
         "arrays",
+        "notebook",
     }

@@ -226,4 +226,4 @@ def test_the_paints_of_a_project_come_as_a_palette(swatch, names, tmp_path) -> N
     assert names(swatch) == ["Red A", "Red B"]
     path.write_bytes(b"PK")
     swatch.window.open_requested.emit(path)
-    assert "damaged" in swatch.window.messages.shown()["open"].what
+    assert "damaged" in swatch.window.messages.shown()["project"].what

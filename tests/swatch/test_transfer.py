@@ -6,7 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.editing.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, read_data
+from brdf_color_swatch.editing.transfer import can_take, entries_of_text, read_data
+from brdf_qt.choosing.drag import MIME, PAINT_MIME, carry
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QColor
 

@@ -63,6 +63,18 @@ def exact_fits(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
+def drawn_swatches() -> None:
+    """Thumbnails are drawn, by a process of their own, as for the user."""
+
+
+@pytest.fixture(autouse=True)
+def no_swatches(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Thumbnails keep their placeholders unless a test asks for ``drawn_swatches``: a process of each is slow."""
+    if "drawn_swatches" not in request.fixturenames:
+        monkeypatch.setattr("brdf_qt.work.pictures.child_command", lambda _module: [])
+
+
+@pytest.fixture
 def four_samples() -> None:
     """The picture is drawn with as many samples a pixel as the user's."""
 

@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from brdf_qt.fields.choices import Source, SourceChooser
+from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.choosing.sources import Source
 from brdf_qt.program.settings import settings
 from PySide6.QtCore import QCoreApplication, QEvent, QMetaMethod, QObject, SignalInstance
 from PySide6.QtGui import QAction, QUndoStack
@@ -46,6 +47,8 @@ CHANGING = {
 CHANGING_CELLS = ("frame", "readout")
 PLAIN = ("brdf_suite.documents", "brdf_suite.lighting.statistics", "PySide6")
 """Where the values are from that are compared as such; of others it is compared which object they are."""
+PICTURES = ("brdf_qt.choosing.thumbnails", "brdf_qt.choosing.scenes", "brdf_qt.work.pictures")
+"""Where the parts are from that keep small pictures once they are made; they and their threads are not compared."""
 
 
 class Same:
@@ -71,7 +74,11 @@ def noted(value: Any, depth: int = 3) -> object:
         return kind, [noted(inner, depth - 1) for inner in value]
     if depth and isinstance(value, dict):
         return [(noted(key, depth - 1), noted(inner, depth - 1)) for key, inner in value.items()]
-    if depth and kind.__module__.startswith("brdf_viewer") and dataclasses.is_dataclass(value):
+    if (
+        depth
+        and kind.__module__.startswith(("brdf_viewer", "brdf_qt.choosing"))
+        and dataclasses.is_dataclass(value)
+    ):
         inside = {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
         return kind, noted(inside, depth - 1)
     return Same(value)
@@ -154,7 +161,8 @@ def held_of(controller) -> dict[str, object]:
     counts: Counter[str] = Counter()
     for part in (window, *window.findChildren(QObject)):
         kind = type(part)
-        if kind.__module__.startswith("brdf") and part not in changing:
+        kinds = {kind.__module__, type(part.parent()).__module__}
+        if kind.__module__.startswith("brdf") and part not in changing and kinds.isdisjoint(PICTURES):
             counts[kind.__name__] += 1
             place = f"{kind.__name__} {counts[kind.__name__]}"
             found |= {f"{place}.{key}": value for key, value in attributes(part).items()}
@@ -250,8 +258,7 @@ def _texts(menu: QMenu) -> list[str]:
 
 
 def _sources(chooser: SourceChooser) -> list[Source]:
-    rows = range(chooser.list.count())
-    every = [Source(chooser.list.itemData(row), chooser.list.itemText(row)) for row in rows]
+    every = [chooser.sources.source_at(row) for row in range(chooser.list.count())]
     return [source for source in every if source.title]
 
 

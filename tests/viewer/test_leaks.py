@@ -172,6 +172,7 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
         viewer.window.commands.compare.picked.emit(("swipe", "off")[number % 2])
         viewer.state.change_view(exposure_ev=float(number % 3))
 
+    viewer.window.panel.bring_in_sight(viewer.window.tone)  # what is not seen is not counted
     viewer.controller.compare.choose("solid_white")
     qtbot.waitUntil(lambda: viewer.state.second is not None)
     for number in range(4):

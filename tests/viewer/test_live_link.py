@@ -292,6 +292,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
     or the first picture at rest makes once, at a time that depends on the load of the machine, does not.
     """
     viewer = start(size=(640, 420))
+    viewer.window.panel.bring_in_sight(viewer.window.tone)  # what is not seen is not counted
     viewer.state.change_view(
         background="grey", camera=Camera(distance=6.0)
     )  # a small sphere: frames cost less

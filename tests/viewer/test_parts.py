@@ -8,8 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import MOST_RECENT, RecentFiles
-from brdf_qt.fields.choices import SliderField, Source, SourceChooser
+from brdf_qt.fields.choices import SliderField
 from brdf_qt.program.names import title_of
 from brdf_qt.window.view_titles import PRESETS
 from brdf_viewer.camera.section import look_from, signed_deg

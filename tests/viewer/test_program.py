@@ -109,6 +109,8 @@ def test_a_small_window_keeps_its_picture_and_scrolls_its_inspector(start) -> No
     assert viewer.canvas.height() > 250
     inspector = viewer.window.inspector
     assert isinstance(inspector, QScrollArea)
+    viewer.window.panel.bring_in_sight(viewer.window.relief)
+    QApplication.processEvents()
     assert inspector.verticalScrollBar().maximum() > 0
     assert inspector.widget().width() <= inspector.viewport().width()  # nothing is cut off sideways
 

@@ -19,7 +19,7 @@ import numpy as np
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
-from brdf_suite.fitting.homomorphic.factorize import factorize
+from brdf_suite.fitting.homomorphic.product_fit import factorize
 from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.pipeline.factored_maps import factored_maps
 from brdf_suite.realtime.gl.context import create_context

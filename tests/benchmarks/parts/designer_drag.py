@@ -66,7 +66,7 @@ def drag() -> dict[str, list[float] | float]:
 
     designer.session._idle._timer.timeout.disconnect()
     designer.session._idle._timer.timeout.connect(lambda: timed(designer.session._idle))
-    slider = designer.window.editors.editors[0].sliders[0]
+    slider = designer.window.editors.plane.slider
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
     values, update, cpu, followed = [], [], [], []

@@ -16,8 +16,8 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.cook_torrance import Settings, fit_lobes
-from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_with_peak
+from brdf_suite.fitting.homomorphic.product_fit import factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.geometry import warps

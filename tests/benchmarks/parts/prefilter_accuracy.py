@@ -15,7 +15,7 @@ from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.harmonics import lobe_bandlimit
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
-from brdf_suite.lighting.filter.prefilter import face_size
+from brdf_suite.lighting.filter.lobe_maps import face_size
 from brdf_suite.lighting.filter.texel_values import pack_lobe
 from brdf_suite.lighting.latlong import angles, column_angles, direction, fejer_weights, ring_angles
 

@@ -102,21 +102,21 @@ def test_a_sky_is_a_description_or_a_map_of_the_same_light(
         "--albedo",
         "0.1",
     ]
-    reported(capsys, "sky", str(tmp_path / "day.brdfstudio"), *options)
+    reported(capsys, "sky", "-o", str(tmp_path / "day.brdfstudio"), *options)
     assert load_light(tmp_path / "day.brdfstudio") == Sky("day", "preetham", 4.0, 25.0, -40.0, 0.1, True)
-    reported(capsys, "sky", str(tmp_path / "day.exr"), *options)
+    reported(capsys, "sky", "-o", str(tmp_path / "day.exr"), *options)
     drawn = read_environment(tmp_path / "day.brdfstudio")
     stored = read_environment_image(tmp_path / "day.exr").pixels
     assert drawn.name == "day"
     assert "Preetham" in drawn.notes[0]
     assert "cd/m²" in drawn.notes[0]
     np.testing.assert_allclose(stored, drawn.radiance, rtol=1e-3, atol=1e-6)
-    assert "range" in reported(capsys, "sky", str(tmp_path / "a.exr"), "--elevation", "-3", status=1)
-    assert "must end in" in reported(capsys, "sky", str(tmp_path / "a.hdr"), status=1)
+    assert "range" in reported(capsys, "sky", "-o", str(tmp_path / "a.exr"), "--elevation", "-3", status=1)
+    assert "must end in" in reported(capsys, "sky", "-o", str(tmp_path / "a.hdr"), status=1)
 
 
 def test_a_description_is_prefiltered_as_a_map_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    reported(capsys, "sky", str(tmp_path / "grey.brdfstudio"), "--model", "overcast")
+    reported(capsys, "sky", "-o", str(tmp_path / "grey.brdfstudio"), "--model", "overcast")
     assert main(["prefilter", str(tmp_path / "grey.brdfstudio"), "--json"]) == 0
     facts = json.loads(capsys.readouterr().out)
     assert (facts["width"], facts["height"]) == (1024, 512)

@@ -33,14 +33,14 @@ def test_the_json_holds_the_lights(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_table_and_the_picture(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     target = tmp_path / "lights.png"
-    assert main(["environment", "lights", "booth", "-n", "5", "--image", str(target)]) == 0
+    assert main(["environment", "lights", "booth", "-n", "5", "-o", str(target)]) == 0
     out = capsys.readouterr().out
     assert "5 lights by relaxed" in out
     assert str(target) in out
     plain = Image.open(target).convert("RGB")
     assert plain.size == (1024, 512)
     few = np.asarray(plain, dtype=float)
-    assert main(["environment", "lights", "booth", "-n", "200", "--image", str(target)]) == 0
+    assert main(["environment", "lights", "booth", "-n", "200", "-o", str(target)]) == 0
     many = np.asarray(Image.open(target).convert("RGB"), dtype=float)
     assert (few != many).any(axis=2).mean() > 0.01  # other rings, not the map alone
 
@@ -49,8 +49,8 @@ def test_the_table_and_the_picture(capsys: pytest.CaptureFixture[str], tmp_path:
     ("arguments", "words"),
     [
         (["nothing_like_it"], "there is no such file"),
-        (["booth", "--image", "lights.jpg"], "must end in .png"),
-        (["booth", "--image", "/no/such/folder/lights.png"], "cannot be written"),
+        (["booth", "-o", "lights.jpg"], "must end in .png"),
+        (["booth", "-o", "/no/such/folder/lights.png"], "cannot be written"),
     ],
 )
 def test_a_mistake_is_reported_in_one_line(

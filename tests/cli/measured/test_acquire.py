@@ -73,7 +73,7 @@ def test_where_the_table_goes_must_be_said(
 ) -> None:
     capsys.readouterr()
     assert main(["acquire", str(folder)]) == 1
-    assert "-o OUT.brdftable" in capsys.readouterr().err
+    assert "-o FILE.brdftable" in capsys.readouterr().err
     assert main(["acquire", str(folder), "-o", str(tmp_path / "a.brdftable"), "--partial"]) == 1
     assert "nothing to write yet" in capsys.readouterr().err
     assert main(["acquire", str(tmp_path), "-o", str(tmp_path / "a.brdftable")]) == 1

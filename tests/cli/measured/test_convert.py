@@ -37,7 +37,7 @@ def test_scale_factors_can_be_said_and_what_is_found_is_printed(
     merl, ours = tmp_path / "a.binary", tmp_path / "a.brdftable"
     write_merl(grey(0.1), merl, scale_factors=False)
     assert main(["convert", str(merl), str(ours)]) == 0
-    assert "plain f_r, without MERL's scale factors" in capsys.readouterr().out
+    assert "plain f_r, without MERL's scale factors" in capsys.readouterr().err
     plain = read_brdftable(ours)
     assert main(["convert", str(merl), str(ours), "--scale-factors", "yes"]) == 0
     assert read_brdftable(ours).values.max() < 0.01 * plain.values.max()
@@ -47,7 +47,7 @@ def test_what_a_format_cannot_hold_is_printed(tmp_path: Path, capsys: pytest.Cap
     ours, merl = tmp_path / "a.brdftable", tmp_path / "a.binary"
     write_brdftable(grey(0.1, (0.0, 1.0, 0.0)), ours)
     assert main(["convert", str(ours), str(merl)]) == 0
-    assert "too saturated for Rec. 709" in capsys.readouterr().out
+    assert "too saturated for Rec. 709" in capsys.readouterr().err
     assert not np.asarray(read_merl(merl).holes).any()
 
 

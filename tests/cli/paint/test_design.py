@@ -143,9 +143,9 @@ def test_wanted_readings_are_kept_as_targets_and_met_again(asked, tmp_path: Path
 
 
 def test_readings_that_no_flakes_have_are_said(asked) -> None:
-    status, out, _err = asked("design", "flakes", "blue", "--sparkle", "15=1", "--graininess", "20")
+    status, _out, err = asked("design", "flakes", "blue", "--sparkle", "15=1", "--graininess", "20")
     assert status == 0
-    assert "Not reachable" in out
+    assert "Not reachable" in err
     status, _out, err = asked("design", "flakes", "blue")
     assert status != 0
     assert "--sparkle LIGHT=PERCENT" in err

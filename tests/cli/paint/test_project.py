@@ -32,7 +32,7 @@ def pack(folder: Path, *more: str) -> Path:
         "--paint", str(folder / "sea.brdfpaint"), "--paint", "red", "--standard", "blue", "--view",
         str(folder / "day.brdfview"), "--source", str(folder / "blue.binary"), "--picture", "day:800x600",
     ]  # fmt: skip
-    assert main(["project", "pack", str(out), *words, *more]) == 0
+    assert main(["project", "pack", "-o", str(out), *words, *more]) == 0
     return out
 
 
@@ -44,11 +44,11 @@ def test_a_project_is_packed_listed_and_collected(folder: Path, capsys: Capture)
     for words in ("spring", "Sea", "Red", "standard  Blue", "day, 800×600 of day", str(folder / "sky.exr")):
         assert words in listed
     whole = folder / "whole.brdfproject"
-    assert main(["project", "collect", str(out), str(whole), "--json"]) == 0
+    assert main(["project", "collect", str(out), "-o", str(whole), "--json"]) == 0
     assert sorted(json.loads(capsys.readouterr().out)["collected"]) == ["blue.binary", "sky.exr"]
     (folder / "sky.exr").unlink()
     unpacked = folder / "unpacked"
-    assert main(["project", "unpack", str(whole), str(unpacked)]) == 0
+    assert main(["project", "unpack", str(whole), "-o", str(unpacked)]) == 0
     project = load_project(unpacked)
     assert [Path(name).read_bytes() for name in project_references(project)] == [b"sky", b"table"]
     assert all(Path(name).is_relative_to(unpacked) for name in project_references(project))
@@ -64,11 +64,11 @@ def test_what_cannot_be_packed_is_said(folder: Path, capsys: Capture) -> None:
     out = folder / "bad.brdfproject"
     (folder / "sky.exr").unlink()
     words = ["--view", str(folder / "day.brdfview")]
-    assert main(["project", "pack", str(out), *words, "--collect"]) == 1
+    assert main(["project", "pack", "-o", str(out), *words, "--collect"]) == 1
     assert "sky.exr" in capsys.readouterr().err
-    assert main(["project", "pack", str(out), *words, "--picture", "night:10x10"]) == 1
+    assert main(["project", "pack", "-o", str(out), *words, "--picture", "night:10x10"]) == 1
     assert "night" in capsys.readouterr().err
-    assert main(["project", "pack", str(out), "--picture", "day"]) == 1
+    assert main(["project", "pack", "-o", str(out), "--picture", "day"]) == 1
     assert not out.exists()
-    assert main(["project", "unpack", str(folder / "sea.brdfpaint"), str(folder)]) == 1
+    assert main(["project", "unpack", str(folder / "sea.brdfpaint"), "-o", str(folder)]) == 1
     assert "not an empty folder" in capsys.readouterr().err

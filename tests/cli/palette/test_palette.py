@@ -32,15 +32,15 @@ def source(tmp_path: Path) -> Path:
 def test_convert_reports_losses(source: Path, tmp_path: Path, capsys: Capture) -> None:
     target = tmp_path / "b.gpl"
     assert main(["palette", "convert", str(source), str(target), "--list-losses"]) == 0
-    listed = capsys.readouterr().out
+    listed = capsys.readouterr().err
     assert not target.exists()
     assert main(["palette", "convert", str(source), str(target)]) == 0
-    out = capsys.readouterr().out
-    assert "note: 1 CMYK colour is shown without a profile" in out
-    assert "lost: 1 colour in CMYK is written as RGB, computed without a profile." in out
-    assert "lost: 1 paint is written as the one colour at 45°" in out
+    out, err = capsys.readouterr()
+    assert "note: 1 CMYK colour is shown without a profile" in err
+    assert "lost: 1 colour in CMYK is written as RGB, computed without a profile." in err
+    assert "lost: 1 paint is written as the one colour at 45°" in err
     assert [line for line in listed.splitlines() if line.startswith("lost:")] == [
-        line for line in out.splitlines() if line.startswith("lost:")
+        line for line in err.splitlines() if line.startswith("lost:")
     ]
     assert f"{target}: 3 entries, GIMP palette" in out
     assert len(read_palette(target).palette) == 3

@@ -56,6 +56,7 @@ class Host:
         self.refused: list[str] = []
         window.show_message.side_effect = lambda message: self.refused.append(message.what)
         self.editors = ColourEditors(self.session, lambda _index: None)
+        self.editors.numbers.set_open(True)
         self.session.paint_changed.connect(lambda new: self.editors.show_colours(colours_of(new)))
         self.editors.show_colours(colours_of(paint))
 

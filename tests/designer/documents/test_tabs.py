@@ -14,8 +14,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
-from brdf_suite.documents.project import Project, save_project
+from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
+from brdf_suite.documents.project import NamedView, Project, load_project, save_project
 from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
+from brdf_suite.documents.view import View
 from brdf_suite.pipeline.material import load_shipped_paint
 
 
@@ -251,7 +253,7 @@ def leave(designer, own_session, folder) -> None:
     for document in designer.documents.row:
         document.recovery.write()
     designer.documents.record.write()
-    for kind in ("*.recovery.json", "*.tabs.json"):
+    for kind in ("*.recovery.json", "*.history.json", "*.tabs.json"):
         for file in own_session.rglob(kind):
             shutil.copy(file, folder / f"left_{file.name}")
 
@@ -338,9 +340,9 @@ def test_saved_tabs_alone_are_offered_too(three, dialogs, own_session, tmp_path,
     leave(three, own_session, folder)
     come_back(three, own_session, folder)
     message = three.window.messages.shown()["recovery"]
-    assert "“first.brdfpaint”, “second.brdfpaint”" in message.what
+    assert "“first.brdfpaint”, “Copper”, “second.brdfpaint”" in message.what
     answer_message(three, qtbot, "Reopen")
-    assert titles(three) == ["first.brdfpaint", "second.brdfpaint"]
+    assert titles(three) == ["first.brdfpaint", "Copper", "second.brdfpaint"]
     assert three.documents.front.title == "second.brdfpaint"
 
 
@@ -354,3 +356,73 @@ def test_a_project_opens_its_paints_beside_its_standard(designer, tmp_path, fold
     assert designer.store.value == paints[0]
     assert designer.store.path is None
     assert designer.feature(StandardControl).standard.name == "Champagne"
+
+
+def test_a_saved_project_has_tabs_standard_and_all_that_designer_does_not_edit(
+    designer, dialogs, tmp_path, qtbot
+):
+    paints = tuple(load_shipped_paint(name) for name in ("red", "copper"))
+    path = tmp_path / "spring.brdfproject"
+    view = NamedView("Day", View(exposure_ev=0.5))
+    measured = CookTorrancePaint("Measured", (0.1, 0.1, 0.1), (CookTorranceLobe((0.3, 0.3, 0.3), 0.2, 0.3),))
+    project = Project("Spring", (*paints, measured), load_shipped_paint("champagne"), (view,), notes="Kept")
+    save_project(project, path)
+    assert designer.documents.open(path)
+    lighten(designer, 61)
+    designer.documents.close(designer.documents.row[-1])  # a closed tab stays in the project
+    designer.window.shipped_requested.emit("pearl")
+    assert not designer.documents.row[0].store.is_clean
+    dialogs.path = path
+    with qtbot.waitSignal(designer.projects.saved):
+        designer.window.command("save_project").trigger()
+    found = load_project(path)
+    assert [one.name for one in found.paints] == ["Red", "Copper", "Measured", "Pearl"]
+    assert found.paints[0].lab_at(15.0)[0] == 61.0
+    assert found.paints[1:3] == (paints[1], measured)
+    assert (found.standard, found.views, found.notes) == (project.standard, (view,), "Kept")
+    assert all(one.store.is_clean for one in designer.documents.row)
+
+
+def test_a_saved_tab_comes_back_with_its_history_and_one_without_a_file_too(
+    three, dialogs, own_session, tmp_path, qtbot
+):
+    three.dialogs = dialogs
+    folder = tmp_path / "left"
+    folder.mkdir()
+    three.window.tabs.setCurrentIndex(0)
+    lighten(three, 61)
+    lighten(three, 62)
+    dialogs.path = tmp_path / "mine"
+    choose(three, "File ▸ Save")
+    leave(three, own_session, folder)
+    come_back(three, own_session, folder)
+    answer_message(three, qtbot, "Reopen")
+    assert titles(three) == ["mine.brdfpaint", "Copper", "Champagne"]
+    three.window.tabs.setCurrentIndex(0)
+    assert three.store.is_clean
+    three.window.undo_action.trigger()
+    assert three.store.value.lab_at(15.0)[0] == 61.0
+    assert not three.store.is_clean
+    three.window.undo_action.trigger()
+    assert three.store.value == load_shipped_paint("red")
+    three.window.redo_action.trigger()
+    three.window.redo_action.trigger()
+    assert three.store.is_clean
+
+
+def test_a_history_that_does_not_end_in_the_file_is_left(three, dialogs, own_session, tmp_path, qtbot):
+    three.dialogs = dialogs
+    folder = tmp_path / "left"
+    folder.mkdir()
+    three.window.tabs.setCurrentIndex(0)
+    lighten(three, 61)
+    dialogs.path = tmp_path / "mine"
+    choose(three, "File ▸ Save")
+    leave(three, own_session, folder)
+    save_paint(load_shipped_paint("pearl"), tmp_path / "mine.brdfpaint")
+    come_back(three, own_session, folder)
+    answer_message(three, qtbot, "Reopen")
+    three.window.tabs.setCurrentIndex(0)
+    assert three.store.value == load_shipped_paint("pearl")
+    assert not three.window.undo_action.isEnabled()
+    assert not list(own_session.rglob("*x.history.json"))

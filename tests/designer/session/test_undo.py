@@ -13,6 +13,7 @@ from brdf_designer.session.edits import (
     Edit,
     MakeSolid,
     MoveAll,
+    MoveInPlane,
     PickColour,
     RemoveAngle,
     SetCoat,
@@ -21,6 +22,7 @@ from brdf_designer.session.edits import (
     SetLab,
     SetLch,
     SetNumber,
+    TurnHues,
     UseAngles,
 )
 from brdf_designer.session.paint_session import PaintSession
@@ -48,6 +50,8 @@ def edits(paint: Paint) -> dict[type[Edit], st.SearchStrategy[Edit]]:
         MoveAll: st.builds(MoveAll, st.sampled_from(["lab", "lch"]), readings, components, ODD, ODD),
         SetFlop: st.builds(SetFlop, st.sampled_from(["index", "lightness", "chroma", "hue"]), ODD),
         PickColour: st.builds(PickColour, readings, st.tuples(ODD, ODD, ODD)),
+        MoveInPlane: st.builds(MoveInPlane, readings, ODD, ODD, st.booleans()),
+        TurnHues: st.builds(TurnHues, ODD),
         UseAngles: st.builds(UseAngles, st.sampled_from(sorted(GEOMETRY_SETS))),
         AddAngle: st.builds(
             AddAngle, st.builds(Geometry, st.just(45.0), st.sampled_from([-15.0, 20.0, 25.0, 60.0, 75.0]))
@@ -105,6 +109,8 @@ def test_each_kind_can_change_the_paint(session):
         SetLch(0, 1, 20.0, 0.0),
         MoveAll("lab", 0, 0, 70.0, 0.0),
         SetFlop("index", 9.0),
+        MoveInPlane(0, 30.0, 10.0),
+        TurnHues(40.0),
         AddAngle(Geometry(45.0, 25.0)),
         SetCoat("ior", 1.52, 0.01),
     ):

@@ -7,12 +7,15 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from brdf_designer.picture.thumbnails import USUAL_LOOK, placeholder, thumbnail
-from brdf_designer.variations.control import STEP_NAMES, VariationsControl
+from brdf_designer.variations.control import STEP_NAMES, WORDS_OF_OWN, VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
+from brdf_designer.variations.section import DAILY
+from brdf_qt.choosing.thumbnails import USUAL_LOOK, placeholder, thumbnail
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QEnterEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from brdf_suite.appearance.difference.words import WORDS
 from brdf_suite.documents.paint import Gloss, Measurement, solid_paint
@@ -50,9 +53,11 @@ def control(program, qtbot) -> VariationsControl:
     program.window.panel.bring_in_sight(control.host)
     control.set_scene("booth", "sphere")
     control.section.step.setValue(2.0)
+    control.section.more.set_open(True)
+    control._waits = False
+    control.refresh()
     qtbot.waitUntil(lambda: program.session.is_quiet)
-    yield control
-    control.host.set_open(False)
+    return control
 
 
 @pytest.fixture
@@ -84,7 +89,7 @@ def test_the_step_and_what_cannot_be_are_shown(program, control, qtbot) -> None:
     section.step.setValue(12.0)
     darker = section.buttons["darker"]
     assert not darker.isEnabled()
-    assert darker.text() == "darker: none"
+    assert darker.accessibleName() == "darker: none"
     assert "darker than black" in darker.toolTip()
     assert section.buttons["lighter"].isEnabled()
     section.step.setValue(1.0)
@@ -96,19 +101,21 @@ def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(program, contr
     rising = tuple(Measurement(45.0, angle, (30.0 + angle, 0.0, 0.0)) for angle in (15.0, 45.0, 110.0))
     program.session.set_paint(replace(program.session.paint, measurements=rising), "Rise")
     lighter = control.section.buttons["lighter"]
-    qtbot.waitUntil(lambda: lighter.text() == "lighter ≈")
+    qtbot.waitUntil(lambda: lighter.accessibleName() == "lighter ≈")
     assert "ΔE00" in lighter.toolTip()
     program.session.set_paint(replace(program.session.paint, gloss=Gloss(199.0)), "Gloss")
-    qtbot.waitUntil(lambda: lighter.text() == "lighter: none")
+    qtbot.waitUntil(lambda: not lighter.isEnabled())
     assert "199" in lighter.toolTip()
 
 
-def test_pictures_come_in_the_chosen_light(program, pictures, control, qtbot) -> None:
+def test_pictures_come_in_the_chosen_light(program, control, qtbot, request) -> None:
     lighter = control.neighbours[0].paint
     button = control.section.buttons["lighter"]
-    stand_in = thumbnail(pictures, lighter)
+    stand_in = thumbnail(program.window.pictures, lighter)
     assert stand_in.toImage() == placeholder(lighter, USUAL_LOOK.size).toImage()
     assert button.image.cacheKey() == stand_in.cacheKey()
+    pictures = request.getfixturevalue("pictures")
+    control.set_scene("booth", "sphere")
     qtbot.waitUntil(lambda: pictures.picture(lighter, USUAL_LOOK) is not None)
     picture = thumbnail(pictures, lighter)
     assert picture.toImage().pixelColor(64, 64).red() == 90
@@ -132,7 +139,46 @@ def test_nothing_is_worked_out_while_the_section_is_closed(program, control, qtb
 
 
 def test_every_word_names_a_step() -> None:
-    assert set(STEP_NAMES) == set(WORDS)
+    assert set(STEP_NAMES) == {*WORDS, *WORDS_OF_OWN}
+
+
+def test_a_click_in_the_row_is_one_step_and_its_flakes_cover_the_same_area(program, control) -> None:
+    before, buttons = program.session.paint, control.section.buttons
+    assert [buttons[key].isVisible() for key in DAILY] == [True] * 7
+    QTest.mouseClick(buttons["coarser_flakes"], Qt.MouseButton.LeftButton)
+    assert program.session.paint.flakes.size_um > before.flakes.size_um
+    assert program.window.undo_action.text() == "&Undo Coarser Flakes"
+    QTest.mouseClick(buttons["deeper"], Qt.MouseButton.LeftButton)
+    assert program.session.paint.lab_at(45.0)[0] < before.lab_at(45.0)[0]
+    program.window.undo_action.trigger()
+    program.window.undo_action.trigger()
+    assert program.session.paint is before
+
+
+def test_a_pointer_that_rests_shows_a_neighbour_until_it_leaves(program, control, qtbot) -> None:
+    patch, paint = program.window.patches.patches[1], program.session.paint
+    before = patch.numbers.text()
+    button = control.section.buttons["lighter"]
+    QTest.mouseMove(button, button.rect().center())
+    QApplication.sendEvent(button, QEnterEvent(QPointF(5, 5), QPointF(5, 5), QPointF(5, 5)))
+    qtbot.waitUntil(lambda: patch.numbers.text() != before)
+    assert f"{paint.lab_at(45.0)[0] + 2.0:.1f}" in patch.numbers.text()
+    # Nothing was edited.
+    assert program.session.paint is paint
+    assert program.store.stack.count() == 0
+    QApplication.sendEvent(button, QEvent(QEvent.Type.Leave))
+    qtbot.waitUntil(lambda: patch.numbers.text() == before)
+
+
+def test_the_arrow_keys_go_along_the_row(program, control) -> None:
+    buttons = control.section.buttons
+    program.window.activateWindow()
+    buttons["lighter"].setFocus()
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Right)
+    assert QApplication.focusWidget() is buttons["deeper"]
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Left)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Left)
+    assert QApplication.focusWidget() is buttons["coarser_flakes"]
 
 
 def test_the_slider_goes_between_two_paints_in_one_step(program, between, qtbot) -> None:

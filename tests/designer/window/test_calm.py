@@ -28,8 +28,9 @@ def moved(before: dict[str, QRect], after: dict[str, QRect]) -> dict[str, tuple[
 
 
 def settle(designer: Designer, qtbot) -> None:
-    qtbot.waitUntil(lambda: designer.controller.is_idle)
-    qtbot.wait(20)
+    plane = designer.window.editors.plane
+    qtbot.waitUntil(lambda: designer.controller.is_idle and designer.session.is_quiet and plane.is_idle)
+    qtbot.wait(60)
 
 
 def test_a_fit_its_notices_and_a_refused_edit_move_nothing(program, qtbot) -> None:

@@ -14,7 +14,7 @@ from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
 from brdf_suite.files.measured.format import ReadOptions
-from brdf_suite.files.measured.samples import as_samples
+from brdf_suite.files.measured.goniometer_rows import as_samples
 from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.geometry.directions import spherical
 

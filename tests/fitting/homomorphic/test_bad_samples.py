@@ -7,8 +7,8 @@ import pytest
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
+from brdf_suite.fitting.homomorphic.product_fit import factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, MEASURED_FACTORS
 

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.factorization import accuracy
-from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
+from brdf_suite.fitting.homomorphic.product_fit import factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions, sample_reflectance
 from brdf_suite.fitting.homomorphic.solve import MapLayout, constraints, smoothness
 from brdf_suite.geometry import warps

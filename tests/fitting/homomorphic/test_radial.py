@@ -7,7 +7,7 @@ import pytest
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.factorization import Factorization, as_radial, asymmetries
-from brdf_suite.fitting.homomorphic.factorize import correct_mean
+from brdf_suite.fitting.homomorphic.product_fit import correct_mean
 from brdf_suite.fitting.homomorphic.samples import even_directions
 from brdf_suite.fitting.homomorphic.solve import MapLayout
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, MEASURED_FACTORS, factor_words, parse_factors

@@ -10,7 +10,7 @@ import pytest
 from brdf_suite.errors import Cancelled
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.filter.prefilter import PartialMaps, filtered_exponents, prefilter
+from brdf_suite.lighting.filter.lobe_maps import PartialMaps, filtered_exponents, prefilter
 from brdf_suite.pipeline.scene import STACK_EXPONENTS, PreparedEnvironment, load_environment, map_exponents
 
 EXPONENTS = (5.0, 70.0, 3000.0, 60000.0)

@@ -273,8 +273,8 @@ def test_a_mask_blends_two_factored_materials(renderer, lit, scenes):
         factored_maps(Factored(waves(16, 16, seed=s), waves(16, 16, seed=9), 0.3)) for s in (1, 5)
     )
     alone = [lit(maps) for maps in (first, second)]
-    renderer.set_material("paint_two", scenes.weights(0.3))
-    renderer.factors.set("paint_two", second)
+    renderer.set_material("second_paint", scenes.weights(0.3))
+    renderer.factors.set("second_paint", second)
     renderer.relief.set_mask(MaskImage(np.full((4, 4), 51 / 255)))
     try:
         both = lit(first, view=replace(NEAR, two_tone=TwoTone("second", "/mask.png")))

@@ -10,7 +10,7 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
 from brdf_suite.geometry.directions import angle_between
-from brdf_suite.realtime.pictures.probe import PixelProbe, SurfacePoint
+from brdf_suite.realtime.pictures.probe import PixelProbe, SurfacePoint, geometry_picture
 
 SIZE = (61, 40)
 CAMERA = Camera(azimuth_deg=20.0, elevation_deg=15.0, distance=0.6, target=(0.0, 0.0, 0.0))
@@ -106,3 +106,9 @@ def test_aspecular_angles() -> None:
     assert point.aspecular_deg(up) == pytest.approx(45.0)
     assert point.aspecular_deg((0.0, half, half)) == pytest.approx(90.0)
     assert point.aspecular_deg((0.0, 0.0, -1.0)) is None
+
+
+def test_the_parts_of_a_picture_are_those_of_its_geometry(probe, renderer) -> None:
+    found = probe.parts(VIEW, SIZE)
+    np.testing.assert_array_equal(found, geometry_picture(renderer, VIEW, SIZE).parts)
+    assert set(np.unique(found)) == {-1, 0, 1}

@@ -12,7 +12,7 @@ import pytest
 from brdf_suite.arrays import AnyArray
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Relief, SurfaceLook, TwoTone
+from brdf_suite.documents.view_settings import PartMaterial, Relief, SurfaceLook, TwoTone
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.gl.context import Context, draws_in_software
@@ -182,7 +182,7 @@ TWO = TwoTone(paint="red", mask="/mask.png", mask_width_mm=200.0)
 def two_paints(renderer: Renderer, scenes: Any) -> Renderer:
     renderer.set_environment(scenes.constant())
     renderer.set_material("paint", scenes.weights(kd=0.2))
-    renderer.set_material("paint_two", scenes.weights(kd=0.8))
+    renderer.set_material("second_paint", scenes.weights(kd=0.8))
     renderer.set_mesh([sheet(scenes)])
     return renderer
 
@@ -224,6 +224,20 @@ def test_where_the_box_is_covered() -> None:
     np.testing.assert_allclose(at("front", (1, 1.5, 0)), [1, 1], atol=1e-6)
     np.testing.assert_allclose(at("top", (-1, 1, 3)), [0, 0], atol=1e-6)
     np.testing.assert_allclose(at("top", (1, 1, -2)), [1, 1], atol=1e-6)
+
+
+def test_a_part_has_the_second_paint_without_a_mask(two_paints: Renderer, scenes: Any) -> None:
+    part = sheet(scenes)
+    aside = part.positions + np.array([0.3, 0.0, 0.0], np.float32)
+    two_paints.set_mesh([part, replace(part, name="lid", positions=aside)])
+    worn = SurfaceLook(occlusion=False, materials=(PartMaterial("lid", "second_paint"),))
+    for two_tone, wanted in ((TwoTone(paint="red"), 0.8), (TwoTone(), 0.2)):
+        shown = replace(
+            view(two_tone=two_tone), surface_look=worn, camera=Camera(0.0, 0.0, 2.0, (0.0, 0.0, 0.0))
+        )
+        picture = two_paints.linear_image(shown, (200, 200))[..., 0]
+        assert picture[100, 100] == pytest.approx(0.2, abs=0.01)
+        assert picture[100, 142] == pytest.approx(wanted, abs=0.01)
 
 
 def test_half_a_plan_for_two_tone_is_one_paint(two_paints: Renderer) -> None:

@@ -350,8 +350,9 @@ def test_after_a_failure_a_new_context_draws_the_same_picture(viewer, qtbot) -> 
     with qtbot.waitSignal(viewer.window.picture.failed):
         viewer.window.picture.redraw()
     assert viewer.window.status.cell("frame").text() == ""
-    assert viewer.window.picture.findChild(QPushButton).isVisible()
-    viewer.window.picture.findChild(QPushButton).click()
+    again = next(one for one in viewer.window.picture.findChildren(QPushButton) if one.text() == "Try again")
+    assert again.isVisible()
+    again.click()
     qtbot.waitUntil(lambda: viewer.controller.drawer is not old and viewer.controller.drawer.is_complete)
     assert np.array_equal(viewer.pixels(), before)
     azimuth = viewer.view.camera.azimuth_deg

@@ -50,6 +50,7 @@ def test_linear_comes_with_its_clipping_marked_and_takes_the_marks_along(viewer)
 
 
 def test_marks_and_count(viewer) -> None:
+    viewer.window.panel.bring_in_sight(viewer.window.tone)  # what is not seen is not counted
     choose(viewer, "linear")
     viewer.window.tone.clipping.click()
     viewer.state.change_view(exposure_ev=5.0, background="grey")

@@ -80,7 +80,7 @@ def test_the_reference_refines_restarts_is_compared_saved_and_survived(saved, st
     assert "Real-time picture" in viewer.window.overlay.mark
     wait_picture(viewer, 8)
     # Saved with its variance; and the process may die without taking anything along.
-    viewer.window.renderer.save.click()
+    viewer.window.commands.save_traced.trigger()
     qtbot.waitUntil(saved.exists)
     qtbot.waitUntil(lambda: "Saved" in viewer.window.status.currentMessage())
     import OpenEXR

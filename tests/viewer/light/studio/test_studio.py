@@ -308,7 +308,7 @@ def test_another_light_takes_the_picture_and_gives_it_back(edited, lights) -> No
     edited.wait_idle()
     assert edited.state.environment.key == str(lights["bright"])
     assert not edited.panel.relight.isHidden()
-    assert not edited.window.environment.edit.isVisible()
+    assert not edited.window.environment.edit.isEnabled()
     edited.panel.relight.click()
     settle(edited)
     assert edited.panel.relight.isHidden()
