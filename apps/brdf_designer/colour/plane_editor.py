@@ -51,10 +51,11 @@ _LEGEND_TIP = mark(
 class PlaneEditor(QWidget):
     """Edits the chroma, hue and lightness of one reading, or with All of every one alike.
 
-    ``index_chosen(index)``: another reading is edited.
+    ``index_chosen(index)``: another reading is edited. ``angles_made()``: the buttons of the angles are new ones.
     """
 
     index_chosen = Signal(int)
+    angles_made = Signal()
 
     def __init__(self, session: PaintSession, head: ColourHead) -> None:
         super().__init__()
@@ -201,6 +202,7 @@ class PlaneEditor(QWidget):
             self.buttons, self._chips = {}, {}
             for angle in angles:
                 self._add_button(angle.index)
+            self.angles_made.emit()
         for angle in angles:
             button = self.buttons[angle.index]
             text = f"{angle.text} {place_word(angle.aspecular_deg)}".rstrip()

@@ -224,6 +224,8 @@ class DesignerWindow(SuiteWindow):
         self.editors = ColourEditors(session, self.pick_colour)
         self.plot.drag_started.connect(session.begin_gesture)
         self.plot.edited.connect(self.editors.edit_in_lch)
+        # New buttons are the last of the window until they are put in order.
+        self.editors.plane.angles_made.connect(lambda: QTimer.singleShot(0, self, self.order_focus))
         self.plot.drag_finished.connect(session.end_gesture)
         self.coat, self.flakes = CoatSection(session), FlakesSection(session)
         self.model, self.texts = ModelSection(session), TextSection(session)
