@@ -142,6 +142,7 @@ class ViewerController(Program):
         self.studio = StudioControl(*parts, self.scene, dialogs)
         self.lighting = LightingControl(*parts)
         self.lamps = LampHandles(*parts, self.seen)
+        self.parts.highlight_wanted.connect(self.lamps.put)
         self.sparkle = SparkleControl(*parts)
         self.traced = TracedControl(*parts, self._tasks, ask_target)
         self.compare = CompareControl(*parts, self._tasks, ask)

@@ -127,7 +127,7 @@ class LampHandles(ViewerFeature):
         if event.button() != Qt.MouseButton.LeftButton or event.modifiers() != Qt.KeyboardModifier.NoModifier:
             return False
         if self._asks:
-            self._put(event.position())
+            self.put(event.position())
             return True
         handle = self._handle_at(event.position())
         if handle is None:
@@ -172,8 +172,8 @@ class LampHandles(ViewerFeature):
             self.layer.show_words("")
             self._show_cursor()
 
-    def _put(self, place: QPointF) -> None:
-        """Put the chosen lamp, or a new one, where it is mirrored at a place of the canvas."""
+    def put(self, place: QPointF) -> None:
+        """Put the chosen lamp, or a new one, where it is mirrored at a place of the canvas, logical pixels."""
         hit = self._seen.hit_at(place)
         if hit is None:
             return  # what is asked stays in sight

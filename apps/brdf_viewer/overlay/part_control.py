@@ -7,7 +7,7 @@ from functools import partial
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QMenu
 
@@ -30,7 +30,12 @@ _NAMES_SHOWN = 3
 
 
 class PartControl(ViewerFeature):
-    """Keeps the selection of the list of parts and its outline in the picture together."""
+    """Keeps the selection of the list of parts and its outline in the picture together.
+
+    ``highlight_wanted(place)``: a lamp is to be mirrored at a place of the canvas, QPointF in logical pixels.
+    """
+
+    highlight_wanted = Signal(QPointF)
 
     def __init__(
         self, state: ViewerState, window: ViewerWindow, surface: SurfaceControl, seen: SeenParts
@@ -98,6 +103,9 @@ class PartControl(ViewerFeature):
         names = self._parts.picked()
         if names:
             menu = self.make_menu(names)
+            menu.addSeparator()
+            put = partial(self.highlight_wanted.emit, QPointF(place))
+            menu.addAction(tr("Put the Highlight Here"), put)
             menu.popup(self._window.picture.canvas.mapToGlobal(place))
 
     def make_menu(self, names: list[str]) -> QMenu:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.ndimage import gaussian_filter
 
 from brdf_suite.appearance.texture import (
     AREA_SHAPE,
@@ -104,8 +105,6 @@ def _blurred(at: Floats, light: Floats, side: int, spread_mm: float) -> Floats:
     fine = side * _FINE
     column, row = np.minimum((at * _FINE).astype(np.int64), fine - 1)
     points = np.bincount(row * fine + column, light, fine * fine).reshape(fine, fine)
-    from scipy.ndimage import gaussian_filter  # a fifth of a second, which no program's start waits for
-
     soft = gaussian_filter(points, spread_mm * _FINE / PIXEL_MM, mode="wrap")
     return np.asarray(soft[::_FINE, ::_FINE] * _FINE**2, float)
 

@@ -154,6 +154,22 @@ def test_the_menu_is_of_all_selected_parts(balls, qtbot) -> None:
     qtbot.waitUntil(lambda: layer(balls).label == "left, right – Chrome")
 
 
+def test_the_menu_puts_the_highlight_where_it_was_opened(balls) -> None:
+    spot = place(balls, "left") - QPoint(12, 12)
+    QTest.mouseClick(balls.canvas, RIGHT, NONE, spot)
+    choose(balls, "Put the Highlight")
+    (lamp,) = balls.view.lamps
+    _, ray = balls.controller.seen.ray_at(QPointF(spot))
+    hit = balls.controller.seen.hit_at(QPointF(spot))
+    mirrored = ray - 2.0 * (ray @ hit.normal) * hit.normal
+    elevation = np.radians(lamp.elevation_deg)
+    assert np.degrees(np.arcsin(mirrored[1])) == pytest.approx(lamp.elevation_deg, abs=0.5)
+    assert np.hypot(mirrored[0], mirrored[2]) == pytest.approx(np.cos(elevation), abs=0.01)
+    assert mirrored[0] < 0.0 < mirrored[1]
+    balls.controller.undo()
+    assert balls.view.lamps == ()
+
+
 def test_a_right_drag_turns_the_light_and_opens_no_menu(balls) -> None:
     middle = place(balls, "left")
     QTest.mousePress(balls.canvas, RIGHT, NONE, middle)
