@@ -6566,6 +6566,14 @@ Unten: {second}</translation>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
+        <source>New Palette from Se&amp;lection</source>
+        <translation>Neue Palette aus der Auswah&amp;l</translation>
+    </message>
+    <message>
+        <source>Copy the selected swatches to a new palette</source>
+        <translation>Die ausgewählten Muster in eine neue Palette kopieren</translation>
+    </message>
+    <message>
         <source>Select &amp;All</source>
         <translation>&amp;Alle wählen</translation>
     </message>

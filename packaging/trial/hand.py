@@ -135,8 +135,20 @@ class Hand:
         widget = self._visible(find, what)
         self._press(widget, place or self.ask(lambda: _middle(widget)), what)
 
+    def in_menu_of(self, find: Callable[[], QWidget | None], place: QPoint, *path: str) -> None:
+        """Press a place of a widget with the right button, and choose in the menu that opens."""
+        self._press(self._visible(find, path[-1]), place, "with the right button", right=True)
+        self.wait(lambda: bool(_open_menus()), 5.0)
+        self._in_menu(self.ask(lambda: _open_menus()[-1]), path)
+
     def drop(
-        self, find: Callable[[], QAbstractItemView], text: str, target: Callable[[], QWidget], place: QPoint
+        self,
+        find: Callable[[], QAbstractItemView],
+        text: str,
+        target: Callable[[], QWidget],
+        place: QPoint,
+        *,
+        ctrl: bool = False,
     ) -> None:
         """Drag a row of a view to a place of another widget: one press. Given are what the view itself carries."""
         view, onto = self._visible(find, text), self._visible(target, text)
@@ -161,11 +173,11 @@ class Hand:
             data = carried()
             assert data is not None
             copy, left = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
-            none = Qt.KeyboardModifier.NoModifier
+            held = Qt.KeyboardModifier.ControlModifier if ctrl else Qt.KeyboardModifier.NoModifier
             for event in (
-                QDragEnterEvent(place, copy, data, left, none),
-                QDragMoveEvent(place, copy, data, left, none),
-                QDropEvent(QPointF(place), copy, data, left, none),
+                QDragEnterEvent(place, copy, data, left, held),
+                QDragMoveEvent(place, copy, data, left, held),
+                QDropEvent(QPointF(place), copy, data, left, held),
             ):
                 QApplication.sendEvent(onto, event)
 
@@ -301,7 +313,9 @@ class Hand:
                 raise MissingError(f"{what!r} is not there, or cannot be used.")
             time.sleep(_TURN_S)
 
-    def _press(self, widget: QWidget, place: QPoint, what: str, *, ctrl: bool = False) -> None:
+    def _press(
+        self, widget: QWidget, place: QPoint, what: str, *, ctrl: bool = False, right: bool = False
+    ) -> None:
         if self.ask(lambda: _bring_in_sight(widget, place)):
             self.count.scrolls += 1
             time.sleep(_SETTLE_S)
@@ -311,6 +325,7 @@ class Hand:
             self.wait(lambda: QApplication.activeWindow() is not None, 5.0)
         self.count.clicks += 1
         self.log.append(f"press {what}")
+        button = Qt.MouseButton.RightButton if right else Qt.MouseButton.LeftButton
         held = Qt.KeyboardModifier.ControlModifier if ctrl else Qt.KeyboardModifier.NoModifier
 
         def click() -> None:
@@ -319,7 +334,7 @@ class Hand:
             met = top.childAt(widget.mapTo(top, place)) or widget
             here = met.mapFrom(top, widget.mapTo(top, place))
             QTest.mouseMove(met, here)
-            QTest.mouseClick(met, Qt.MouseButton.LeftButton, held, here)
+            QTest.mouseClick(met, button, held, here)
 
         self._do(click)
         time.sleep(_SETTLE_S)

@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from brdf_viewer.light.section import LampFields
 from hand import Hand, MissingError
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QCheckBox, QComboBox, QWidget
@@ -155,14 +154,11 @@ def is_red_metallic(folder: Path) -> bool:
 
 def match_standard(hand: Hand, program: Any, folder: Path) -> None:
     """Load the standard, read what differs, and set the lightness at the flop."""
-    from brdf_designer.colour.plane_editor import PlaneEditor
-
     hand.menu("Paint", "Load Standard")
     hand.file(folder / "standard.brdfpaint")
     hand.wait(lambda: standard_control(program).standard is not None and program.is_idle)
     hand.press("plane_angle_2")
     lab = load_shipped_paint("blue").lab_at(FLOP)
-    hand.click(lambda: program.window.section("colour").findChild(PlaneEditor).field, "L* of the angle")
     hand.type(f"{lab[0]:g}")
     hand.wait(lambda: program.is_idle)
     control = standard_control(program)
@@ -180,15 +176,13 @@ def standard_control(program: Any) -> Any:
 
 
 def two_tone(hand: Hand, program: Any, folder: Path) -> None:
-    """Put the car up, select a part in the picture, and drop the second paint on it."""
+    """Put the car up, and drop the second paint on a part of it with Ctrl, as the picture says during the drag."""
     open_tab(hand, "form")
     tile(hand, lambda: _picture_box("Car"), "Car")
     hand.wait(lambda: program.is_idle, 300.0)
     canvas = program.window.picture.canvas
-    hand.click(lambda: canvas, "the middle of the car")
-    hand.wait(lambda: program.is_idle)
     place = hand.ask(lambda: canvas.rect().center())
-    hand.drop(lambda: program.window.strip.view, SECOND, lambda: canvas, place)
+    hand.drop(lambda: program.window.strip.view, SECOND, lambda: canvas, place, ctrl=True)
     hand.wait(lambda: program.is_idle, 300.0)
     note(folder, "view", hand.ask(lambda: repr(program.state.view)))
 
@@ -224,14 +218,10 @@ def _picture_box(row: str) -> QComboBox | None:
 
 
 def light_highlight(hand: Hand, program: Any, folder: Path) -> None:
-    """Ask for the highlight, and press where it is to be: at the upper left of the sphere."""
-    open_tab(hand, "light")
-    if not hand.ask(lambda: program.window.findChild(LampFields).highlight.isVisible()):
-        hand.press("More")
-    hand.click(lambda: program.window.findChild(LampFields).highlight, "Put the Highlight Here")
+    """Press where the highlight is to be with the right button: at the upper left of the sphere."""
     canvas = program.window.picture.canvas
     middle, side = hand.ask(lambda: (canvas.rect().center(), canvas.height() // 8))
-    hand.click(lambda: canvas, "the surface", place=middle - QPoint(side, side))
+    hand.in_menu_of(lambda: canvas, middle - QPoint(side, side), "Put the Highlight Here")
     hand.wait(lambda: program.is_idle and bool(program.state.view.lamps))
     x, y, _z = hand.ask(lambda: program.state.view.lamps[0].position)
     note(folder, "lamps", "upper left" if x < 0.0 < y else f"at {x}, {y}")
@@ -251,14 +241,11 @@ def palette_and_sheet(hand: Hand, program: Any, folder: Path) -> None:
     hand.wait(lambda: program.is_idle)
     for number, name in enumerate(PICKED):
         hand.row(lambda: _grid(program), name, ctrl=number > 0)
-    hand.keys("Ctrl+C")
-    hand.press("New Palette")
-    hand.wait(lambda: program.is_idle)
-    hand.keys("Ctrl+V")
+    hand.menu("Edit", "New Palette from Selection")
     hand.wait(lambda: program.is_idle)
     hand.press("Save")
     hand.file(folder / "spring.brdfpalette")
-    hand.menu("File", "Contact Sheet")
+    hand.press("Contact Sheet")
     hand.press("sheet_save")
     hand.file(folder / "spring.pdf")
     hand.wait(lambda: (folder / "spring.pdf").exists() and program.is_idle)

@@ -79,6 +79,18 @@ def test_copy_and_paste_cut_duplicate_and_delete(swatch, names, select, command)
     assert swatch.session.palette == before
 
 
+def test_a_new_palette_has_what_is_selected(swatch, names, select, command) -> None:
+    before = swatch.session.palette
+    select(swatch, "Red", "Ice")
+    command(swatch, "new_from_selection")
+    assert sorted(names(swatch)) == ["Ice", "Red"]
+    assert swatch.session.palette is not before
+    assert swatch.session.item.path is None
+    assert not swatch.session.item.is_clean
+    swatch.session.set_selected(0, ())
+    assert not swatch.window.command("new_from_selection").isEnabled()
+
+
 def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
     QGuiApplication.clipboard().setText("#ff8800 Sunset\n#003366 Deep")
     command(swatch, "paste")

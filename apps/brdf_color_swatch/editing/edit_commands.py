@@ -49,6 +49,14 @@ class EditCommands(SwatchFeature):
             add("edit", mark("D&uplicate"), "duplicate", self.duplicate, "duplicate"),
             add("edit", mark("&Delete"), "delete", self.delete, "delete", icon="trash"),
         ]
+        self._new = add(
+            "edit",
+            mark("New Palette from Se&lection"),
+            None,
+            self.new_palette,
+            "new_from_selection",
+            tip=mark("Copy the selected swatches to a new palette"),
+        )
         edit.addSeparator()
         add("edit", mark("Select &All"), "select_all", lambda: self._pane.grid.selectAll(), "select_all")
         add(
@@ -129,6 +137,14 @@ class EditCommands(SwatchFeature):
             name = tr("Duplicate {what}").format(what=what_words(entries))
             copies = [replace(entry, id="") for entry in entries]
             edit_and_reveal(self._session, name, lambda old: edits.add_entries(old, copies, None, before))
+
+    def new_palette(self) -> None:
+        """Show a new palette of what is selected, which has no file yet."""
+        entries = self._session.selected_entries
+        if entries:
+            session = self._session
+            palette = Palette(tr("Untitled"), tuple(entries))
+            session.show_scope(Scope(session.library.add_palette(palette, clean=False)))
 
     def delete(self) -> None:
         entries = self._session.selected_entries
@@ -213,7 +229,8 @@ class EditCommands(SwatchFeature):
 
     def _menu(self, point: QPoint) -> None:
         keys = (
-            "rename", "tags", "notes", "", "cut", "copy", "paste", "duplicate", "delete", "", "new_group", "",
+            "rename", "tags", "notes", "", "cut", "copy", "paste", "duplicate", "delete", "new_from_selection", "",
+            "new_group", "",
             "nearest", "compare", "", "to_designer", "to_viewer", "to_lobes",
         )  # fmt: skip
         self._window.open_menu(keys, point, "swatch_menu")
@@ -221,6 +238,7 @@ class EditCommands(SwatchFeature):
     def _enable(self) -> None:
         some = bool(self._session.selected)
         self._copy.setEnabled(some)
+        self._new.setEnabled(some)
         self._paste.setEnabled(not self._session.is_read_only)
         for action in self._of_selected:
             action.setEnabled(some and not self._session.is_read_only)

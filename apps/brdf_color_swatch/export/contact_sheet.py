@@ -80,6 +80,7 @@ class ContactSheets(SwatchFeature):
             "file", mark("Contact S&heet…"), "print", self.open, "sheet", icon="printer",
             tip=mark("Save or print the visible or selected swatches with their figures"),
         )  # fmt: skip
+        window.toolbar.addAction(self._sheet)
         self._dialog: SheetDialog | None = None
         self._enable_always()
 

@@ -114,6 +114,11 @@ class PlaneEditor(QWidget):
             self._show()
             self.index_chosen.emit(index)
 
+    def _take(self, index: int) -> None:
+        """Edit the reading whose button was pressed; its L* can be typed at once."""
+        self.choose(index)
+        self.field.setFocus(Qt.FocusReason.TabFocusReason)
+
     def show_colours(self, colours: Colours) -> None:
         """Show every reading; while it is not seen, when it is."""
         self._colours = colours
@@ -225,7 +230,7 @@ class PlaneEditor(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         set_small(button)
-        button.clicked.connect(lambda: self.choose(index))
+        button.clicked.connect(lambda: self._take(index))
         self._group.addButton(button)
         self._angles_box.addWidget(button)
         self.buttons[index] = button

@@ -72,6 +72,17 @@ def test_a_click_beside_the_handle_brings_it_there(program, plane) -> None:
     assert program.store.stack.count() == 1
 
 
+def test_lightness_is_typed_after_a_press_on_an_angle(program, plane, qtbot) -> None:
+    last = max(plane.buttons)
+    QTest.mouseClick(plane.buttons[last], LEFT)
+    assert plane.index == last
+    for key in "37":
+        QTest.keyClick(plane.field.lineEdit(), key)
+    QTest.keyClick(plane.field.lineEdit(), Qt.Key.Key_Return)
+    settle(program, qtbot)
+    assert program.session.paint.measurements[last].lab[0] == 37.0
+
+
 def test_a_mark_of_another_angle_is_taken_by_a_press(program, plane) -> None:
     view, before = plane.view, labs(program)
     QTest.mouseClick(view, LEFT, pos=place(view.point_of(*before[15.0][1:])))
