@@ -15,7 +15,7 @@ from brdf_qt.window.message_bar import Message, Severity
 
 from brdf_color_swatch.editing.entry_edits import add_entries
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.grid.view_state import Near, Scope
+from brdf_color_swatch.grid.view_state import Near
 from brdf_color_swatch.search.colour_search import near_of
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -101,7 +101,7 @@ class PaintExchange(SwatchFeature):
             self._report_no_paint()
             return
         if self._session.palette is None or self._session.is_read_only:
-            self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
+            self._session.show_new(Palette(tr("Untitled")))
         entry = Entry(self.edited, id=new_id())
         add_entries(self._session, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
 

@@ -224,7 +224,11 @@ class PaletteSession(QObject):
         palette = self.library.palette(key)
         if palette is not None:
             name = tr("{name} (copy)").format(name=palette.name[:180])
-            self.show_scope(Scope(self.library.add_palette(replace(palette, name=name), clean=False)))
+            self.show_new(replace(palette, name=name), clean=False)
+
+    def show_new(self, palette: Palette, *, clean: bool = True) -> None:
+        """Show a palette that has no file yet; one that is not ``clean`` has something to be saved."""
+        self.show_scope(Scope(self.library.add_palette(palette, clean=clean)))
 
     def _refuse(self, key: str) -> None:
         item = self.library.item(key)

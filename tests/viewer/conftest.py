@@ -16,6 +16,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
+from brdf_suite.files.meshes.reading import write_mesh_glb
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline import environments
 from brdf_suite.pipeline.lobe_fit import PaintFitter
@@ -23,7 +24,7 @@ from brdf_suite.pipeline.surface import shape_mesh
 from brdf_suite.realtime.environment import textures as environment_textures
 from brdf_suite.realtime.gl import mesh_buffers
 from brdf_suite.realtime.pictures.renderer import Renderer
-from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 
 def _load(file: Path) -> ModuleType:
@@ -349,3 +350,19 @@ def viewer(lasting_viewers, at_rest, qtbot, lights, monkeypatch: pytest.MonkeyPa
 def filled(start) -> Viewer:
     """A Viewer whose picture fills its window."""
     return start(fill=True)
+
+
+def _ball(name: str, x: float, material: str) -> PartGeometry:
+    v, u = np.meshgrid(np.linspace(0.01, np.pi - 0.01, 17), np.linspace(0, 2 * np.pi, 33), indexing="ij")
+    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
+    i = (np.arange(16)[:, None] * 33 + np.arange(32)).ravel()
+    triangles = np.concatenate([np.stack([i, i + 33, i + 1], -1), np.stack([i + 1, i + 33, i + 34], -1)])
+    return PartGeometry(name, material, n * 0.1 + [x, 0.1, 0.0], n, n[:, :2] * 100, triangles)
+
+
+@pytest.fixture
+def two_balls(tmp_path: Path) -> Path:
+    """A mesh of two balls side by side: the left of paint, the right neutral."""
+    path = tmp_path / "balls.glb"
+    write_mesh_glb(Mesh("balls", (_ball("left", -0.12, "paint"), _ball("right", 0.12, "neutral"))), path)
+    return path

@@ -23,7 +23,6 @@ from brdf_color_swatch.editing.entry_edits import (
 from brdf_color_swatch.editing.transfer import Carried, hexes_of, read_data
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.pane import Pane
-from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
@@ -121,7 +120,7 @@ class EditCommands(SwatchFeature):
                 )  # fmt: skip
             return
         if self._session.palette is None:
-            self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
+            self._session.show_new(Palette(tr("Untitled")))
         self._session.library.settled.emit("edit")
         group = self._session.state.scope.group
         add_entries(
@@ -142,9 +141,7 @@ class EditCommands(SwatchFeature):
         """Show a new palette of what is selected, which has no file yet."""
         entries = self._session.selected_entries
         if entries:
-            session = self._session
-            palette = Palette(tr("Untitled"), tuple(entries))
-            session.show_scope(Scope(session.library.add_palette(palette, clean=False)))
+            self._session.show_new(Palette(tr("Untitled"), tuple(entries)), clean=False)
 
     def delete(self) -> None:
         entries = self._session.selected_entries

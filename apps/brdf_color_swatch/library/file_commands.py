@@ -78,8 +78,7 @@ class FileCommands(SwatchFeature):
 
     def new(self) -> None:
         """Begin an empty palette, and let it be named at once."""
-        key = self._session.library.add_palette(new_palette())
-        self._session.show_scope(Scope(key))
+        self._session.show_new(new_palette())
 
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""

@@ -17,30 +17,18 @@ from brdf_suite.documents.palette import Entry, new_id
 from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle, SurfaceLook, TwoTone
-from brdf_suite.files.meshes.reading import write_mesh_glb
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 NONE, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 
 
-def ball(name: str, x: float, material: str) -> PartGeometry:
-    v, u = np.meshgrid(np.linspace(0.01, np.pi - 0.01, 17), np.linspace(0, 2 * np.pi, 33), indexing="ij")
-    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-    i = (np.arange(16)[:, None] * 33 + np.arange(32)).ravel()
-    triangles = np.concatenate([np.stack([i, i + 33, i + 1], -1), np.stack([i + 1, i + 33, i + 34], -1)])
-    return PartGeometry(name, material, n * 0.1 + [x, 0.1, 0.0], n, n[:, :2] * 100, triangles)
-
-
 @pytest.fixture
-def balls(start, lights, tmp_path):
+def balls(start, lights, two_balls):
     """Two balls side by side seen from the front: the left of paint, the right neutral."""
-    path = tmp_path / "balls.glb"
-    write_mesh_glb(Mesh("balls", (ball("left", -0.12, "paint"), ball("right", 0.12, "neutral"))), path)
     view = View(
         environment=str(lights["dim"]),
-        surface=str(path),
+        surface=str(two_balls),
         surface_look=SurfaceLook(occlusion=False),
         sparkle=Sparkle("off"),
         camera=Camera(azimuth_deg=0.0, elevation_deg=0.0),

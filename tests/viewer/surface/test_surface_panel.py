@@ -13,26 +13,10 @@ from PySide6.QtCore import QPoint, Qt
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import PartMaterial, Sparkle, SurfaceLook
 from brdf_suite.errors import SuiteError
-from brdf_suite.files.meshes.reading import write_mesh_glb
 from brdf_suite.progress import Progress
-from brdf_suite.surface.mesh import Mesh, PartGeometry
+from brdf_suite.surface.mesh import Mesh
 
 PLAIN = SurfaceLook(occlusion=False)
-
-
-def ball(name: str, x: float, material: str) -> PartGeometry:
-    v, u = np.meshgrid(np.linspace(0.01, np.pi - 0.01, 17), np.linspace(0, 2 * np.pi, 33), indexing="ij")
-    n = np.stack([np.sin(v) * np.sin(u), np.cos(v), np.sin(v) * np.cos(u)], -1).reshape(-1, 3)
-    i = (np.arange(16)[:, None] * 33 + np.arange(32)).ravel()
-    triangles = np.concatenate([np.stack([i, i + 33, i + 1], -1), np.stack([i + 1, i + 33, i + 34], -1)])
-    return PartGeometry(name, material, n * 0.1 + [x, 0.1, 0.0], n, n[:, :2] * 100, triangles)
-
-
-@pytest.fixture
-def two_balls(tmp_path):
-    path = tmp_path / "balls.glb"
-    write_mesh_glb(Mesh("balls", (ball("left", -0.12, "paint"), ball("right", 0.12, "neutral"))), path)
-    return path
 
 
 @pytest.fixture
