@@ -2,8 +2,7 @@
 
 The default paint in the sun with occlusion and ground, 4 samples per pixel: the car, and a ball of a million triangles.
 Medians of GL timer queries while the camera turns. A software renderer has no such figures: its times are those of its
-processor, which the ratios of `viewer` describe. Texture reads and instructions of the default frame are counted in
-what Mesa's compiler makes of its shaders, both sides of every condition, and compared with a card's published limits.
+processor, which the ratios of `viewer` describe.
 """
 
 from __future__ import annotations
@@ -16,7 +15,6 @@ from time import perf_counter
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
-from brdf_suite.errors import SuiteError
 from brdf_suite.output.still import LoadedScene, loaded_scene
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import default_paint, material_of
@@ -26,22 +24,12 @@ from brdf_suite.realtime.camera import orbit
 from brdf_suite.realtime.gl.context import create_context, draws_in_software
 
 _ball = load_module(Path(__file__).parent / "parts" / "ball.py")
-_counts = load_module(Path(__file__).parent / "parts" / "shader_counts.py")
 
 NAME = "gpu"
 _SIZES = {"720p": (1280, 720), "1440p": (2560, 1440), "4k": (3840, 2160)}
 _LAMPS = (0, 1, 8)
 _MILLION = 500  # rings: four times their square triangles
 _FRAMES = 60
-_RATE = 3840 * 2160 * 120.0
-"""Pixels a second that the default frame is designed for."""
-_CARD = "GeForce RTX 4070"
-_CORES, _TEXTURE_UNITS, _CLOCK, _BANDWIDTH = 5888, 184, 2.475e9, 504.2e9
-"""An instruction of each core and a filtered texel of each unit a clock; bytes a second. As listed on
-www.thefpsreview.com/gpu-family/nvidia-geforce-rtx-4070-gpu-family-specifications."""
-_SAMPLE_BYTES, _SCREEN_BYTES = 8 + 4 + 4, 4 * 8 + 4 * 8 + 4 * 4 + 4
-"""Of each sample that is drawn: its half floats, and its depth read and written. Of each pixel: its four samples read
-for glare and for the screen, their depth cleared, and what is shown."""
 
 BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
     "default_4k_ms": ("<=", 8.3, "ms", "the car at 3840x2160, flakes in all light, no lamp"),
@@ -56,55 +44,19 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
         "from an edit of the paint to the end of the next frame at 1280x720, by the clock",
     ),
 }
-_COUNTED: dict[str, tuple[str, float | None, str, str]] = {
-    "frame_reads": ("", None, "", "texture reads a pixel of the default frame, mean of all its pixels"),
-    "frame_instructions": ("", None, "", "instructions a pixel, likewise; slow ones by what they take"),
-    "paint_reads": ("", None, "", "texture reads of a pixel of the paint, flakes glinting in one light"),
-    "paint_instructions": ("", None, "", "instructions of such a pixel"),
-    "reads_share": (
-        "<=",
-        0.5,
-        "",
-        f"of the texels that a {_CARD} can filter, 3840x2160 at 120 frames a second",
-    ),
-    "instructions_share": ("<=", 0.5, "", "of the instructions that it can carry out"),
-    "bytes_share": ("<=", 0.5, "", "of what its memory can move, the samples not compressed"),
-}
-TIMED = tuple(BOUNDS)
-BOUNDS |= _COUNTED
 TABLES: dict[str, dict[str, object]] = {}
 NOTES: dict[str, str] = {}
 
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
-    """Return the figures of :data:`BOUNDS`: times are None on a software renderer, which NOTES then name."""
+    """Return the figures of :data:`BOUNDS`: None on a software renderer, which NOTES then name."""
     context = create_context()
     software = draws_in_software(context)
     context.release()
-    found = count()
     if software:
-        NOTES.update(dict.fromkeys(TIMED, f"not measured: {gl_renderer_name()} is no graphics card"))
-        return dict.fromkeys(TIMED) | found
-    return measure(_SIZES, _FRAMES, _MILLION, progress) | found
-
-
-def count() -> dict[str, float | None]:
-    """Return what the default frame asks of a card: all None where the driver does not say, which NOTES then say."""
-    try:
-        frame, paint, samples = _counts.counts()
-    except SuiteError as error:
-        NOTES.update(dict.fromkeys(_COUNTED, f"not counted: {error}"))
-        return dict.fromkeys(_COUNTED)
-    filtered = frame.filtered * _counts.FILTERED + frame.plain
-    return {
-        "frame_reads": frame.reads,
-        "frame_instructions": frame.instructions,
-        "paint_reads": paint.reads,
-        "paint_instructions": paint.instructions,
-        "reads_share": filtered * _RATE / (_TEXTURE_UNITS * _CLOCK),
-        "instructions_share": frame.instructions * _RATE / (_CORES * _CLOCK),
-        "bytes_share": (samples * _SAMPLE_BYTES + _SCREEN_BYTES) * _RATE / _BANDWIDTH,
-    }
+        NOTES.update(dict.fromkeys(BOUNDS, f"not measured: {gl_renderer_name()} is no graphics card"))
+        return dict.fromkeys(BOUNDS)
+    return measure(_SIZES, _FRAMES, _MILLION, progress)
 
 
 def measure(
