@@ -1,6 +1,6 @@
 """``brdf-suite bench NAME``: the measured figures, from the benchmarks beside the tests.
 
-A benchmark is a module ``tests/benchmarks/bench_*.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
+A benchmark is a module ``tests/benchmarks/bench_NAME.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
 unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
 ``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown, its headings
 of the third level, that ``--write`` puts below the module's table.
@@ -9,6 +9,7 @@ of the third level, that ``--write`` puts below the module's table.
 from __future__ import annotations
 
 import argparse
+import ast
 import importlib.util
 import math
 import subprocess
@@ -54,29 +55,29 @@ def add(command: CommandParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run what was asked for; 1 where a bound is missed."""
-    modules = _load()
+    found = _find()
     if options.list:
-        for name, module in modules.items():
-            print(f"{name:12} {(module.__doc__ or '').strip().splitlines()[0]}")
+        for name, path in found.items():
+            about = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+            print(f"{name:12} {about.partition(chr(10))[0]}")
         return 0
     if options.all == (options.name is not None):
         raise SuiteError("Name one benchmark, or --all; `brdf-suite bench --list` names them.")
-    if options.name is not None and options.name not in modules:
-        raise SuiteError(f"There is no benchmark {options.name!r}; there are {', '.join(modules)}.")
+    if options.name is not None and options.name not in found:
+        raise SuiteError(f"There is no benchmark {options.name!r}; there are {', '.join(found)}.")
     kept = True
-    for name in modules if options.all else [options.name]:
+    for name in found if options.all else [options.name]:
+        module = load_module(found[name])  # not before: another may need an extra that is not there
         with progress_bar(name, quiet=options.json) as progress:
-            result = measure(modules[name], progress)
+            result = measure(module, progress)
         kept &= all(result.bounds[key].holds(value) is not False for key, value in result.figures.items())
         if options.json:
             print_json(result.to_json(describe_machine()))
         else:
             _print_table(result)
         if options.write:
-            about = (modules[name].__doc__ or "").strip()
-            renew_section(
-                _DOCS, ReportSection(about, machine_summary(), today(), result, appendix(modules[name]))
-            )
+            about = (module.__doc__ or "").strip()
+            renew_section(_DOCS, ReportSection(about, machine_summary(), today(), result, appendix(module)))
     if options.write:
         load_module(_INSERT_FIGURES).insert_into_documents(_CHECKOUT)
     return 0 if kept else 1
@@ -114,16 +115,13 @@ def appendix(module: ModuleType) -> str:
     return "" if own is None else str(own())
 
 
-def _load() -> dict[str, ModuleType]:
+def _find() -> dict[str, Path]:
+    """Return the benchmarks' modules by name."""
     if not _FOLDER.is_dir():
         raise SuiteError(
             "The benchmarks are part of the source checkout; this is an installed copy without them."
         )
-    modules = {}
-    for path in sorted(_FOLDER.glob("bench_*.py")):
-        module = load_module(path)
-        modules[str(module.NAME)] = module
-    return modules
+    return {path.stem.removeprefix("bench_"): path for path in sorted(_FOLDER.glob("bench_*.py"))}
 
 
 def load_module(path: Path) -> ModuleType:
