@@ -17,8 +17,9 @@ const int BACKDROP_SHARP = 0, BACKDROP_BLURRED = 1, BACKDROP_PLAIN = 2;
 out vec4 fragment;
 
 // The environment between its texels by the cubic B-spline, which has no steps and no corners: it is never negative and
-// keeps the sum of the light, so that a lamp gets neither a dark rim nor another brightness. Four bilinear look-ups do
-// for its 16 texels (C. Sigg and M. Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2, 2005).
+// keeps the sum of the light, so that a lamp gets neither a dark rim nor another brightness. Each of its 16 texels is
+// looked up at its centre: graphics cards place a look-up between texels in steps of 1/256, which show when a texel is
+// many pixels wide.
 vec3 smooth_map(vec3 along, float texels)
 {
     vec3 size = abs(along);
@@ -32,15 +33,14 @@ vec3 smooth_map(vec3 along, float texels)
     vec2 at = (middle * 0.5 + 0.5) * texels - 0.5;
     vec2 f = fract(at), g = 1.0 - f;
     vec2 first = g * g * g / 6.0, last = f * f * f / 6.0;
-    vec2 lower = first + 2.0 / 3.0 - 0.5 * f * f * (2.0 - f);  // weight of the two texels before the place
-    vec2 upper = 1.0 - lower;
-    vec2 before = -f - 1.0 + (lower - first) / lower, after = -f + 1.0 + last / upper;
+    vec2 second = 2.0 / 3.0 - 0.5 * f * f * (2.0 - f), third = 1.0 - first - second - last;
+    vec4 columns = vec4(first.x, second.x, third.x, last.x), rows = vec4(first.y, second.y, third.y, last.y);
     float step = 2.0 / texels;
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 4; ++i) {
-        bool right = (i & 1) == 1, high = i > 1;
-        vec2 offset = vec2(right ? after.x : before.x, high ? after.y : before.y) * step;
-        float weight = (right ? upper.x : lower.x) * (high ? upper.y : lower.y);
+    for (int i = 0; i < 16; ++i) {
+        int column = i & 3, row = i >> 2;
+        vec2 offset = (vec2(float(column), float(row)) - 1.0 - f) * step;
+        float weight = columns[column] * rows[row];
         // Past the rim it goes on round the edge of the cube, where the rows of texels meet those of the next face.
         vec2 there = middle + offset, past = max(abs(there) - 1.0, 0.0);
         there = clamp(there, -1.0, 1.0);

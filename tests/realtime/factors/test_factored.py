@@ -24,6 +24,8 @@ from brdf_suite.reflectance.models.coated import Coated
 from tools.evaluation.direct_lamps import half_angles_deg, lamp_radiance
 
 SIZE = (60, 40)
+NEARLY = 5e-3
+"""Graphics cards place a look-up between texels in steps of 1/256; a software renderer comes to 2e-3."""
 # 36 mm of picture to 60 mm of lens, from 0.2 m: 0.12 m across, views to 21 degrees from the middle's.
 NEAR = View(Camera(20, 30, 0.2, (0.0, 0.0, 0.0), 60.0), fresnel="off", sparkle=Sparkle("off"))
 LAMPS = (
@@ -122,7 +124,7 @@ def test_every_projection_finds_its_place(lit, wanted, projection):
     for logarithmic in (True, False):
         more = (MapFactor(projection, waves(*shape, seed=7), logarithmic),)
         value = Factored(flat, flat, 0.5, more=more)
-        assert relative(lit(factored_maps(value)), wanted(value.eval)).max() < 2e-3
+        assert relative(lit(factored_maps(value)), wanted(value.eval)).max() < NEARLY
 
 
 def test_maps_that_say_nothing_need_no_texture_and_too_many_leave_the_lamps_to_the_lobes(lit, wanted):
@@ -132,7 +134,7 @@ def test_maps_that_say_nothing_need_no_texture_and_too_many_leave_the_lamps_to_t
     value = Factored(two, two, 0.1, more=more)
     maps = maps_of(value)
     assert len(maps.maps) == 6
-    assert relative(lit(maps), wanted(value.eval)).max() < 2e-3
+    assert relative(lit(maps), wanted(value.eval)).max() < NEARLY
     # Darker than the shader's numbers can resolve.
     black = replace(
         value, more=(MapFactor("|h|", np.full((8, 3), 1e-37, np.float32) * waves(8, seed=1), True),)
@@ -143,7 +145,7 @@ def test_maps_that_say_nothing_need_no_texture_and_too_many_leave_the_lamps_to_t
     assert maps_of(Coated(replace(value, more=more + seventh), ior=1.5, spread=0.7)) is None
     # All the same everywhere: still something to draw.
     flat = Factored(two, two, 0.1)
-    assert relative(lit(maps_of(flat)), wanted(flat.eval)).max() < 2e-3
+    assert relative(lit(maps_of(flat)), wanted(flat.eval)).max() < NEARLY
 
 
 def test_lamps_add_up_in_one_pass_and_one_below_the_horizon_adds_nothing(lit):
@@ -167,7 +169,7 @@ def test_what_is_beyond_the_ceiling_bends_to_it_and_keeps_its_colour(lit, wanted
     maps = factored_maps(value)
     assert maps.ceiling == 8.0
     truth = wanted(lambda wi, wo: soft_clip(value.eval(wi, wo), 8.0), LAMPS[1:2])
-    assert relative(lit(maps, LAMPS[1:2]), truth).max() < 2e-3
+    assert relative(lit(maps, LAMPS[1:2]), truth).max() < NEARLY
     assert soft_clip([1e30, 1e30, 1e29], 8.0) == pytest.approx([8.0, 8.0, 0.8])
 
 
@@ -193,7 +195,7 @@ def test_below_a_clearcoat_the_base_loses_what_the_coat_takes(lit, wanted):
     # The fit has no gloss, so what is drawn is the base alone.
     truth = wanted(lambda wi, wo: base.eval(wi, wo) * coated.base_factor(wi, wo))
     got = lit(maps_of(coated))
-    assert relative(got, truth).max() < 2e-3
+    assert relative(got, truth).max() < NEARLY
     assert (got < 0.99 * lit(maps_of(base))).all()
 
 
@@ -212,7 +214,7 @@ def test_the_tangent_is_where_u_grows(lit, wanted):
     value = Factored(waves(16, 16, seed=1), waves(16, 16, seed=2), 0.3)
     for turn in (0.0, 40.0, -110.0):
         drawn = lit(factored_maps(value), part=sheet(turn))
-        assert relative(drawn, wanted(value.eval, turn_deg=turn)).max() < 2e-3
+        assert relative(drawn, wanted(value.eval, turn_deg=turn)).max() < NEARLY
     # Maps over radii know no tangent.
     radial = Factored(waves(16, seed=1), waves(16, seed=2), 0.3)
     np.testing.assert_allclose(

@@ -8,6 +8,8 @@ import sys
 
 import pytest
 
+from brdf_suite.realtime.gl.context import draws_in_software
+
 SCRIPT = """
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.gl.context import create_context
@@ -35,19 +37,30 @@ def start(**variables: str) -> str:
     return done.stdout
 
 
+@pytest.fixture
+def software(context):
+    """Whether Mesa draws here."""
+    return draws_in_software(context)
+
+
 def test_without_a_display():
     assert start().startswith("made 3") or start().startswith("made 4")
 
 
 @linux
 def test_no_driver(tmp_path):
-    said = start(__EGL_VENDOR_LIBRARY_DIRS=str(tmp_path), LIBGL_DRIVERS_PATH=str(tmp_path))
+    nothing = str(tmp_path)
+    said = start(
+        __EGL_VENDOR_LIBRARY_DIRS=nothing, __EGL_VENDOR_LIBRARY_FILENAMES="", LIBGL_DRIVERS_PATH=nothing
+    )
     assert said.startswith("refused: No OpenGL 3.3 context could be made (")
     assert "Install" in said
 
 
 @linux
-def test_too_old():
+def test_too_old(software):
+    if not software:
+        pytest.skip("the version of this driver cannot be lowered")
     said = start(MESA_GL_VERSION_OVERRIDE="2.1", LIBGL_ALWAYS_SOFTWARE="1")
     assert said.startswith("refused: ")
     assert "OpenGL 3.3" in said
