@@ -52,9 +52,8 @@ def test_link_error_is_a_message(context, tmp_path):
         "out vec2 given;\nvoid main() { given = vec2(0); gl_Position = vec4(0); }\n"
     )
     (tmp_path / "a.frag.glsl").write_text("in vec3 given;\nout vec4 c;\nvoid main() { c = given.xyzz; }\n")
-    with pytest.raises(
-        GraphicsError, match=r"a\.vert\.glsl with a\.frag\.glsl do not compile or link: .*given"
-    ):
+    # Some drivers find the difference as they compile, and have a line for it.
+    with pytest.raises(GraphicsError, match=r"a\.frag\.glsl.* not compile.*given"):
         compile_program(
             context, compose("a.vert.glsl", None, (tmp_path,)), compose("a.frag.glsl", None, (tmp_path,))
         )
