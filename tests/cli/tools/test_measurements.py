@@ -15,6 +15,16 @@ from brdf_suite.cli.tools.measurements import Bound, ReportSection, Result, page
 from brdf_suite.errors import SuiteError
 
 
+DEMO = """'A benchmark for this test.'
+NAME = "demo"
+BOUNDS = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "for information")}
+
+
+def run(progress):
+    return {"fast_ms": 4.0, "info": None}
+"""
+
+
 def module(**figures: float | None) -> SimpleNamespace:
     bounds = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "for information")}
     return SimpleNamespace(
@@ -56,7 +66,11 @@ def test_bench_writes_its_own_section_and_the_documents_that_quote_it(
         (tmp_path / name).write_text("It takes <!--figure demo.fast_ms-->?<!--/-->.\n", encoding="utf-8")
     monkeypatch.setattr(bench, "_CHECKOUT", tmp_path)
     monkeypatch.setattr(bench, "_DOCS", docs)
-    monkeypatch.setattr(bench, "_load", lambda: {"demo": module(fast_ms=4.0, info=None)})
+    folder = tmp_path / "benchmarks"
+    folder.mkdir()
+    (folder / "bench_demo.py").write_text(DEMO, encoding="utf-8")
+    (folder / "bench_other.py").write_text("import a_package_that_is_not_there\n", encoding="utf-8")
+    monkeypatch.setattr(bench, "_FOLDER", folder)
     options = argparse.Namespace(name="demo", list=False, all=False, json=True, write=True)
     assert bench.run(options) == 0
     assert "-->4.0 ms<!--/-->" in (docs / "page.md").read_text(encoding="utf-8")
