@@ -14,7 +14,6 @@ from brdf_suite.cli.tools.bench import appendix, measure
 from brdf_suite.cli.tools.measurements import Bound, ReportSection, Result, page, renew_section
 from brdf_suite.errors import SuiteError
 
-
 DEMO = """'A benchmark for this test.'
 NAME = "demo"
 BOUNDS = {"fast_ms": ("<=", 5.0, "ms", "how fast"), "info": ("", None, "", "for information")}
