@@ -76,8 +76,10 @@ def _entry(name: str) -> str:
 
 def _body(name: str, value: object) -> list[str]:
     """Return the signature and the parts of the docstring."""
+    if isinstance(value, str):
+        return [f"`{value}`"]
     parts = []
-    if callable(value) and not isinstance(value, property):
+    if callable(value) and not (inspect.isclass(value) and issubclass(value, Exception)):
         signature = re.sub(r"(: |-> )'([^']*)'", r"\1\2", str(inspect.signature(value)))
         parts.append(f"```python\n{name}{signature}\n```")
     before, *sections = _SECTION.split(normalize_docstring(inspect.getdoc(value) or ""))
