@@ -47,6 +47,15 @@ def page_title(page: Path) -> str:
     return found.group(1).replace("`", "") if found else page.stem
 
 
+def heading_anchor(heading: str) -> str:
+    """Return the anchor by which links name a heading.
+
+    >>> heading_anchor("Lights, and `lamps`")
+    'lights-and-lamps'
+    """
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
 def normalize_docstring(text: str) -> str:
     """Return a docstring without roles of reStructuredText, and with its examples in a section of their own.
 

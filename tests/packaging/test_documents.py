@@ -6,7 +6,7 @@ import re
 import tomllib
 from pathlib import Path
 
-from brdf_suite.library.reference import list_pages
+from brdf_suite.library.reference import heading_anchor, list_pages
 
 CODE_BLOCK = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\((?![a-z]+:)([^)\s]+)\)")
@@ -22,10 +22,10 @@ def pages(checkout: Path) -> list[Path]:
 
 
 def anchors(page: Path) -> set[str]:
-    """Return the anchors of a page's headings, as GitHub makes them."""
+    """Return the anchors of a page's headings."""
     text = CODE_BLOCK.sub("", page.read_text(encoding="utf-8"))
-    headings = (re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower() for heading in HEADING.findall(text))
-    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings}
+    headings = (re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading) for heading in HEADING.findall(text))
+    return {heading_anchor(heading) for heading in headings}
 
 
 def broken_links(page: Path) -> list[str]:

@@ -333,6 +333,9 @@ def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, q
     assert page.page == (document_root() / "guides" / "colourist.md").resolve()
     page.show_page(document_root() / "method" / "fit.md")
     assert "<!--" not in page.toPlainText()
+    page.follow(QUrl("basis.md#a-basis-of-your-own"))
+    heading = page.cursorForPosition(QPoint(20, 5)).block()
+    assert "A basis of your own" in (heading.text(), heading.next().text())
 
 
 def test_the_manual_shows_the_names_of_the_library_with_their_docstrings(window, qtbot) -> None:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDialog, QSplitter, QTextBrowser, QTreeWidget, QTr
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
-from brdf_suite.library.reference import expand_reference, list_pages
+from brdf_suite.library.reference import expand_reference, heading_anchor, list_pages
 from brdf_suite.resources import document_root
 
 _REMARK = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -47,7 +47,17 @@ class _Page(QTextBrowser):
                 return
             self.show_page(page)
         if link.fragment():
-            self.scrollToAnchor(link.fragment())
+            self._scroll_to(link.fragment(QUrl.ComponentFormattingOption.FullyDecoded))
+
+    def _scroll_to(self, anchor: str) -> None:
+        """Bring the heading of an anchor to the top."""
+        block = self.document().begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel() and heading_anchor(block.text()) == anchor:
+                place = self.document().documentLayout().blockBoundingRect(block).top()
+                self.verticalScrollBar().setValue(int(place))
+                return
+            block = block.next()
 
     def show_page(self, page: Path) -> None:
         """Show a page from its beginning."""
