@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import inspect
 import re
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
 from brdf_suite.errors import FileError
 
 _CONTENTS = "README.md"
+_WIDE = 80
 _CHAPTER = re.compile(r"^## ([^:\n]+)", re.MULTILINE)
 _ROW = re.compile(r"^\| \[[^]]*\]\(([^)]+\.md)\) \| (.+?) \|$", re.MULTILINE)
 _TITLE = re.compile(r"^# (.+)$", re.MULTILINE)
@@ -89,8 +91,7 @@ def _body(name: str, value: object) -> list[str]:
         return [f"`{value}`"]
     parts = []
     if callable(value) and not (inspect.isclass(value) and issubclass(value, Exception)):
-        signature = re.sub(r"(: |-> )'([^']*)'", r"\1\2", str(inspect.signature(value)))
-        parts.append(f"```python\n{name}{signature}\n```")
+        parts.append(f"```python\n{name}{_signature(value)}\n```")
     before, *sections = _SECTION.split(normalize_docstring(inspect.getdoc(value) or ""))
     parts.append(before.strip())
     for title, body in zip(sections[::2], sections[1::2], strict=True):
@@ -100,3 +101,18 @@ def _body(name: str, value: object) -> list[str]:
             body = _ITEM.sub(lambda match: f"- `{match[1]}`: {' '.join(match[2].split())}\n", body)
         parts += [f"**{title}**", body.strip()]
     return parts
+
+
+def _signature(value: Callable[..., object]) -> str:
+    """Return the signature; one that would be wide has a line for each parameter."""
+    found = inspect.signature(value)
+    text = str(found)
+    if len(text) > _WIDE:
+        lines: list[str] = []
+        for parameter in found.parameters.values():
+            if parameter.kind is parameter.KEYWORD_ONLY and "*" not in lines:
+                lines.append("*")
+            lines.append(str(parameter))
+        end = text[text.rindex(")") :]
+        text = "\n".join(["(", *(f"    {line}," for line in lines), end])
+    return re.sub(r"(: |-> )'([^']*)'", r"\1\2", text)

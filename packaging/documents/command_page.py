@@ -62,14 +62,14 @@ def _names(action: argparse.Action) -> str:
     if not action.option_strings:
         return f"`{action.metavar or action.dest}`"
     value = "" if action.nargs == 0 else f" {_value(action)}"
-    return ", ".join(f"`{name}{value}`" for name in action.option_strings).replace("|", "\\|")
+    return ", ".join(f"`{name}{value}`" for name in action.option_strings)
 
 
 def _value(action: argparse.Action) -> str:
     if isinstance(action.metavar, tuple):
         return " ".join(action.metavar)
     if action.metavar is not None:
-        return str(action.metavar)
+        return str(action.metavar).replace("|", " or ")  # in the code of a table readers differ about pipes
     return "{" + ",".join(map(str, action.choices)) + "}" if action.choices else action.dest.upper()
 
 

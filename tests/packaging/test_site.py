@@ -124,9 +124,7 @@ def test_the_library_and_the_tables_are_rendered(site: Path) -> None:
     assert len(re.findall(r'<h3 id="brdf_suite\.\w+"', text)) == len(set(bs.__all__) - {"__version__"})
     assert "L*a*b*" in text
     assert ":class:" not in text
-    assert "<code>--environment FILE&#124;NAME</code>" in (site / "command" / "reference.html").read_text(
-        "utf-8"
-    )
+    assert "<code>sqrt&#124;h&#124;</code>" in (site / "method" / "factorization.html").read_text("utf-8")
 
 
 def test_the_page_of_the_commands_is_what_their_parsers_say(checkout: Path) -> None:

@@ -22,7 +22,7 @@ from brdf_qt.window.shortcuts import PRESETS, SHORTCUTS
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QRect, QSize, QUrl
-from PySide6.QtGui import QColor, QPalette, QPixmap
+from PySide6.QtGui import QColor, QFont, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget, QWidget
 
 from brdf_suite.library.reference import list_pages
@@ -331,8 +331,11 @@ def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, q
     assert page.loadResource(2, QUrl("../images/designer.png")).width() > 100
     page.follow(QUrl("../guides/colourist.md"))
     assert page.page == (document_root() / "guides" / "colourist.md").resolve()
+    qtbot.wait(20)
     page.show_page(document_root() / "method" / "fit.md")
     assert "<!--" not in page.toPlainText()
+    paragraph = page.document().begin().next()
+    assert paragraph.begin().fragment().charFormat().fontWeight() == QFont.Weight.Normal
     page.follow(QUrl("basis.md#a-basis-of-your-own"))
     heading = page.cursorForPosition(QPoint(20, 5)).block()
     assert "A basis of your own" in (heading.text(), heading.next().text())

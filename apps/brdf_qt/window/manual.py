@@ -62,7 +62,11 @@ class _Page(QTextBrowser):
     def show_page(self, page: Path) -> None:
         """Show a page from its beginning."""
         self.page = page
-        self.setMarkdown(expand_reference(_REMARK.sub("", page.read_text("utf-8"))))
+        # A new document each time: on one that was shown before, Qt writes text in the format of its first heading.
+        shown = QTextDocument(self)
+        shown.setDefaultFont(self.font())
+        shown.setMarkdown(expand_reference(_REMARK.sub("", page.read_text("utf-8"))))
+        self.setDocument(shown)  # deletes the one before
         self.verticalScrollBar().setValue(0)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
