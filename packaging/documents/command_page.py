@@ -43,7 +43,8 @@ def _section(path: tuple[str, ...], command: CommandParser) -> list[str]:
     parts.append(f"    {usage}\n")
     for group in command._action_groups:
         if group.title not in ("general", "commands"):
-            parts += _table(str(group.title or "").capitalize(), group, command)
+            title = str(group.title).removeprefix("positional ").capitalize()
+            parts += _table(title, group, command)
     if command.examples:
         parts.append("```\n" + "\n".join(command.examples) + "\n```\n")
     return parts
