@@ -128,7 +128,7 @@ def main() -> int:
                 file = Path(scratch) / f"{name}.brdfview"
                 save_view(view, file)
                 run(
-                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "960x620",
+                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "1280x720",
                      "--screenshot", str(IMAGES / f"{name}.png")],
                     environment | {"BRDF_SUITE_SETTINGS": f"{scratch}/{name}"},
                 )  # fmt: skip
