@@ -31,7 +31,7 @@ NEEDED = (
     "brdf_suite/_resources/thumbnails/environments/street.jpg",
     "brdf_suite/_resources/thumbnails/meshes/car.jpg",
     "brdf_suite/_resources/colour/cie.csv",
-    "brdf_suite/_documents/use/designer.md",
+    "brdf_suite/_documents/start/first_paint.md",
     "brdf_suite/_documents/images/designer.png",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",

@@ -1,4 +1,4 @@
-"""Draw the rig from above and simulated photographs of it, for docs/use/acquisition.md and docs/method/acquisition.md.
+"""Draw the rig from above and simulated photographs of it, for the guide and the method page on acquisition.
 
 .venv/bin/python packaging/pictures/acquisition_rig.py
 """

@@ -1,4 +1,4 @@
-"""Draw what docs/use/environments.md shows: skies of three models, and studios, as maps.
+"""Draw what docs/method/environments.md shows: skies of three models, and studios, as maps.
 
 python packaging/pictures/light.py [--output docs/images/environments.png]
 """

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/use/surfaces.md: occlusion and ground, orange peel and normal map, two-tone paint.
+"""Draw the pictures of docs/method/surfaces.md: occlusion and ground, orange peel and normal map, two-tone paint.
 
 .venv/bin/python packaging/plots/surfaces.py
 """

@@ -1,4 +1,4 @@
-"""Make the pictures of docs/use/pictures.md: one paint through every tone curve, and the curves themselves.
+"""Make the pictures of docs/method/pictures.md: one paint through every tone curve, and the curves themselves.
 
 Run ``.venv/bin/python packaging/plots/tone_curves.py``; it writes docs/images/tone_curves.png and tone_curves.svg.
 """

@@ -1,4 +1,4 @@
-"""Take the pictures of the assistant "Acquire…" in docs/use/designer.md: the real window, on a simulated session.
+"""Take the pictures of the assistant "Acquire…" in docs/guides/acquisition.md: the real window, on a simulated session.
 
 Run ``.venv/bin/python packaging/screenshots/acquire.py``; pictures are written to docs/images/ as ``acquire_*.png``.
 ``--theme``, ``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones. The
@@ -23,7 +23,7 @@ from screenshots import IMAGES, virtual_screen
 PAINT = "table1_polaris_silver"
 NAME = "Polaris Silver"
 POSITIONS, PIXELS, EXPOSURES = 61, 288, 12
-PAGES = ("session", "exposures", "response", "geometry", "mask", "coverage", "fit")
+PAGES = ("geometry", "fit")
 _PATIENCE_S = 900
 _TURN_S = 0.02
 

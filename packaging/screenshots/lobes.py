@@ -1,4 +1,4 @@
-"""Make the pictures of docs/use/lobe_visualizer.md: the real window, on an X server without a screen.
+"""Make the pictures of docs/guides/researcher.md: the real window, on an X server without a screen.
 
 Run ``.venv/bin/python packaging/screenshots/lobes.py [NAME …]``; they are written to docs/images/. ``--theme``,
 ``--size``, ``--scale`` and ``--into`` make them elsewhere in another look. Settings are fresh ones for every picture.
@@ -25,24 +25,13 @@ PICTURES: dict[str, list[str]] = {
     "lobes_blue_metallic": [
         "blue_metallic", "--show", "target,fit", "--set", "fill=body", "--plots", "polar,curves,unrolled",
     ],
-    "lobes_parts": [
-        "blue_metallic", "--show", "fit", "--set", "fill=body", "--set", "lobes=parts", "--plots", "polar,curves",
-    ],
-    "lobes_ford_polaris": [
-        "table1_ford_f8", "table1_polaris_silver", "--reference", "2", "--set", "fill=body",
-        "--set", "arrangement=panels", "--plots", "polar,curves,albedo", "--panels", "numbers",
-        "--set", "figures=colours", "--set", "angles=e2194",
-    ],
     "lobes_cayman": [
         "cayman.brdf", "--show", "fit", "--incidence", "40,0", "--radius", "log",
         "--set", "camera=plane", "--set", "fill=body", "--set", "decades=4", "--plots", "polar,curves,half_angle",
     ],
-    "lobes_poulin_fournier_0": ["poulin_fournier", "--incidence", "55,0", "--plots", "polar,curves,unrolled"],
-    "lobes_poulin_fournier_90": ["poulin_fournier", "--incidence", "55,90", "--plots", "polar,curves,unrolled"],
-    "lobes_basis": ["blue_metallic", "--show", "target,fit", "--set", "fill=body", "--plots", "basis"],
 }  # fmt: skip
 """Names of the pictures, and what the program is started with."""
-THEMES = {"lobes_cayman": "light", "lobes_poulin_fournier_90": "dark"}
+THEMES = {"lobes_cayman": "light"}
 MEASURED = {"cayman.brdf": Path("data", "brdf", "cayman.brdf")}
 
 

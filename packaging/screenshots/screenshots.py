@@ -15,11 +15,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from brdf_viewer.light.section import with_preset
-
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Compare, SurfaceLook
+from brdf_suite.documents.view_settings import Compare
 
 ROOT = Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs" / "images"
@@ -28,11 +26,7 @@ LARGE = ["--size", "1440x900"]
 
 PROGRAMS = {
     "designer": ["brdf_designer", "blue", "--theme", "dark", *LARGE],
-    "designer_booth": ["brdf_designer", "fine_silver", "--theme", "booth", *LARGE],
-    "designer_light_small": ["brdf_designer", "copper", "--theme", "light", "--size", "900x600"],
     "viewer": ["brdf_viewer", "blue", "--theme", "dark", *LARGE],
-    "viewer_car": ["brdf_viewer", "red", "--surface", "car", "--environment", "sunny", "--theme", "booth", *LARGE],
-    "viewer_light_small": ["brdf_viewer", "fine_silver", "--surface", "panel", "--theme", "light", "--size", "900x600"],
 }  # fmt: skip
 COMPARED = View(Camera(azimuth_deg=35.0, elevation_deg=12.0), "overcast", "speed_form")
 
@@ -42,44 +36,8 @@ def compared(mode: str, second: str = "candy_red", **fields: float) -> View:
     return dataclasses.replace(COMPARED, compare=Compare(mode, second, **fields))
 
 
-def traced(mode: str, **fields: float) -> View:
-    """Return a view on the ground whose traced picture is compared with its own in real time."""
-    look = dataclasses.replace(COMPARED.surface_look, ground=True)
-    return dataclasses.replace(COMPARED, surface_look=look, compare=Compare(mode, None, **fields))
-
-
-VIEWS = {
-    "viewer_side": (compared("side"), ["blue", "--theme", "dark"]),
-    "viewer_swipe": (compared("swipe", divider=0.45), ["blue", "--theme", "booth"]),
-    "viewer_difference": (
-        compared("difference", "silver_metallic_2", scale_delta_e=10.0),
-        ["silver_metallic", "--theme", "light"],
-    ),
-    "viewer_figures": (COMPARED, ["copper", "--theme", "dark"]),
-    "viewer_reference": (
-        traced("swipe", divider=0.5),
-        ["blue", "--theme", "light", "--renderer", "reference", "--spp", "192"],
-    ),
-    "viewer_reference_difference": (
-        traced("difference", scale_delta_e=5.0),
-        ["blue", "--theme", "dark", "--renderer", "reference", "--spp", "192"],
-    ),
-    "viewer_raytraced": (
-        dataclasses.replace(traced("off"), environment="sunny"),
-        ["copper", "--theme", "dark", "--renderer", "raytraced", "--quality", "medium"],
-    ),
-}
+VIEWS = {"viewer_side": (compared("side"), ["blue", "--theme", "dark"])}
 """Pictures of the Viewer in a view, and what it is started with beside it."""
-FIGURES = {"viewer_figures"}
-LAMPS_ALONE = dataclasses.replace(
-    with_preset(View(Camera(azimuth_deg=35.0, elevation_deg=12.0), surface="speed_form"), "three"),
-    background="grey",
-    surface_look=SurfaceLook(occlusion=False),
-)
-MEASURED = (
-    Path(os.environ.get("BRDF_SUITE_SHARED", ROOT.parent / "shared")) / "data" / "brdf" / "krylon_blue.brdf"
-)
-"""What viewer_lamps shows, factored; without that file there is no such picture."""
 
 RENDERS = {
     "render_street": [
@@ -102,7 +60,6 @@ RENDERS = {
         "--size",
         "1280x720",
     ],
-    "render_speed_form": ["blue", "--environment", "booth", "--mesh", "speed_form"],
     "render_car": [
         "gold_metallic",
         "--environment",
@@ -117,7 +74,6 @@ RENDERS = {
         "9",
         "--automatic-exposure",
     ],
-    "render_overcast": ["red", "--environment", "overcast", "--mesh", "car", "--azimuth", "215"],
 }
 
 
@@ -145,7 +101,7 @@ def virtual_screen(size: tuple[int, int] = (1920, 1200)) -> Iterator[str]:
 
 def main() -> int:
     """Make the pictures named in the arguments, or all."""
-    known = [*PROGRAMS, *VIEWS, "viewer_lamps", *RENDERS]
+    known = [*PROGRAMS, *VIEWS, *RENDERS]
     wanted = set(sys.argv[1:]) or set(known)
     unknown = wanted - set(known)
     if unknown:
@@ -167,22 +123,14 @@ def main() -> int:
                 run(
                     [sys.executable, "-m", *command, "--screenshot", str(IMAGES / f"{name}.png")], environment
                 )
-        views = dict(VIEWS)
-        if "viewer_lamps" in wanted and MEASURED.is_file():
-            factored = f"{scratch}/krylon_blue.brdfpaint"
-            command = ["factorize", str(MEASURED), "-o", factored]
-            run([sys.executable, "-m", "brdf_suite.cli.main", *command], environment)
-            views["viewer_lamps"] = (LAMPS_ALONE, [factored, "--theme", "dark"])
-        for name, (view, command) in views.items():
+        for name, (view, command) in VIEWS.items():
             if name in wanted:
-                file, folder = Path(scratch) / f"{name}.brdfview", Path(scratch) / name
+                file = Path(scratch) / f"{name}.brdfview"
                 save_view(view, file)
-                folder.mkdir()
-                (folder / "Viewer.ini").write_text(f"[General]\nfigures={str(name in FIGURES).lower()}\n")
                 run(
-                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "960x620",
+                    [sys.executable, "-m", "brdf_viewer", *command, "--view", str(file), "--size", "1280x720",
                      "--screenshot", str(IMAGES / f"{name}.png")],
-                    environment | {"BRDF_SUITE_SETTINGS": str(folder)},
+                    environment | {"BRDF_SUITE_SETTINGS": f"{scratch}/{name}"},
                 )  # fmt: skip
         for name, command in RENDERS.items():
             if name in wanted:

@@ -1,4 +1,4 @@
-"""Make the pictures of docs/use/color_swatch.md: the real program with 200 paints, on an X server without a screen.
+"""Make the pictures of docs/guides/palettes.md: the real program with 200 paints, on an X server without a screen.
 
 Run ``.venv/bin/python packaging/screenshots/swatch.py [NAME …]``; pictures are written to docs/images/. Settings and
 cache are fresh ones. ``--size``, ``--theme``, ``--scale`` and ``--into`` make them elsewhere in another look.
@@ -15,24 +15,11 @@ from pathlib import Path
 import example_palette
 from screenshots import IMAGES, run, virtual_screen
 
-from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import save_palette
 
 ACTIONS: dict[str, tuple[str, list[str]]] = {
     "swatch_groups": ("dark", ["--swatch-size", "72", "--do", "select=175"]),
-    "swatch_search": (
-        "booth",
-        ["--do", "search=blue", "--do", "section=filters", "--do", "sort=flop", "--do", "select=2"],
-    ),
     "swatch_map": ("dark", ["--do", "map=space", "--do", "group=Metallic", "--do", "select=4,12,25"]),
-    "swatch_panes": (
-        "light",
-        [
-            *("--do", "palette=0", "--do", "two_panes", "--do", "palette=1"),
-            *("--do", "other_pane", "--do", "select=0", "--do", "nearest_other"),
-        ],
-    ),
-    "swatch_list": ("dark", ["--do", "list", "--do", "sort=hue", "--do", "select=1,2", "--do", "compare"]),
 }  # fmt: skip
 """The theme of each picture, and what is done before it is taken."""
 
@@ -57,15 +44,18 @@ def main() -> int:
             "BRDF_SUITE_LINK": f"screenshots-{os.getpid()}",
         }
         environment.setdefault("BRDF_SUITE_CACHE", f"{scratch}/cache")
-        palette = example_palette.palette()
-        main_file, other = Path(scratch) / "two_hundred.brdfpalette", Path(scratch) / "spring.brdfpalette"
-        save_palette(palette, main_file)
-        chosen = tuple(entry for entry in palette.entries if "green" in entry.tags or "blue" in entry.tags)
-        save_palette(Palette("Spring", chosen[:24], palette.groups), other)
+        file = Path(scratch) / "two_hundred.brdfpalette"
+        save_palette(example_palette.palette(), file)
         for name in options.names or ACTIONS:
             theme, actions = ACTIONS[name]
-            files = [str(other), str(main_file)] if name == "swatch_panes" else [str(main_file)]
-            command = [sys.executable, "-m", "brdf_color_swatch", *files, "--theme", options.theme or theme]
+            command = [
+                sys.executable,
+                "-m",
+                "brdf_color_swatch",
+                str(file),
+                "--theme",
+                options.theme or theme,
+            ]
             command += ["--size", options.size, *actions, "--screenshot", str(options.into / f"{name}.png")]
             # Each begins as a first start does.
             run(command, environment | {"BRDF_SUITE_SETTINGS": f"{scratch}/{name}"})

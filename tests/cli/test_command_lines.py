@@ -406,29 +406,3 @@ def test_a_missing_extra_is_named_in_one_line(
     assert (status, out) == (1, "")
     assert len(err.splitlines()) == 1, err
     assert "needs Mitsuba" in err
-
-
-def documented() -> Iterator[tuple[str, str]]:
-    """Yield the page and the words of each command line in the blocks of code of the documents."""
-    for page in (CHECKOUT / "README.md", *sorted((CHECKOUT / "docs").rglob("*.md"))):
-        text = page.read_text(encoding="utf-8").replace("\\\n", " ")
-        for line in re.findall(r"^ *(?:cat \S+ \| )?brdf-suite (.+)$", text, re.MULTILINE):
-            words = re.sub(r"(\s{3,}\S| +#|\s+>|\s+\||\s+\().*$", "", line)
-            if not re.search(r"[A-Z]{3}(?!-)|[\[…]|\w\|\w", words):
-                yield str(page.relative_to(CHECKOUT)), words.strip()
-
-
-def test_every_documented_command_line_can_be_parsed(capsys: pytest.CaptureFixture[str]) -> None:
-    lines = [*documented()]
-    assert len(lines) > 40
-    wrong = []
-    for page, words in lines:
-        given = shlex.split(words.rstrip("`.;,"))
-        if given[:1] and given[0] in {"designer", "viewer", "lobes", "swatch", "help"}:
-            continue
-        try:
-            parser(COMMANDS).parse_args(given)
-        except SystemExit as end:
-            if end.code:
-                wrong.append(f"{page}: {words}: {capsys.readouterr().err}")
-    assert wrong == []

@@ -13,7 +13,8 @@ import pytest
 
 import brdf_suite as bs
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
+CHECKOUT = Path(__file__).resolve().parents[2]
+EXAMPLES = CHECKOUT / "examples"
 WRITTEN = {
     "measured_to_picture": {"measured.binary", "lobes.svg", "measured.png"},
     "design_and_hand_over": {"sea.brdfpaint", "sea.cxf", "sea.png"},
@@ -89,28 +90,33 @@ def test_a_notebook_is_of_the_current_format_and_without_results(name: str) -> N
     assert not any(cell.get("outputs") for cell in book["cells"])
 
 
+PAGES = [
+    "README.md",
+    *sorted(page.relative_to(CHECKOUT).as_posix() for page in (CHECKOUT / "docs").rglob("*.md")),
+]
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
 BLOCKS = [
     (page, number)
-    for page in ("docs/library/python.md", "README.md")
-    for number in range(len(BLOCK.findall((EXAMPLES.parent / page).read_text(encoding="utf-8"))))
+    for page in PAGES
+    for number in range(len(BLOCK.findall((CHECKOUT / page).read_text(encoding="utf-8"))))
 ]
 
 
 @pytest.mark.parametrize(("page", "number"), BLOCKS)
 def test_the_code_of_a_page_runs(page: str, number: int, tmp_path: Path) -> None:
-    code = BLOCK.findall((EXAMPLES.parent / page).read_text(encoding="utf-8"))[number]
+    code = BLOCK.findall((CHECKOUT / page).read_text(encoding="utf-8"))[number]
     assert run(["-c", code.replace("size=(640, 360)", "size=(64, 36)")], tmp_path).strip()
 
 
-def test_the_page_of_the_library_names_all_that_it_has() -> None:
-    text = (EXAMPLES.parent / "docs/library/python.md").read_text(encoding="utf-8")
-    listed = {
-        name
-        for row in re.findall(r"^\| (`.*?`) \|", text, re.MULTILINE)
-        for name in re.findall(r"`(\w+)`", row)
-    }
-    assert set(bs.__all__) - {"__version__"} == listed - set(WRITTEN)
+def test_the_page_of_names_has_all_that_the_library_has() -> None:
+    text = (CHECKOUT / "docs/library/reference.md").read_text(encoding="utf-8")
+    listed = re.findall(r"^::: brdf_suite\.(\w+)$", text, re.MULTILINE)
+    assert sorted(listed) == sorted(set(bs.__all__) - {"__version__"})
+
+
+def test_every_example_has_a_row() -> None:
+    text = (CHECKOUT / "docs/library/python.md").read_text(encoding="utf-8")
+    assert set(re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)) == set(WRITTEN)
 
 
 def test_every_example_is_tried() -> None:

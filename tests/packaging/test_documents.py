@@ -6,6 +6,8 @@ import re
 import tomllib
 from pathlib import Path
 
+from brdf_suite.library.reference import heading_anchor, list_pages
+
 CODE_BLOCK = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\((?![a-z]+:)([^)\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
@@ -20,10 +22,10 @@ def pages(checkout: Path) -> list[Path]:
 
 
 def anchors(page: Path) -> set[str]:
-    """Return the anchors of a page's headings, as GitHub makes them."""
+    """Return the anchors of a page's headings."""
     text = CODE_BLOCK.sub("", page.read_text(encoding="utf-8"))
-    headings = (re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).lower() for heading in HEADING.findall(text))
-    return {re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings}
+    headings = (re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading) for heading in HEADING.findall(text))
+    return {heading_anchor(heading) for heading in headings}
 
 
 def broken_links(page: Path) -> list[str]:
@@ -46,11 +48,12 @@ def test_a_broken_link_is_found(tmp_path: Path) -> None:
     assert broken_links(page) == ["page.md: page.md#other", "page.md: none.md"]
 
 
-def test_the_index_lists_every_page_once(checkout: Path) -> None:
+def test_the_list_has_every_page_once(checkout: Path) -> None:
     docs = checkout / "docs"
-    listed = LINK.findall((docs / "README.md").read_text(encoding="utf-8"))
-    there = {path.relative_to(docs).as_posix() for path in docs.rglob("*.md")} - {"README.md"}
-    assert sorted(link for link in listed if link.endswith(".md")) == sorted(there)
+    listed = [page for chapter in list_pages(docs).values() for _, _, page in chapter]
+    assert sorted(listed) == sorted(set(docs.rglob("*.md")) - {docs / "README.md"})
+    rows = re.findall(r"^\| \[", (docs / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(rows) == len(listed)
 
 
 def test_where_md_answers_30_questions_with_files(checkout: Path) -> None:

@@ -15,16 +15,17 @@ from brdf_qt.program.names import ENVIRONMENTS, SURFACES, title_of
 from brdf_qt.program.suite import MEMBERS, connected_words
 from brdf_qt.window.help_windows import ShortcutsWindow
 from brdf_qt.window.main_window import SuiteWindow
-from brdf_qt.window.manual import Manual, contents
+from brdf_qt.window.manual import Manual
 from brdf_qt.window.message_bar import Message
 from brdf_qt.window.placement import WindowPlaces, free_place, halves
 from brdf_qt.window.shortcuts import PRESETS, SHORTCUTS
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QRect, QSize, QUrl
-from PySide6.QtGui import QColor, QPalette, QPixmap
+from PySide6.QtGui import QColor, QFont, QPalette, QPixmap
 from PySide6.QtWidgets import QApplication, QLineEdit, QTreeWidget, QWidget
 
+from brdf_suite.library.reference import list_pages
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.resources import document_root, resource_names
 
@@ -302,11 +303,20 @@ def test_a_marked_label_draws_the_mark_and_says_its_word(qtbot) -> None:
 # The manual.
 
 
-def test_the_manual_has_every_document_that_users_need() -> None:
-    pages = [page for chapter in contents(document_root()).values() for _, _, page in chapter]
-    used = sorted((document_root() / "use").glob("*.md"))
-    assert used
-    assert set(used) <= set(pages)
+def test_the_manual_has_every_document_but_its_list() -> None:
+    root = document_root()
+    pages = [page for chapter in list_pages(root).values() for _, _, page in chapter]
+    assert sorted(pages) == sorted(set(root.rglob("*.md")) - {root / "README.md"})
+
+
+@pytest.mark.parametrize("program", ["designer", "viewer", "lobe_visualizer", "color_swatch"])
+def test_the_manual_opens_at_the_guide_of_its_program(program: str, window, qtbot) -> None:
+    manual = Manual(window, program)
+    qtbot.addWidget(manual)
+    page = manual.text.page
+    assert page.parent == document_root() / "guides"
+    (command,) = (member.command for member in MEMBERS.values() if member.package == f"brdf_{program}")
+    assert f"`{command}`" in page.read_text("utf-8")
 
 
 def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, qtbot) -> None:
@@ -314,22 +324,32 @@ def test_pages_and_pictures_of_the_manual_are_shown_and_links_followed(window, q
     qtbot.addWidget(manual)
     manual.show()
     page = manual.text
-    assert page.page == document_root() / "use" / "viewer.md"
     qtbot.wait(20)
     assert page.verticalScrollBar().value() == 0
-    page.show_page(document_root() / "use" / "designer.md")
-    assert "Designer" in page.toPlainText()
-    assert "<!--" not in page.toPlainText()
+    page.show_page(document_root() / "start" / "first_paint.md")
+    assert "Type the readings" in page.toPlainText()
     assert page.loadResource(2, QUrl("../images/designer.png")).width() > 100
-    page.follow(QUrl("exports.md"))
-    assert page.page == (document_root() / "use" / "exports.md").resolve()
+    page.follow(QUrl("../guides/colourist.md"))
+    assert page.page == (document_root() / "guides" / "colourist.md").resolve()
+    qtbot.wait(20)
+    page.show_page(document_root() / "method" / "fit.md")
+    assert "<!--" not in page.toPlainText()
+    paragraph = page.document().begin().next()
+    assert paragraph.begin().fragment().charFormat().fontWeight() == QFont.Weight.Normal
+    page.follow(QUrl("basis.md#a-basis-of-your-own"))
+    heading = page.cursorForPosition(QPoint(20, 5)).block()
+    assert "A basis of your own" in (heading.text(), heading.next().text())
 
 
-def test_every_link_of_a_document_for_users_leads_somewhere() -> None:
-    for page in (document_root() / "use").glob("*.md"):
-        for target in re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", page.read_text("utf-8")):
-            if not target.startswith("http"):
-                assert (page.parent / Path(target)).exists(), (page.name, target)
+def test_the_manual_shows_the_names_of_the_library_with_their_docstrings(window, qtbot) -> None:
+    manual = Manual(window, "viewer")
+    qtbot.addWidget(manual)
+    manual.text.show_page(document_root() / "library" / "reference.md")
+    text = manual.text.toPlainText()
+    assert ":::" not in text
+    assert "(width, height) in pixels, each 1 to 65,536." in text
+    assert "Rendering.save" in text
+    assert "L*a*b* is CIE 1976" in text
 
 
 # Names.

@@ -12,40 +12,19 @@ from PySide6.QtWidgets import QDialog, QSplitter, QTextBrowser, QTreeWidget, QTr
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
-from brdf_suite.errors import FileError
+from brdf_suite.library.reference import expand_reference, heading_anchor, list_pages
 from brdf_suite.resources import document_root
 
-_CONTENTS = "README.md"
-_HEADING = re.compile(r"^## ([^:\n]+)", re.MULTILINE)
-_ROW = re.compile(r"^\| \[[^]]*\]\(([^)]+\.md)\) \| (.+?) \|$", re.MULTILINE)
 _REMARK = re.compile(r"<!--.*?-->", re.DOTALL)
-_TITLE = re.compile(r"^# (.+)$", re.MULTILINE)
+_FIRST = {
+    "designer": "colourist",
+    "viewer": "stylist",
+    "lobe_visualizer": "researcher",
+    "color_swatch": "palettes",
+}
+"""The page on which each program's manual opens."""
 _PATH = Qt.ItemDataRole.UserRole
 _SIZE = (1080, 760)
-
-
-def contents(root: Path) -> dict[str, list[tuple[str, str, Path]]]:
-    """Return the pages by chapter, as the list of documents has them: title, content and file.
-
-    Raises :class:`FileError` where the documents were not installed.
-    """
-    try:
-        text = (root / _CONTENTS).read_text("utf-8")
-    except OSError as error:
-        raise FileError(root / _CONTENTS, f"the documents cannot be read ({error})") from error
-    found: dict[str, list[tuple[str, str, Path]]] = {}
-    parts = _HEADING.split(text)[1:]
-    for chapter, body in zip(parts[::2], parts[1::2], strict=True):
-        pages = [(root / name, about) for name, about in _ROW.findall(body) if (root / name).is_file()]
-        if pages:
-            found[chapter.replace("`", "")] = [(title_of(page), about, page) for page, about in pages]
-    return found
-
-
-def title_of(page: Path) -> str:
-    """Return the title of a page, its file's name where it has none."""
-    found = _TITLE.search(page.read_text("utf-8"))
-    return found.group(1).replace("`", "") if found else page.stem
 
 
 class _Page(QTextBrowser):
@@ -68,13 +47,26 @@ class _Page(QTextBrowser):
                 return
             self.show_page(page)
         if link.fragment():
-            self.scrollToAnchor(link.fragment())
+            self._scroll_to(link.fragment(QUrl.ComponentFormattingOption.FullyDecoded))
+
+    def _scroll_to(self, anchor: str) -> None:
+        """Bring the heading of an anchor to the top."""
+        block = self.document().begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel() and heading_anchor(block.text()) == anchor:
+                place = self.document().documentLayout().blockBoundingRect(block).top()
+                self.verticalScrollBar().setValue(int(place))
+                return
+            block = block.next()
 
     def show_page(self, page: Path) -> None:
         """Show a page from its beginning."""
         self.page = page
-        text = _REMARK.sub("", page.read_text("utf-8"))
-        self.setMarkdown(text)
+        # A new document each time: on one that was shown before, Qt writes text in the format of its first heading.
+        shown = QTextDocument(self)
+        shown.setDefaultFont(self.font())
+        shown.setMarkdown(expand_reference(_REMARK.sub("", page.read_text("utf-8"))))
+        self.setDocument(shown)  # deletes the one before
         self.verticalScrollBar().setValue(0)
 
     def loadResource(self, kind: int, name: QUrl | str) -> object:
@@ -95,9 +87,9 @@ class _Page(QTextBrowser):
 
 
 class Manual(QDialog):
-    """The documents; a window that stays open beside the work. ``first`` is the name of the page that it opens at."""
+    """The documents; a window that stays open beside the work. ``program`` says at which page it opens."""
 
-    def __init__(self, parent: QWidget, first: str) -> None:
+    def __init__(self, parent: QWidget, program: str) -> None:
         super().__init__(parent)
         self.setObjectName("manual")
         self.setWindowTitle(tr("Manual"))
@@ -112,7 +104,7 @@ class Manual(QDialog):
         split.setStretchFactor(1, 1)
         split.setSizes([340, 740])
         fill_column(self, split, margins=(8, 8, 8, 8))
-        for chapter, pages in contents(document_root()).items():
+        for chapter, pages in list_pages(document_root()).items():
             head = QTreeWidgetItem([chapter])
             self.chapters.addTopLevelItem(head)
             for title, about, page in pages:
@@ -120,7 +112,7 @@ class Manual(QDialog):
                 entry.setToolTip(0, plain_tip(about))
                 entry.setData(0, _PATH, str(page))
                 head.addChild(entry)
-                if page.stem == first or self.chapters.currentItem() is None:
+                if page.stem == _FIRST.get(program) or self.chapters.currentItem() is None:
                     self.chapters.setCurrentItem(entry)
 
     def _show(self, item: QTreeWidgetItem | None) -> None:

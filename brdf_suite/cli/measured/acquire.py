@@ -138,7 +138,7 @@ def add(command: CommandParser) -> None:
         "Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
         "photographs: the camera's response, the sphere and the light are found from the photographs themselves. What "
         "is done is kept in FILE.work: stopped or killed, the same command resumes where it stopped, with the same "
-        "table. docs/use/acquisition.md describes the folder."
+        "table. docs/formats/session.md describes the folder."
     )
     command.examples = (
         "brdf-suite acquire session --template",

@@ -2,7 +2,7 @@
 
 However many lamps there are, a place then costs one look-up (McCool, Ang and Ahmad 2001, section 5). It is an
 approximation: the view is taken for orthographic and the lamps for as far away as they are from the middle of the
-surface, and the material has to look alike from all sides (docs/use/viewer.md shows the error).
+surface, and the material has to look alike from all sides (docs/method/factorization.md shows the error).
 """
 
 from __future__ import annotations

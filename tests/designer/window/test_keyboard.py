@@ -1,4 +1,4 @@
-"""The path of docs/use/designer.md by keys alone: from an empty start to the file that is handed over."""
+"""The path of docs/start/first_paint.md by keys alone: from an empty start to the file that is handed over."""
 
 from __future__ import annotations
 

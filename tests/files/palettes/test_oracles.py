@@ -1,4 +1,4 @@
-"""Files written here, read by programs that others wrote; ``docs/use/formats.md`` names those that are run by hand."""
+"""Files written here, read by programs of others; the method page on palette formats names those run by hand."""
 
 from __future__ import annotations
 
