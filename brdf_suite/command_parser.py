@@ -6,11 +6,11 @@ import argparse
 import logging
 import sys
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from itertools import takewhile
 from typing import Any, NoReturn
 
 from brdf_suite.errors import did_you_mean
+from brdf_suite.release import __version__
 
 USAGE = 2
 """Exit status of wrong arguments."""
@@ -53,11 +53,11 @@ class _Rows(argparse.HelpFormatter):
 
 
 class _Version(argparse.Action):
-    """Prints the version; what reads it takes as long to import as all else that ``--help`` needs."""
+    """Prints the version."""
 
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
         """Print it and end."""
-        print(f"brdf-suite {import_module('importlib.metadata').version('brdf-suite')}")
+        print(f"brdf-suite {__version__}")
         parser.exit()
 
 

@@ -279,11 +279,21 @@ class Paint(Shown):
         return min(lights, key=lambda light: (-lights.count(light), light))
 
     def lab_at(self, aspecular_deg: float, illumination_deg: float | None = None) -> Lab:
-        """Return the measured L*a*b* at a geometry as :meth:`index_of` finds it."""
+        """Return the measured L*a*b* at a geometry as :meth:`index_of` finds it, with its errors.
+
+        >>> import brdf_suite as bs
+        >>> len(bs.load("blue", bs.Paint).lab_at(45.0))
+        3
+        """
         return self.measurements[self.index_of(aspecular_deg, illumination_deg)].lab
 
     def with_lab(self, aspecular_deg: float, lab: Lab, illumination_deg: float | None = None) -> Paint:
-        """Return this paint with the L*a*b* at one of its measured geometries replaced; see :meth:`index_of`."""
+        """Return this paint with the L*a*b* at one of its measured geometries replaced; errors as :meth:`index_of`.
+
+        >>> import brdf_suite as bs
+        >>> bs.load("blue", bs.Paint).with_lab(45.0, (30.0, 2.0, -40.0)).lab_at(45.0)
+        (30.0, 2.0, -40.0)
+        """
         index = self.index_of(aspecular_deg, illumination_deg)
         changed = list(self.measurements)
         changed[index] = replace(changed[index], lab=lab)
@@ -293,6 +303,11 @@ class Paint(Shown):
         """Return which measurement was read at an aspecular angle and under a light, degrees.
 
         Without a light it is the first at the angle. Raises :class:`ValueRangeError` where there is none.
+
+        >>> import brdf_suite as bs
+        >>> blue = bs.load("blue", bs.Paint)
+        >>> blue.measurements[blue.index_of(45.0)].aspecular_deg
+        45.0
         """
         used = [
             (index, m)

@@ -194,7 +194,12 @@ class Palette(Shown):
         return {entry.id: index for index, entry in enumerate(self.entries)}
 
     def entry(self, id_: str) -> Entry:
-        """Return the entry of an id; :class:`KeyError` where there is none."""
+        """Return the entry of an id; :class:`KeyError` where there is none.
+
+        >>> import brdf_suite as bs
+        >>> bs.Palette("Mine", (bs.Entry(bs.load("blue", bs.Paint), id="b"),)).entry("b").name
+        'Blue'
+        """
         return self.entries[self.by_id[id_]]
 
     def sections(self) -> list[tuple[Group | None, tuple[Entry, ...]]]:
@@ -203,6 +208,12 @@ class Palette(Shown):
         What is in no group is a section without one, as many as there are runs of it. A group stands where its first
         entry does, or the first of those within it, and these follow it; an empty one stands behind the group that was
         declared before it.
+
+        >>> import brdf_suite as bs
+        >>> blue = bs.load("blue", bs.Paint)
+        >>> mine = bs.Palette("Mine", (bs.Entry(blue), bs.Entry(blue, group=("Dark",))))
+        >>> [(group and group.name, len(entries)) for group, entries in mine.sections()]
+        [(None, 1), ('Dark', 1)]
         """
         members: dict[GroupPath, list[Entry]] = {group.path: [] for group in self.groups}
         first: dict[GroupPath, int] = {}

@@ -99,7 +99,16 @@ class Acquired:
     compared: Mapping[str, ParameterizedTable] = field(default_factory=lambda: MappingProxyType({}))
 
     def to_json(self) -> dict[str, Any]:
-        """Return what ``brdf-suite acquire --json`` prints."""
+        """Return the figures as plain values, as ``brdf-suite acquire --json`` prints them.
+
+        >>> import brdf_suite as bs, tempfile
+        >>> folder = tempfile.mkdtemp()
+        >>> bs.simulate("table1_white", f"{folder}/session", size=(48, 48), positions=3, exposures=4) is None
+        False
+        >>> found = bs.acquire(f"{folder}/session", f"{folder}/sphere.brdftable", linear=True, refine=False)
+        >>> found.to_json()["positions"]
+        3
+        """
         coverage = self.table.coverage
         median = 0.0
         if coverage is not None and (coverage.samples > 0.0).any():

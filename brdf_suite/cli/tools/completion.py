@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 import shlex
 from collections.abc import Iterator
-from importlib.metadata import version
 
 from brdf_suite.cli.arguments import add_output
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.release import __version__
 
 _PAINTS = "$(brdf-suite list paints --csv 2>/dev/null | cut -d, -f2 | tail -n +2)"
 
@@ -73,7 +73,7 @@ def _bash(top: CommandParser) -> str:
         words.append(f'    "{" ".join(path[1:])}") words="{" ".join(given)}{paints}" ;;')
     path_words = "|".join(sorted({word for path, _ in parsers(top) for word in path[1:]}))
     return f"""\
-# Completion of brdf-suite {version("brdf-suite")} for bash.
+# Completion of brdf-suite {__version__} for bash.
 _brdf_suite() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" path="" each words=""
   for each in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
@@ -96,7 +96,7 @@ def _zsh(top: CommandParser) -> str:
 
 
 def _fish(top: CommandParser) -> str:
-    lines = [f"# Completion of brdf-suite {version('brdf-suite')} for fish."]
+    lines = [f"# Completion of brdf-suite {__version__} for fish."]
     for path, command in parsers(top):
         seen = " ".join(f"__fish_seen_subcommand_from {word};" for word in path[1:]).replace("; _", "; and _")
         when = shlex.quote(seen.rstrip(";") or "__fish_use_subcommand")
@@ -123,7 +123,7 @@ def _fish(top: CommandParser) -> str:
 def _manual(top: CommandParser) -> str:
     """Return a page in the macros of man(7); the help of each command is a section."""
     page = [
-        f'.TH BRDF-SUITE 1 "" "brdf-suite {version("brdf-suite")}"',
+        f'.TH BRDF-SUITE 1 "" "brdf-suite {__version__}"',
         ".SH NAME",
         f"brdf-suite \\- {top.description}",
     ]
