@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from importlib.metadata import Distribution, distribution
+from pathlib import Path
 
+from packaging.licenses import InvalidLicenseExpression, canonicalize_license_expression
 from packaging.requirements import Requirement
 
 PROJECT = "brdf-suite"
 EXTRAS = ("acquisition", "reference", "speed", "video")
 """The extras for users; ``dev`` is for those who change the suite."""
+
+_STATED = {"Apache 2.0": "Apache-2.0"}
+"""What packages write for an SPDX expression."""
+_LICENCE_FILE = re.compile(r"(LICEN[CS]E|COPYING)(\.\w+)?", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -29,17 +36,24 @@ class Package:
 
     @property
     def licence(self) -> str:
-        """Its licence as its metadata state it: an SPDX expression, a short text, or the names of the classifiers."""
+        """Its licence: the SPDX expression that it states, or that of its licence's text, or what else it says."""
         metadata = self.found.metadata
-        stated = (metadata.get("License-Expression") or metadata.get("License") or "").strip()
-        if stated and "\n" not in stated and len(stated) <= 80:
-            return stated
-        listed = [
+        for field in ("License-Expression", "License"):
+            stated = str(metadata.get(field) or "")
+            with contextlib.suppress(InvalidLicenseExpression):
+                return str(canonicalize_license_expression(_STATED.get(stated, stated)))
+        for file in self.found.files or ():
+            if _LICENCE_FILE.fullmatch(file.name):
+                text = Path(str(file.locate())).read_text(encoding="utf-8", errors="replace")
+                found = _licence_of_text(" ".join(text.split()))
+                if found:
+                    return found
+        classified = [
             words.rpartition(" :: ")[2]
             for words in metadata.get_all("Classifier") or ()
             if words.startswith("License :: ")
         ]
-        return "; ".join(listed) or stated.split("\n", 1)[0][:80].strip()
+        return "; ".join(classified)
 
     @property
     def address(self) -> str:
@@ -55,6 +69,12 @@ class Package:
 def _labelled(line: str) -> tuple[str, str]:
     label, _, address = line.partition(",")
     return label.strip().lower(), address.strip()
+
+
+def _licence_of_text(text: str) -> str:
+    if "Redistribution and use in source and binary forms" in text:
+        return "BSD-3-Clause" if re.search("(Neither|None of) the name", text) else "BSD-2-Clause"
+    return "MIT" if "Permission is hereby granted, free of charge" in text else ""
 
 
 def key(name: str) -> str:

@@ -9,7 +9,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from cyclonedx.factory.license import LicenseFactory
+from cyclonedx.contrib.license.factories import LicenseFactory
 from cyclonedx.model import ExternalReference, ExternalReferenceType, XsUri
 from cyclonedx.model.bom import Bom
 from cyclonedx.model.component import Component, ComponentScope, ComponentType
@@ -36,7 +36,9 @@ def bill() -> Bom:
 def _component(name: str, one: Package) -> Component:
     url = PackageURL("pypi", name=name, version=one.found.version)
     licences = [LicenseFactory().make_from_string(one.licence)] if one.licence else []
-    home = [ExternalReference(type=ExternalReferenceType.WEBSITE, url=XsUri(one.address))] if one.address else []
+    home = (
+        [ExternalReference(type=ExternalReferenceType.WEBSITE, url=XsUri(one.address))] if one.address else []
+    )
     return Component(
         type=ComponentType.APPLICATION if name == PROJECT else ComponentType.LIBRARY,
         name=one.name,

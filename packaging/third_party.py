@@ -1,11 +1,11 @@
 """Write THIRD_PARTY.md: what the suite is installed with and what is in it by others, and under which licences.
 
-``.venv/bin/python packaging/third_party.py [--check]``; the versions are those of the lock, as installed here.
+``.venv/bin/python packaging/third_party.py``, from what is installed here. Versions are in the bill of materials
+(``packaging/sbom.py``).
 """
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 from runtime_packages import PROJECT, Package, runtime_packages
@@ -16,15 +16,15 @@ FILE = ROOT / "THIRD_PARTY.md"
 _HEAD = """\
 # Work of others
 
-BRDF Suite is under the Apache License 2.0. Its package contains none of the packages below: an installer fetches them,
-each under its own licence. `packaging/third_party.py` makes this page from their metadata.
+BRDF Suite is under the Apache License 2.0. The packages below are not in its own: an installer fetches them, each under
+its own licence. `packaging/third_party.py` makes this page from their metadata.
 
 ## In the package
 
 | what | by | licence |
 |---|---|---|
 | icons, `resources/icons` | Phosphor Icons 1.3.0 | MIT, `resources/icons/LICENSE` |
-| coefficients of the sky, `resources/sky` | L. Hošek and A. Wilkie | BSD-3-Clause, `resources/sky/LICENSE_hosek_wilkie.txt` |
+| the sky, `resources/sky` | L. Hošek, A. Wilkie | BSD-3-Clause, `resources/sky/LICENSE_hosek_wilkie.txt` |
 
 """
 
@@ -41,25 +41,13 @@ def page() -> str:
 
 
 def _table(packages: list[Package], *, extras: bool = False) -> str:
-    head = ["package", "version", *(["extra"] if extras else []), "licence", "address"]
+    head = ["package", *(["extra"] if extras else []), "licence", "address"]
     rows = [head, ["---"] * len(head)]
     for one in packages:
         extra = [one.extra] if extras else []
-        rows.append([one.name, one.found.version, *extra, one.licence or "not stated", one.address])
+        rows.append([one.name, *extra, one.licence or "not stated", one.address])
     return "".join(f"|{'|'.join(f' {cell} ' for cell in row)}|\n" for row in rows).replace(" --- ", "---")
 
 
-def main() -> int:
-    """Write the page, or with ``--check`` return 1 where it is not as it would be written."""
-    text = page()
-    if sys.argv[1:] == ["--check"]:
-        if FILE.read_text(encoding="utf-8") == text:
-            return 0
-        print(f"{FILE.name} is not up to date; run packaging/third_party.py", file=sys.stderr)
-        return 1
-    FILE.write_text(text, encoding="utf-8")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    FILE.write_text(page(), encoding="utf-8")

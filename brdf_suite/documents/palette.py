@@ -58,8 +58,12 @@ class Entry:
         The maker's number.
     tags, notes
         Short words to search by, none twice; the user's own text.
+    usage
+        ``process``, ``global`` or ``spot``, as layout programs distinguish colours.
     date
         ISO 8601, a day or a moment, or empty.
+    foreign
+        Pairs of a name and a text: fields of another program's file, kept to be written back.
 
     >>> import brdf_suite as bs
     >>> bs.Entry(bs.load("blue", bs.Paint), code="B-12", tags=("metallic",)).name
@@ -145,7 +149,8 @@ class Palette(Shown):
     """Entries in the user's order, and the groups that they are in; a group may be empty.
 
     Groups that entries are in but that are not declared are added, those around a group before it. ``columns`` is how
-    many stand in a row (0: not said).
+    many stand in a row (0: not said), ``colour`` a mark (``#rrggbb`` or empty), ``notes`` the user's text, and
+    ``foreign`` what another program's file said, as in an :class:`Entry`. Entries without an id get their number.
 
     >>> import brdf_suite as bs
     >>> palette = bs.Palette("Summer", (bs.Entry(bs.load("blue", bs.Paint), group=("Dark",)),))
@@ -194,7 +199,7 @@ class Palette(Shown):
         return {entry.id: index for index, entry in enumerate(self.entries)}
 
     def entry(self, id_: str) -> Entry:
-        """Return the entry of an id; :class:`KeyError` where there is none.
+        """Return the entry whose id is ``id_``; :class:`KeyError` where there is none.
 
         >>> import brdf_suite as bs
         >>> bs.Palette("Mine", (bs.Entry(bs.load("blue", bs.Paint), id="b"),)).entry("b").name

@@ -89,7 +89,9 @@ class Rendering:
         return np.array(self.pixels, dtype=dtype, copy=copy)
 
     def save(self, path: PathLike) -> None:
-        """Write the file, whole or not at all; :class:`FileError` where its ending is another or the disk refuses.
+        """Write ``path``, of the :attr:`ending` that the picture has, whole or not at all.
+
+        Raises :class:`FileError`: it has another ending, or the disk refuses.
 
         >>> import brdf_suite as bs, tempfile, pathlib
         >>> file = pathlib.Path(tempfile.mkdtemp()) / "blue.png"

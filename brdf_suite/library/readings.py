@@ -33,7 +33,9 @@ Colours: TypeAlias = npt.ArrayLike
 
 
 def spherical(theta: npt.ArrayLike, phi: npt.ArrayLike) -> Floats:
-    """Return unit directions (..., 3) of polar and azimuthal angles, radians, which broadcast; z is the normal.
+    """Return unit directions (..., 3) of polar angles ``theta`` and azimuthal angles ``phi``, radians; z is the normal.
+
+    The angles broadcast.
 
     >>> import brdf_suite as bs
     >>> bs.spherical([0.0, 0.3], 0.0)[0].tolist()
@@ -119,7 +121,7 @@ def compare(
 
 
 def check(subject: Subject) -> CheckReport:
-    """Check whether a reflectance is reciprocal, never negative, and reflects no more light than arrives.
+    """Check whether a subject, as of :func:`measure`, is reciprocal, never negative, and reflects no more than arrives.
 
     ``passed`` is whether every property that is claimed holds; ``findings`` has each with its size and its place,
     ``albedo`` and ``furnace`` (k, 3) the share that is reflected at ``incidence_deg``.
@@ -140,10 +142,12 @@ def check(subject: Subject) -> CheckReport:
 
 
 def delta_e(reference: Colours, sample: Colours, formula: str = "2000") -> Floats:
-    """Return colour differences (...) of L*a*b* (..., 3), D65 and 10°; the arrays broadcast.
+    """Return colour differences (...) of L*a*b* colours.
 
     Parameters
     ----------
+    reference, sample
+        (..., 3), CIE 1976, D65 and 10°; they broadcast.
     formula
         ``2000`` (CIEDE2000), ``76``, ``cmc21``, ``cmc11``, ``cam02ucs``, or ``cmc:l:c`` with weights of one's own.
 

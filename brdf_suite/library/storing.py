@@ -153,7 +153,7 @@ def names(kind: NameKind = "paints") -> list[str]:
 
 
 def save(value: Subject | Palette | Environment | View, path: PathLike) -> tuple[str, ...]:
-    """Write a value to a file of the format that the ending names; return what the format could not hold.
+    """Write a value to a file of the format that the ending of ``path`` names; return what the format could not hold.
 
     A paint, also one that Cook-Torrance lobes or factors make, goes into a ``.brdfpaint``; a palette into any palette
     format (``.brdfpalette``, ``.ase``, ``.gpl``, ``.csv`` …); a material, a reflectance or a lobe fit into any measured
@@ -251,7 +251,14 @@ def _item_of(subject: Subject) -> ExportItem:
 
 
 def convert(source: PathLike, target: PathLike) -> Conversion:
-    """Read a file of any kind, or take a paint by its name, and write it in the format that the target's ending names.
+    """Read a file of any kind, or take a paint by its name, and write it in another format.
+
+    Parameters
+    ----------
+    source
+        A file of any kind, or a name as of :func:`load`.
+    target
+        The file; its ending names the format.
 
     Palettes become palettes, and a paint a palette of one entry; measured files and paints become measured files. What
     the target could not hold is in ``notes``.

@@ -17,6 +17,7 @@ from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import load_database
 from brdf_suite.fitting.basis_search.search import CountResult, search, usable_cores
+from brdf_suite.release import __version__
 from brdf_suite.resources import resource_root
 
 _OUTPUT = Path("basis.json")

@@ -170,8 +170,9 @@ class FileFit(Shown):
         """Return everything but the plot as plain values, as JSON holds them.
 
         >>> import brdf_suite as bs
-        >>> sorted(bs.fit_cook_torrance("table1_white", lobes=1, starts=1, samples=300).to_json()["errors"])[:2]
-        ['l1_mean', 'l1_median']
+        >>> plain = bs.fit_cook_torrance("table1_white", lobes=1, starts=1, samples=300).to_json()
+        >>> 0.0 < plain["errors"]["l1_mean"] < 1.0
+        True
         """
         return {
             "name": self.name,

@@ -105,7 +105,7 @@ class InstrumentReport:
         return haze_units(self.gloss[20], self.gloss[60])
 
     def gloss_supported(self, angle_deg: int) -> bool:
-        """Return whether the nearest sample lies in the receptor at 20, 60 or 85°.
+        """Return whether the nearest sample lies in the receptor at ``angle_deg``: 20, 60 or 85.
 
         >>> import brdf_suite as bs
         >>> bs.measure("blue").gloss_supported(20)
