@@ -18,7 +18,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.parameter import check_choice, check_items, check_text, describe
+from brdf_suite.documents.parameter import as_whole, check_choice, check_items, check_text, describe
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.notebook import Shown
 
@@ -175,6 +175,7 @@ class Palette(Shown):
         )
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         _check_colour(self.colour)
+        _set(self, "columns", as_whole(self.columns))
         if (
             isinstance(self.columns, bool)
             or not isinstance(self.columns, int)
