@@ -51,10 +51,13 @@ from brdf_suite.reports.handover import (
     item_of_material,
 )
 from brdf_suite.reports.handover import export as export_items
+from brdf_suite.resources import schema_names
 
 _Kind = TypeVar("_Kind", bound=Material | Palette | Environment | View | Paint)
 
-NameKind = Literal["paints", "table 1", "models", "environments", "surfaces", "geometries", "formats"]
+NameKind = Literal[
+    "paints", "table 1", "models", "environments", "surfaces", "geometries", "formats", "schemas"
+]
 
 
 @overload
@@ -125,7 +128,8 @@ def names(kind: NameKind = "paints") -> list[str]:
     kind
         ``paints``, ``table 1`` (paints of Günther et al. 2005) and ``models``, for :func:`load` and whatever takes a
         subject; ``environments`` and ``surfaces``, for :func:`render`; ``geometries``, for :func:`measure`;
-        ``formats``, for :func:`export`.
+        ``formats``, for :func:`export`; ``schemas``, of the suite's own JSON formats (`brdf-suite list schemas` says
+        where they are).
 
     Raises
     ------
@@ -146,6 +150,7 @@ def names(kind: NameKind = "paints") -> list[str]:
         "surfaces": surface_names,
         "geometries": lambda: list(GEOMETRY_SETS),
         "formats": lambda: [one.name for one in formats()],
+        "schemas": schema_names,
     }
     if kind not in known:
         raise ValueRangeError("kind", f"expected one of {', '.join(get_args(NameKind))}, not {kind!r}")
