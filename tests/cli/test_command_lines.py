@@ -193,11 +193,17 @@ LINES = (
     Line("environment lights booth -n 2 --csv", 0, "elevation_deg,azimuth_deg,"),
     Line("environment info both", 1, err="did you mean booth?"),
     Line("environment sky -o - --model overcast", 0, '"format": "brdfstudio"', "standard output: written"),
+    Line("environment sky -o sky.brdfstudio --json", 0, '"output": "sky.brdfstudio"', made="sky.brdfstudio"),
+    Line("environment studio new.brdfstudio --new --json", 0, '"output": "new', made="new.brdfstudio"),
+    Line("project list mine.brdfproject --csv", 0, "kind,name\npaint,Blue\n"),
+    Line(
+        "fit-cook-torrance table1_white --lobes 1 --starts 1 --samples 300 --csv",
+        0,
+        "lobe,red,red_error,green,green_error,blue,blue_error,m,m_error,r,r_error\n0,",
+    ),
     Line("environment sky -o sky.txt", 1, err="sky.txt: must end in .brdfstudio or .exr"),
     Line("environment studio new.brdfstudio", 1, err="Nothing to do: give --new"),
-    Line(
-        "project pack --paint blue -o mine.brdfproject", 0, "mine.brdfproject: mine", made="mine.brdfproject"
-    ),
+    Line("project pack --paint blue -o new.brdfproject", 0, "new.brdfproject: new", made="new.brdfproject"),
     Line("project pack mine.brdfproject --paint blue", 2, err="required: -o/--output"),
     Line("project list nothing.brdfproject", 1, err="nothing.brdfproject"),
     Line("cache info --csv", 0),
@@ -226,6 +232,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "export blue -o {}/blue.cxf",
         "export blue copper -o {}/two.cxf",
         "palette convert blue copper -o {}/two.brdfpalette",
+        "project pack --paint blue -o {}/mine.brdfproject",
     ):
         assert main([*shlex.split(line.format(folder)), "-q"]) == 0
     return folder
