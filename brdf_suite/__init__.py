@@ -14,6 +14,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from brdf_suite.release import __version__
+
 if TYPE_CHECKING:
     from brdf_suite.documents.paint import Flakes as Flakes
     from brdf_suite.documents.paint import Gloss as Gloss
@@ -49,9 +51,8 @@ if TYPE_CHECKING:
     from brdf_suite.pipeline.lobe_fit import LobeFit as LobeFit
     from brdf_suite.reflectance.material import Material as Material
 
-    version: str
-    """The version, as in ``0.1.0``."""
-    __version__: str
+version: str = __version__
+"""The version, as in ``0.2.0``."""
 
 _ROOM_OF = {
     "acquire": "library.photographs",
@@ -136,9 +137,7 @@ def __dir__() -> list[str]:
 if not TYPE_CHECKING:  # type checkers shall report a name that is not there
 
     def __getattr__(name: str) -> object:
-        if name in ("version", "__version__"):
-            found = import_module("importlib.metadata").version("brdf-suite")
-        elif name in _ROOM_OF:
+        if name in _ROOM_OF:
             import_module("brdf_suite.library")  # by which values are drawn in notebooks
             found = vars(import_module(f"brdf_suite.{_ROOM_OF[name]}"))[name]
         elif name.startswith("_"):

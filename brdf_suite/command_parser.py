@@ -6,11 +6,11 @@ import argparse
 import logging
 import sys
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from itertools import takewhile
-from typing import Any, NoReturn
+from typing import Any, NoReturn, cast
 
 from brdf_suite.errors import did_you_mean
+from brdf_suite.release import __version__
 
 USAGE = 2
 """Exit status of wrong arguments."""
@@ -53,11 +53,20 @@ class _Rows(argparse.HelpFormatter):
 
 
 class _Version(argparse.Action):
-    """Prints the version; what reads it takes as long to import as all else that ``--help`` needs."""
+    """Prints the version."""
 
     def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
         """Print it and end."""
-        print(f"brdf-suite {import_module('importlib.metadata').version('brdf-suite')}")
+        print(f"brdf-suite {__version__}")
+        parser.exit()
+
+
+class _Manual(argparse.Action):
+    """Prints the page of the manual, as the command that collects all of them asks for it."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        """Print it and end."""
+        print(cast(CommandParser, parser).format_manual(), end="")
         parser.exit()
 
 
@@ -89,6 +98,7 @@ class CommandParser(argparse.ArgumentParser):
         missing = argparse.SUPPRESS
         general.add_argument("-h", "--help", action="help", help="show this help and end")
         general.add_argument("--version", action=_Version, nargs=0, help="show the version and end")
+        general.add_argument("--manual", action=_Manual, nargs=0, help=argparse.SUPPRESS)
         loudness = general.add_mutually_exclusive_group()
         loudness.add_argument(
             "-q", "--quiet", action="store_true", default=missing, help="results and errors only"
@@ -126,6 +136,50 @@ class CommandParser(argparse.ArgumentParser):
             return text
         return f"{text}\nexamples:\n" + "".join(f"  {line}\n" for line in self.examples)
 
+    def format_manual(self, summary: str = "", see_also: Sequence[str] = ()) -> str:
+        """Return the command's page of the manual, in the macros of man(7).
+
+        Parameters
+        ----------
+        summary
+            What it does in a few words; left out, the first sentence of the description.
+        see_also
+            Names of other pages.
+        """
+        name = self.prog.replace(" ", "-")
+        summary = summary or (self.description or self.prog).partition(".")[0]
+        page = [
+            f'.TH "{_roff(name.upper())}" 1 "" "BRDF Suite {__version__}" "User commands"',
+            ".SH NAME",
+            f"{_roff(name)} \\- {_roff(summary)}",
+            ".SH SYNOPSIS",
+            _roff(self.format_usage().removeprefix("usage: ").strip()),
+        ]
+        if self.description:
+            page += [".SH DESCRIPTION", _roff(self.description)]
+        formatter = self._get_formatter()
+        for group in sorted(self._action_groups, key=lambda group: group.title == "general"):
+            rows = [row for action in group._group_actions for row in _manual_rows(action, formatter)]
+            if rows:
+                title = "arguments" if group.title == "positional arguments" else group.title or ""
+                page += [f'.SH "{_roff(title.upper())}"', *rows]
+        for part in (self.epilog or "").split("\n\n"):
+            title, _, rest = part.partition("\n")
+            if rest and title.endswith(":"):
+                page += [
+                    f'.SH "{_roff(title.rstrip(":").upper())}"',
+                    ".nf",
+                    *map(_roff, rest.splitlines()),
+                    ".fi",
+                ]
+            elif part:
+                page += [".PP", _roff(" ".join(part.split()))]
+        if self.examples:
+            page += [".SH EXAMPLES", ".nf", *map(_roff, self.examples), ".fi"]
+        if see_also:
+            page += [".SH SEE ALSO", ", ".join(f"{_roff(other)}(1)" for other in see_also)]
+        return "\n".join(page) + "\n"
+
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple[Any, list[str]]:
         """Parse as the base class does; what is not known is an error of this command and not of the outermost."""
         words = [*(sys.argv[1:] if args is None else args)]
@@ -160,3 +214,21 @@ class CommandParser(argparse.ArgumentParser):
         raise argparse.ArgumentError(
             action, f"{value!r} is none of {', '.join(names)}{did_you_mean(str(value), names)}"
         )
+
+
+def _manual_rows(action: argparse.Action, formatter: argparse.HelpFormatter) -> list[str]:
+    """Return an argument for the manual, or each of a parser's commands."""
+    if isinstance(action, argparse._SubParsersAction):
+        commands = [(one.dest, one.help or "") for one in action._get_subactions()]
+        return [row for name, does in commands for row in (".TP", f".B {_roff(name)}", _roff(does))]
+    if action.help == argparse.SUPPRESS:
+        return []
+    written = formatter._format_action_invocation(action)
+    return [".TP", f".B {_roff(written)}", _roff(formatter._expand_help(action) if action.help else "")]
+
+
+def _roff(text: str) -> str:
+    """Return a text as the macros of man(7) take it: no line of it a request, no dash a hyphen."""
+    plain = text.replace("\\", "\\e").replace("-", "\\-").replace('"', "\\(dq")
+    plain = "".join(one if one.isascii() else f"\\[u{ord(one):04X}]" for one in plain)
+    return f"\\&{plain}" if plain.startswith((".", "'")) else plain

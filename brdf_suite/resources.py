@@ -13,6 +13,7 @@ from brdf_suite.errors import FileError, SuiteError, did_you_mean
 
 _PACKAGE = Path(__file__).resolve().parent
 _FEW = 12
+SCHEMA_ENDING = ".schema.json"
 _CANDIDATES = (_PACKAGE / "_resources", _PACKAGE.parent / "resources")
 
 
@@ -47,6 +48,11 @@ def resource_names(kind: str, ending: str) -> list[str]:
     """Return the names, without ``ending`` and sorted, of the packaged files of a kind."""
     folder = resource_root() / kind
     return sorted(p.name.removesuffix(ending) for p in folder.glob(f"*{ending}"))
+
+
+def schema_names() -> list[str]:
+    """Return the names of the JSON Schemas of the suite's own formats."""
+    return resource_names("schemas", SCHEMA_ENDING)
 
 
 def packaged_name(text: str, names: Sequence[str]) -> str | None:

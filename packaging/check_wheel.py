@@ -1,6 +1,7 @@
-"""Build the wheel, install it in a fresh environment, and render with it: ``check_wheel.py``.
+"""Build what would be published, install the wheel in a fresh environment, and render with it: ``check_wheel.py``.
 
-Proves that what a user installs is complete: resources and shaders inside, no file of the checkout needed.
+Proves that what a user installs is complete: resources, shaders and schemas inside, made from the source archive alone,
+no file of the checkout needed; and that a package index would take both files (``twine check --strict``).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import zipfile
 from pathlib import Path
 
 from installer import Installer, InstallError
-from wheel import build_wheel, installed_sizes, size_lines
+from wheel import build_release, installed_sizes, size_lines
 
 ROOT = Path(__file__).resolve().parent.parent
 LOCK = ROOT / "packaging" / "lock.txt"
@@ -32,6 +33,7 @@ NEEDED = (
     "brdf_suite/_resources/thumbnails/meshes/car.jpg",
     "brdf_suite/_resources/colour/cie.csv",
     "brdf_suite/_documents/start/first_paint.md",
+    "brdf_suite/_resources/schemas/brdfpaint.schema.json",
     "brdf_suite/_documents/images/designer.png",
     "brdf_suite/realtime/shaders/",
     "brdf_designer/__main__.py",
@@ -56,13 +58,20 @@ def main() -> int:
     """Return 0 when the installed wheel renders a picture that is not empty."""
     with tempfile.TemporaryDirectory(prefix="brdf-suite-wheel-") as scratch:
         folder = Path(scratch)
-        wheel = build_wheel(folder)
+        archive, wheel = build_release(folder)
         names = zipfile.ZipFile(wheel).namelist()
         missing = [n for n in NEEDED if not any(name.startswith(n) for name in names)]
         if missing:
             print(f"{wheel.name} lacks {', '.join(missing)}", file=sys.stderr)
             return 1
-        print(f"{wheel.name}: {len(names)} files, {wheel.stat().st_size / 1e6:.1f} MB", flush=True)
+        for built in (archive, wheel):
+            print(f"{built.name}: {built.stat().st_size / 1e6:.1f} MB", flush=True)
+        checked = subprocess.run(
+            [sys.executable, "-m", "twine", "--no-color", "check", "--strict", str(archive), str(wheel)],
+            check=False,
+        )
+        if checked.returncode:
+            return 1
 
         venv.create(folder / "env", with_pip=True)
         binaries = folder / "env" / "bin"

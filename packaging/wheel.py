@@ -1,4 +1,4 @@
-"""The wheel of the checkout, and what installed packages take on disk; imports the standard library alone."""
+"""What is published of the checkout, and what installed packages take on disk; the standard library alone."""
 
 from __future__ import annotations
 
@@ -17,6 +17,15 @@ def build_wheel(folder: Path) -> Path:
     subprocess.run([sys.executable, "-m", *words], cwd=checkout, check=True, stdout=subprocess.DEVNULL)
     (wheel,) = folder.glob("*.whl")
     return wheel
+
+
+def build_release(folder: Path) -> tuple[Path, Path]:
+    """Build what is published into an empty folder: the source archive, and the wheel from it; return both."""
+    checkout = Path(__file__).resolve().parent.parent
+    words = ["build", "--no-isolation", "--outdir", str(folder), str(checkout)]
+    subprocess.run([sys.executable, "-m", *words], cwd=checkout, check=True, stdout=subprocess.DEVNULL)
+    (archive,), (wheel,) = folder.glob("*.tar.gz"), folder.glob("*.whl")
+    return archive, wheel
 
 
 def installed_sizes(site_packages: Path) -> dict[str, int]:

@@ -19,6 +19,7 @@ from brdf_suite.cli.streams import streams
 from brdf_suite.command_parser import LOG, USAGE, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
+from brdf_suite.variables import VARIABLES
 
 DONE, FAILED, CANCELLED = 0, 1, 130
 
@@ -44,7 +45,7 @@ COMMANDS = {
     "design": ("paint.design", "make a paint: from a measurement, a step away, or between two"),
     "list": (
         "tools.listing",
-        "list paints, environments, surfaces, formats, models, geometries",
+        "list paints, environments, surfaces, formats, models, geometries, schemas, variables",
     ),
     "convert": (
         "measured.convert",
@@ -88,7 +89,18 @@ if not (Path(__file__).resolve().parents[2] / "tests" / "benchmarks").is_dir():
 _SYNONYMS = {
     **{
         kind: f"list {kind}"
-        for kind in ("paints", "environments", "surfaces", "formats", "models", "geometries")
+        for kind in (
+            *(
+                "paints",
+                "environments",
+                "surfaces",
+                "formats",
+                "models",
+                "geometries",
+                "schemas",
+                "variables",
+            ),
+        )
     },
     "ls": "list",
     "show": "viewer",
@@ -115,19 +127,15 @@ units:
   exposure      EV: +1 doubles the light; rotation in degrees, counter-clockwise seen from above
   size          pixels, as WIDTHxHEIGHT; meshes in metres, texture coordinates in millimetres
 
-environment variables:
-  BRDF_SUITE_CACHE            folder of filtered maps, baked occlusion and pictures of paints
-  BRDF_SUITE_CACHE_MB         largest size of maps and of occlusion, megabytes
-  BRDF_SUITE_REFERENCE_KEEP   folder of path-traced pictures that benchmarks keep
-  BRDF_SUITE_SETTINGS         folder of the programs' settings, in place of the user's own
-  BRDF_SUITE_LINK             name of the link by which open programs find each other
+environment variables (`brdf-suite list variables`: what they are set to):
+{}
 
 exit status:
   0 done    1 failed, with one line that says why    2 wrong arguments    130 cancelled
 
 Without a command the Designer and the Viewer open, linked. Where there is no screen, the default scene
 is rendered to brdf-suite.png in the working folder instead.
-"""
+""".format("\n".join(f"  {name:<27} {what}" for name, what in VARIABLES.items()))
 
 
 def parser(wanted: Container[str] = ()) -> CommandParser:

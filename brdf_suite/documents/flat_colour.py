@@ -11,7 +11,7 @@ from itertools import pairwise
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import Parameter, as_whole, check_choice, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
 Model = Literal["RGB", "CMYK", "CMY", "Gray", "HSB", "HSL", "Lab", "LCh", "XYZ", "spectrum"]
@@ -99,6 +99,7 @@ class FlatColour:
             check_text(self.space, "space", longest=200, lines=False, empty=True)
         if self.illuminant != "":
             check_text(self.illuminant, "illuminant", longest=50, lines=False, empty=True)
+        object.__setattr__(self, "observer_deg", as_whole(self.observer_deg))
         if isinstance(self.observer_deg, bool) or self.observer_deg not in (0, 2, 10):
             raise ValueRangeError("observer_deg", f"expected 2, 10 or 0, not {describe(self.observer_deg)}")
         if self.others != ():

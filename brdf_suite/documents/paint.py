@@ -108,7 +108,9 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Gloss:
-    """Glossmeter readings in gloss units, 0 to 200, at 20° and, where known, at 60°; coat and base together.
+    """Glossmeter readings in gloss units, 0 to 200, coat and base together.
+
+    ``gu_20`` is that at 20°, ``gu_60`` at 60°, None where it is not known.
 
     Raises :class:`ValueRangeError` where one is out of its range.
 
@@ -223,6 +225,8 @@ class TextureTargets:
 class Paint(Shown):
     """A designed paint: at least three measurements, in any order, no two at the same angles.
 
+    ``name``, ``notes`` and ``source`` are texts, of at most 200, 100,000 and 10,000 characters; ``gloss`` is what a
+    glossmeter reads, ``flakes`` and ``orange_peel`` what is seen of the base and of the coat, None without.
     L*a*b* is CIE 1976 with the white of ``illuminant`` and ``observer_deg``; only D65 and 10° are known so
     far. ``near_specular`` scales what the interpolation gives in the mirror direction, where no instrument
     of three angles looks. ``out_of_plane`` says what a direction outside the readings' plane is compared by: its
@@ -279,20 +283,37 @@ class Paint(Shown):
         return min(lights, key=lambda light: (-lights.count(light), light))
 
     def lab_at(self, aspecular_deg: float, illumination_deg: float | None = None) -> Lab:
-        """Return the measured L*a*b* at a geometry as :meth:`index_of` finds it."""
+        """Return the L*a*b* read at ``aspecular_deg``, under the light at ``illumination_deg``, as :meth:`index_of`.
+
+        >>> import brdf_suite as bs
+        >>> len(bs.load("blue", bs.Paint).lab_at(45.0))
+        3
+        """
         return self.measurements[self.index_of(aspecular_deg, illumination_deg)].lab
 
     def with_lab(self, aspecular_deg: float, lab: Lab, illumination_deg: float | None = None) -> Paint:
-        """Return this paint with the L*a*b* at one of its measured geometries replaced; see :meth:`index_of`."""
+        """Return this paint with ``lab`` as its L*a*b* at one of its measured geometries.
+
+        ``aspecular_deg`` and ``illumination_deg`` say which, with errors, as of :meth:`index_of`.
+
+        >>> import brdf_suite as bs
+        >>> bs.load("blue", bs.Paint).with_lab(45.0, (30.0, 2.0, -40.0)).lab_at(45.0)
+        (30.0, 2.0, -40.0)
+        """
         index = self.index_of(aspecular_deg, illumination_deg)
         changed = list(self.measurements)
         changed[index] = replace(changed[index], lab=lab)
         return replace(self, measurements=tuple(changed))
 
     def index_of(self, aspecular_deg: float, illumination_deg: float | None = None) -> int:
-        """Return which measurement was read at an aspecular angle and under a light, degrees.
+        """Return which measurement was read at ``aspecular_deg``, under the light at ``illumination_deg``.
 
-        Without a light it is the first at the angle. Raises :class:`ValueRangeError` where there is none.
+        Without a light (None) it is the first at the angle. Raises :class:`ValueRangeError` where there is none.
+
+        >>> import brdf_suite as bs
+        >>> blue = bs.load("blue", bs.Paint)
+        >>> blue.measurements[blue.index_of(45.0)].aspecular_deg
+        45.0
         """
         used = [
             (index, m)

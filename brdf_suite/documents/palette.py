@@ -18,7 +18,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.parameter import check_choice, check_items, check_text, describe
+from brdf_suite.documents.parameter import as_whole, check_choice, check_items, check_text, describe
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.notebook import Shown
 
@@ -58,8 +58,12 @@ class Entry:
         The maker's number.
     tags, notes
         Short words to search by, none twice; the user's own text.
+    usage
+        ``process``, ``global`` or ``spot``, as layout programs distinguish colours.
     date
         ISO 8601, a day or a moment, or empty.
+    foreign
+        Pairs of a name and a text: fields of another program's file, kept to be written back.
 
     >>> import brdf_suite as bs
     >>> bs.Entry(bs.load("blue", bs.Paint), code="B-12", tags=("metallic",)).name
@@ -145,7 +149,8 @@ class Palette(Shown):
     """Entries in the user's order, and the groups that they are in; a group may be empty.
 
     Groups that entries are in but that are not declared are added, those around a group before it. ``columns`` is how
-    many stand in a row (0: not said).
+    many stand in a row (0: not said), ``colour`` a mark (``#rrggbb`` or empty), ``notes`` the user's text, and
+    ``foreign`` what another program's file said, as in an :class:`Entry`. Entries without an id get their number.
 
     >>> import brdf_suite as bs
     >>> palette = bs.Palette("Summer", (bs.Entry(bs.load("blue", bs.Paint), group=("Dark",)),))
@@ -170,6 +175,7 @@ class Palette(Shown):
         )
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         _check_colour(self.colour)
+        _set(self, "columns", as_whole(self.columns))
         if (
             isinstance(self.columns, bool)
             or not isinstance(self.columns, int)
@@ -194,7 +200,12 @@ class Palette(Shown):
         return {entry.id: index for index, entry in enumerate(self.entries)}
 
     def entry(self, id_: str) -> Entry:
-        """Return the entry of an id; :class:`KeyError` where there is none."""
+        """Return the entry whose id is ``id_``; :class:`KeyError` where there is none.
+
+        >>> import brdf_suite as bs
+        >>> bs.Palette("Mine", (bs.Entry(bs.load("blue", bs.Paint), id="b"),)).entry("b").name
+        'Blue'
+        """
         return self.entries[self.by_id[id_]]
 
     def sections(self) -> list[tuple[Group | None, tuple[Entry, ...]]]:
@@ -203,6 +214,12 @@ class Palette(Shown):
         What is in no group is a section without one, as many as there are runs of it. A group stands where its first
         entry does, or the first of those within it, and these follow it; an empty one stands behind the group that was
         declared before it.
+
+        >>> import brdf_suite as bs
+        >>> blue = bs.load("blue", bs.Paint)
+        >>> mine = bs.Palette("Mine", (bs.Entry(blue), bs.Entry(blue, group=("Dark",))))
+        >>> [(group and group.name, len(entries)) for group, entries in mine.sections()]
+        [(None, 1), ('Dark', 1)]
         """
         members: dict[GroupPath, list[Entry]] = {group.path: [] for group in self.groups}
         first: dict[GroupPath, int] = {}

@@ -107,6 +107,11 @@ def check_items(value: object, place: str, kind: type | tuple[type, ...], most: 
     return tuple(value)
 
 
+def as_whole(value: object) -> object:
+    """Return a float without a fraction as the whole number that it is in JSON; anything else as it is."""
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
 def describe(value: object) -> str:
     """Return the kind of value found, in JSON terms, short enough for a message."""
     if value is None:

@@ -22,7 +22,7 @@ from brdf_suite.documents.atomic import encode, replacing, write_atomically
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.parameter import check_items, check_text, describe
+from brdf_suite.documents.parameter import as_whole, check_items, check_text, describe
 from brdf_suite.documents.reading import (
     LARGEST_FILE,
     VERSIONS,
@@ -100,7 +100,8 @@ class ProjectPicture:
         for place in ("name", "view"):
             check_text(getattr(self, place), place, longest=200, lines=False, empty=False)
         for place, most in (("width", LARGEST_SIDE), ("height", LARGEST_SIDE), ("samples", 64)):
-            value = getattr(self, place)
+            value = as_whole(getattr(self, place))
+            object.__setattr__(self, place, value)
             if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= most:
                 raise ValueRangeError(
                     place, f"expected a whole number from 1 to {most}, not {describe(value)}"

@@ -19,7 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
-from brdf_suite.documents.parameter import describe
+from brdf_suite.documents.parameter import as_whole, describe
 from brdf_suite.errors import DocumentError, FileError, ValueRangeError
 
 LARGEST_FILE = 16 * 1024 * 1024
@@ -251,7 +251,7 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
     found = reader.take("format")
     if found != expected:
         reader.fail(f'expected "{expected}", not {describe(found)}', "format")
-    version = reader.take("version")
+    version = as_whole(reader.take("version"))
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
         reader.fail(f"expected a whole number from 1, not {describe(version)}", "version")
     newest = VERSIONS[expected]

@@ -274,13 +274,16 @@ def _aspecular(reader: FieldReader) -> Paint:
 
 
 def _factored(reader: FieldReader, path: PathLike) -> FactoredPaint:
-    textures = fill(reader.take_object("textures"), TextureFile, required=("path", "sha256"))
+    inside = reader.take_object("textures")
+    textures = fill(inside, TextureFile, required=("path", "sha256"))
     # The document names it from its own folder; a paint in memory has no folder.
     absolute = str(Path(path).absolute().parent / textures.path)
+    with inside.naming():
+        textures = TextureFile(absolute, textures.sha256)
     parts = {
         "clearcoat": _optional(reader, "clearcoat", Clearcoat),
         "flakes": _optional(reader, "flakes", Flakes),
-        "textures": TextureFile(absolute, textures.sha256),
+        "textures": textures,
     }
     names = {name: reader.take(name) for name in ("name", "factors", "alpha")}
     return fill(reader, FactoredPaint, taken={**names, **parts})

@@ -110,16 +110,21 @@ class View:
 
     ``environment`` and ``surface`` are the name of a packaged one (``booth``, ``speed_form``) or the
     absolute path of a file. Whether it exists is found out where it is opened. ``environment_layout`` says how that
-    file's image is laid out, one of :data:`ENVIRONMENT_LAYOUTS`.
+    file's image is laid out, one of :data:`ENVIRONMENT_LAYOUTS`. ``rotation_deg`` turns the light counter-clockwise
+    seen from above, ``light_colour`` says of which illuminant it is, and ``lamps`` are added to it.
+
+    ``surface_look``, ``relief`` and ``two_tone`` change the surface, ``sparkle`` how flakes are drawn; ``compare`` has
+    a second paint beside the first. ``background`` is what is seen behind, ``tone_curve`` how light becomes a picture,
+    and ``turntable_deg_s`` how fast a window turns the object, degrees a second.
 
     ``fresnel``: the weights as fitted, sharp lobes raised by F(θ)/F(θ_fit), or weights fitted at several incidences.
     ``look_up``: lobes looked up along the mirror direction as in the paper, or shifted towards the normal.
     ``exposure_ev`` counts from the automatic exposure where ``exposure_mode`` is ``automatic``. ``background_colour``
     is encoded sRGB. ``clipping_marks`` and ``gamut_marks`` mark what the screen cannot show, too bright
-    or too colourful, by ``zebra`` stripes or each in a ``colour``. ``lamp_shading``: lamps on factored paints one by
-    one at each place, or all at once by a picture of a ball in their light. ``glare``: light above white is spread as
-    an ``eye`` scatters it (:mod:`brdf_suite.appearance.glare`), or not; readings, linear files and marks are without.
-    ``lens``: blur of pictures in files; a window shows all sharp.
+    or too colourful; by ``mark_style``: ``zebra`` stripes or each in a ``colour``. ``lamp_shading``: lamps on factored
+    paints one by one at each place, or all at once by a picture of a ball in their light. ``glare``: light above white
+    is spread as an ``eye`` scatters it (:mod:`brdf_suite.appearance.glare`), or not; readings, linear files and marks
+    are without. ``lens``: blur of pictures in files; a window shows all sharp.
 
     Raises :class:`ValueRangeError` where a number or a word is none of those allowed; ``place`` names the field.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +25,7 @@ from brdf_suite.files.measured import read_measured, write_measured
 from brdf_suite.files.measured.format import ReadOptions
 from brdf_suite.fitting.metrics import ErrorFigures, value_errors
 from brdf_suite.geometry.directions import angle_between, mirror
+from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
@@ -32,6 +33,16 @@ from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentRepor
 from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import has_spectra
+
+
+def read_material(
+    item: Material, geometries: GeometrySet = GEOMETRY_SETS[DEFAULT_SET], through: Aperture = POINT
+) -> InstrumentReport:
+    """Return what spectrophotometer, glossmeter and texture instrument read; texture is zeros without flakes.
+
+    Raises :class:`FittingError`: its values are not finite, or no lobes can be fitted to it.
+    """
+    return replace(measure(item.reflectance, geometries, through), texture=texture_of(item))
 
 
 def measurement_json(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, object]:
@@ -58,6 +69,7 @@ def measurement_json(item: Material, report: InstrumentReport, illuminant: str =
         "haze": report.haze,
         "flop_index": None if flop is None or not math.isfinite(flop.value) else flop.value,
         "travel": None if path is None else {k: v for k, v in asdict(path).items() if k != "notice"},
+        "texture": None if report.texture is None else report.texture.to_json(),
         "notices": [*item.notices, *report.notices],
     }
     if illuminant != "D65":
@@ -129,7 +141,12 @@ class Comparison:
         return sentence([reading.geometry.label for reading in self.first.readings], self.words, word)
 
     def to_json(self) -> dict[str, object]:
-        """Return the comparison as plain values."""
+        """Return the comparison as plain values, as JSON holds them; angles in degrees.
+
+        >>> import brdf_suite as bs
+        >>> bs.compare("blue", "blue").to_json()["geometry"]
+        'six'
+        """
         rows: list[dict[str, object]] = []
         words = self.words
         for k, (one, two) in enumerate(zip(self.first.readings, self.second.readings, strict=True)):

@@ -55,7 +55,16 @@ class Drawing:
     svg: str
 
     def save(self, path: PathLike) -> None:
-        """Write an ``.svg``, whole or not at all; :class:`FileError` for another ending, or where the disk refuses."""
+        """Write ``path``, an ``.svg``, whole or not at all.
+
+        Raises :class:`FileError`: it has another ending, or the disk refuses.
+
+        >>> import brdf_suite as bs, tempfile, pathlib
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "blue.svg"
+        >>> bs.plot("blue").save(file)
+        >>> file.read_text(encoding="utf-8")[:4]
+        '<svg'
+        """
         if Path(path).suffix.lower() != ".svg":
             raise FileError(path, "a drawing is written as SVG; give a name that ends in .svg")
         write_atomically(path, self.svg.encode())

@@ -42,6 +42,8 @@ def samples(
         (n, 3) unit directions to the light and to the viewer, above the horizon, local frame with z along the normal.
     values
         (n, 3) f_r in 1/sr, linear Rec. 2020, without the cosine; or (n,), grey. Finite, not negative.
+    name
+        What the material is called.
 
     Raises
     ------

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, Literal, get_args
+from typing import Any, Literal, TypeAlias, cast, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -40,6 +42,10 @@ from brdf_suite.progress import Progress
 RendererName = Literal["realtime", "reference", "raytraced"]
 SMALLEST, LARGEST = 1, 65_536
 _PNG = ".png"
+_NO_WORD = re.compile(r"[^A-Za-z0-9_\-]+")
+
+Light: TypeAlias = Environment | str | os.PathLike[str] | npt.ArrayLike
+"""An environment; its shipped name or file; or radiance (h, w, 3), a latitude-longitude map."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +89,16 @@ class Rendering:
         return np.array(self.pixels, dtype=dtype, copy=copy)
 
     def save(self, path: PathLike) -> None:
-        """Write the file, whole or not at all; :class:`FileError` where its ending is another or the disk refuses."""
+        """Write ``path``, of the :attr:`ending` that the picture has, whole or not at all.
+
+        Raises :class:`FileError`: it has another ending, or the disk refuses.
+
+        >>> import brdf_suite as bs, tempfile, pathlib
+        >>> file = pathlib.Path(tempfile.mkdtemp()) / "blue.png"
+        >>> bs.render("blue", size=(32, 24), surface="sphere", environment="overcast").save(file)
+        >>> file.read_bytes()[1:4]
+        b'PNG'
+        """
         if Path(path).suffix.lower() != self.ending:
             raise FileError(
                 path, f"this picture is {self.ending[1:].upper()}; give a name that ends in {self.ending}"
@@ -99,7 +114,7 @@ def render(
     path: PathLike | None = None,
     *,
     size: tuple[int, int] = (640, 360),
-    environment: PathLike | None = None,
+    environment: Light | None = None,
     surface: PathLike | None = None,
     view: View | None = None,
     exposure_ev: float | None = None,
@@ -122,7 +137,8 @@ def render(
     size
         (width, height) in pixels, each 1 to 65,536.
     environment
-        One of ``names("environments")``, an ``.exr``, ``.hdr`` or ``.brdfstudio`` file; default: the photo studio.
+        One of ``names("environments")``; an ``.exr``, ``.hdr`` or ``.brdfstudio`` file; an :class:`Environment`; or
+        radiance (h, w, 3), as of :func:`prefilter`. Default: the photo studio.
     surface
         One of ``names("surfaces")``, or a ``.glb``, ``.gltf``, ``.obj``, ``.stl`` or ``.ply`` mesh in metres; default:
         the speed form.
@@ -149,6 +165,12 @@ def render(
     >>> import brdf_suite as bs
     >>> bs.render("blue", size=(32, 24), surface="sphere", environment="overcast").pixels.shape
     (24, 32, 3)
+
+    Light that is made in memory, even over the sphere:
+
+    >>> import numpy as np
+    >>> bs.render("blue", size=(32, 24), surface="sphere", environment=np.ones((32, 64, 3))).pixels.shape
+    (24, 32, 3)
     """
     if renderer not in get_args(RendererName):
         expected = ", ".join(get_args(RendererName))
@@ -158,7 +180,8 @@ def render(
     for number, side in enumerate(size):
         if not SMALLEST <= side <= LARGEST:
             raise ValueRangeError(f"size[{number}]", f"expected {SMALLEST} to {LARGEST:,} pixels, not {side}")
-    seen = _view(view, environment, surface)
+    light = _in_memory(environment)
+    seen = _view(view, environment, light, surface)
     camera = seen.camera
     camera = camera if azimuth_deg is None else replace(camera, azimuth_deg=azimuth_deg)
     camera = camera if elevation_deg is None else replace(camera, elevation_deg=elevation_deg)
@@ -169,17 +192,18 @@ def render(
         rotation_deg=seen.rotation_deg if rotation_deg is None else rotation_deg,
     )
     if path is not None:
-        notices = _rendered(subject, seen, size, Path(path), renderer, samples, progress)
+        notices = _rendered(subject, seen, light, size, Path(path), renderer, samples, progress)
         return Rendering(Path(path), Path(path).read_bytes(), Path(path).suffix.lower(), notices)
     with TemporaryDirectory() as folder:
         file = Path(folder, "picture.png")
-        notices = _rendered(subject, seen, size, file, renderer, samples, progress)
+        notices = _rendered(subject, seen, light, size, file, renderer, samples, progress)
         return Rendering(None, file.read_bytes(), _PNG, notices)
 
 
 def _rendered(
     subject: Subject,
     view: View,
+    light: Environment | None,
     size: tuple[int, int],
     path: Path,
     renderer: RendererName,
@@ -189,23 +213,40 @@ def _rendered(
     """Write a picture, and return what is to be said of it."""
     if renderer == "realtime":
         drawn = subject if isinstance(subject, LobeFit) else material_for(subject)
-        return render_to_file(drawn, view, size, path, progress=progress).notices
+        return render_to_file(drawn, view, size, path, environment=light, progress=progress).notices
     material = material_for(subject)
     if renderer == "reference":
         from brdf_suite.tracing.reference.picture import render_reference  # Mitsuba is optional
 
-        return render_reference(material, view, size, path, samples=samples, progress=progress).notices
+        return render_reference(
+            material, view, size, path, samples=samples, environment=light, progress=progress
+        ).notices
     from brdf_suite.tracing.raytraced.file import render_raytraced  # for its own kernels
 
-    return render_raytraced(material, view, size, path, samples=samples, progress=progress).notices
+    return render_raytraced(
+        material, view, size, path, samples=samples, environment=light, progress=progress
+    ).notices
 
 
-def _view(view: View | None, environment: PathLike | None, surface: PathLike | None) -> View:
+def _in_memory(environment: Light | None) -> Environment | None:
+    """Return an environment that is no name and no file."""
+    if environment is None or isinstance(environment, (Environment, str, os.PathLike)):
+        return environment if isinstance(environment, Environment) else None
+    return Environment("light", np.asarray(environment))
+
+
+def _view(
+    view: View | None, environment: Light | None, light: Environment | None, surface: PathLike | None
+) -> View:
     """Return the view with an environment and a surface; errors as of what finds these."""
     seen = default_view() if view is None else view
-    if environment is not None:
-        find_environment(environment)
-        seen = in_environment(seen, name_in_view(environment, environment_names()))
+    if light is not None:
+        # A view holds a word: the name under which a program that reads the picture's view says that it is missing.
+        seen = in_environment(seen, _NO_WORD.sub("_", light.name)[:100].strip("_-") or "light")
+    elif environment is not None:
+        named = cast(PathLike, environment)
+        find_environment(named)
+        seen = in_environment(seen, name_in_view(named, environment_names()))
     if surface is not None:
         find_surface(surface)
         seen = replace(seen, surface=name_in_view(surface, surface_names()))
@@ -213,7 +254,7 @@ def _view(view: View | None, environment: PathLike | None, surface: PathLike | N
 
 
 def prefilter(
-    environment: Environment | PathLike | NDArray[np.floating],
+    environment: Light,
     exponents: Sequence[float] | None = None,
     *,
     progress: Progress | None = None,
@@ -246,8 +287,7 @@ def prefilter(
     >>> maps.lobes[0].radiance().shape, float(maps.lobes[0].radiance().max().round(3))
     ((6, 64, 64, 3), 1.0)
     """
-    if isinstance(environment, np.ndarray):
-        environment = Environment("environment", environment)
-    elif not isinstance(environment, Environment):
-        environment = read_environment(find_environment(environment)[1])
-    return filter_environment(environment, map_exponents() if exponents is None else exponents, progress)
+    light = _in_memory(environment)
+    if light is None:
+        light = read_environment(find_environment(cast(PathLike, environment))[1])
+    return filter_environment(light, map_exponents() if exponents is None else exponents, progress)

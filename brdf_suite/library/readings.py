@@ -17,7 +17,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
 from brdf_suite.geometry.directions import spherical as unit_directions
-from brdf_suite.inspection.measuring import Comparison
+from brdf_suite.inspection.measuring import Comparison, read_material
 from brdf_suite.inspection.measuring import compare as compare_materials
 from brdf_suite.library.subjects import Subject, material_for
 from brdf_suite.palettes.columns import labs_of
@@ -27,14 +27,15 @@ from brdf_suite.pipeline.material import load_document, load_palette_file
 from brdf_suite.reflectance.checks import CheckReport, check_model, check_reflectance
 from brdf_suite.reflectance.instruments.aperture import aperture as aperture_named
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
-from brdf_suite.reflectance.instruments.spectrophotometer import measure as measure_reflectance
 from brdf_suite.reflectance.registry import MODELS
 
 Colours: TypeAlias = npt.ArrayLike
 
 
 def spherical(theta: npt.ArrayLike, phi: npt.ArrayLike) -> Floats:
-    """Return unit directions (..., 3) of polar and azimuthal angles, radians, which broadcast; z is the normal.
+    """Return unit directions (..., 3) of polar angles ``theta`` and azimuthal angles ``phi``, radians; z is the normal.
+
+    The angles broadcast.
 
     >>> import brdf_suite as bs
     >>> bs.spherical([0.0, 0.3], 0.0)[0].tolist()
@@ -46,7 +47,7 @@ def spherical(theta: npt.ArrayLike, phi: npt.ArrayLike) -> Floats:
 def measure(
     subject: Subject, *, geometry: str = "six", aperture: str = "point", observer_deg: int = 10
 ) -> InstrumentReport:
-    """Read a subject with a virtual multi-angle spectrophotometer (D65, 10°) and glossmeter.
+    """Read a subject with a virtual multi-angle spectrophotometer (D65, 10°), glossmeter and texture instrument.
 
     Parameters
     ----------
@@ -63,7 +64,8 @@ def measure(
     -------
     InstrumentReport
         ``lab`` (k, 3), and per reading XYZ, L*C*h and the reflectance factor; ``gloss`` in gloss units by 20, 60 and
-        85°; ``haze``, ``flop`` and ``travel``.
+        85°; ``haze``, ``flop`` and ``travel``; ``texture``: ``sparkle`` in light from 15, 45 and 75° (points per mm²,
+        share of the area, contrast, grade) and ``graininess``, on the suite's own scale, 0 without flakes.
 
     Raises
     ------
@@ -71,13 +73,12 @@ def measure(
         As :func:`load`; there is no such geometry or aperture.
 
     >>> import brdf_suite as bs
-    >>> bs.measure("blue", geometry="45:15,45,110").lab.shape
-    (3, 3)
+    >>> blue = bs.measure("blue", geometry="45:15,45,110")
+    >>> blue.lab.shape, [one.light_deg for one in blue.texture.sparkle], 0.0 < blue.texture.graininess < 1.0
+    ((3, 3), [15.0, 45.0, 75.0], True)
     """
     geometries, through = geometry_set(geometry), aperture_named(aperture)
-    return measure_reflectance(
-        material_for(subject, observer_deg=observer_deg).reflectance, geometries, through
-    )
+    return read_material(material_for(subject, observer_deg=observer_deg), geometries, through)
 
 
 def compare(
@@ -120,7 +121,7 @@ def compare(
 
 
 def check(subject: Subject) -> CheckReport:
-    """Check whether a reflectance is reciprocal, never negative, and reflects no more light than arrives.
+    """Check whether a subject, as of :func:`measure`, is reciprocal, never negative, and reflects no more than arrives.
 
     ``passed`` is whether every property that is claimed holds; ``findings`` has each with its size and its place,
     ``albedo`` and ``furnace`` (k, 3) the share that is reflected at ``incidence_deg``.
@@ -141,10 +142,12 @@ def check(subject: Subject) -> CheckReport:
 
 
 def delta_e(reference: Colours, sample: Colours, formula: str = "2000") -> Floats:
-    """Return colour differences (...) of L*a*b* (..., 3), D65 and 10°; the arrays broadcast.
+    """Return colour differences (...) of L*a*b* colours.
 
     Parameters
     ----------
+    reference, sample
+        (..., 3), CIE 1976, D65 and 10°; they broadcast.
     formula
         ``2000`` (CIEDE2000), ``76``, ``cmc21``, ``cmc11``, ``cam02ucs``, or ``cmc:l:c`` with weights of one's own.
 

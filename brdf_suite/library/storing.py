@@ -51,10 +51,13 @@ from brdf_suite.reports.handover import (
     item_of_material,
 )
 from brdf_suite.reports.handover import export as export_items
+from brdf_suite.resources import schema_names
 
 _Kind = TypeVar("_Kind", bound=Material | Palette | Environment | View | Paint)
 
-NameKind = Literal["paints", "table 1", "models", "environments", "surfaces", "geometries", "formats"]
+NameKind = Literal[
+    "paints", "table 1", "models", "environments", "surfaces", "geometries", "formats", "schemas"
+]
 
 
 @overload
@@ -125,7 +128,8 @@ def names(kind: NameKind = "paints") -> list[str]:
     kind
         ``paints``, ``table 1`` (paints of Günther et al. 2005) and ``models``, for :func:`load` and whatever takes a
         subject; ``environments`` and ``surfaces``, for :func:`render`; ``geometries``, for :func:`measure`;
-        ``formats``, for :func:`export`.
+        ``formats``, for :func:`export`; ``schemas``, of the suite's own JSON formats (`brdf-suite list schemas` says
+        where they are).
 
     Raises
     ------
@@ -146,6 +150,7 @@ def names(kind: NameKind = "paints") -> list[str]:
         "surfaces": surface_names,
         "geometries": lambda: list(GEOMETRY_SETS),
         "formats": lambda: [one.name for one in formats()],
+        "schemas": schema_names,
     }
     if kind not in known:
         raise ValueRangeError("kind", f"expected one of {', '.join(get_args(NameKind))}, not {kind!r}")
@@ -153,7 +158,7 @@ def names(kind: NameKind = "paints") -> list[str]:
 
 
 def save(value: Subject | Palette | Environment | View, path: PathLike) -> tuple[str, ...]:
-    """Write a value to a file of the format that the ending names; return what the format could not hold.
+    """Write a value to a file of the format that the ending of ``path`` names; return what the format could not hold.
 
     A paint, also one that Cook-Torrance lobes or factors make, goes into a ``.brdfpaint``; a palette into any palette
     format (``.brdfpalette``, ``.ase``, ``.gpl``, ``.csv`` …); a material, a reflectance or a lobe fit into any measured
@@ -251,7 +256,14 @@ def _item_of(subject: Subject) -> ExportItem:
 
 
 def convert(source: PathLike, target: PathLike) -> Conversion:
-    """Read a file of any kind, or take a paint by its name, and write it in the format that the target's ending names.
+    """Read a file of any kind, or take a paint by its name, and write it in another format.
+
+    Parameters
+    ----------
+    source
+        A file of any kind, or a name as of :func:`load`.
+    target
+        The file; its ending names the format.
 
     Palettes become palettes, and a paint a palette of one entry; measured files and paints become measured files. What
     the target could not hold is in ``notes``.

@@ -62,7 +62,14 @@ class Environment:
         object.__setattr__(self, "content_hash", digest.hexdigest())
 
     def average(self) -> NDArray[np.float64]:
-        """Return the mean radiance (3,) over the sphere."""
+        """Return the mean radiance (3,) over the sphere, linear Rec. 2020.
+
+        >>> import brdf_suite as bs, numpy as np
+        >>> half = np.zeros((64, 128, 3))
+        >>> half[:32] = 1.0  # the upper half of the sphere
+        >>> bs.Environment("half", half).average().round(3).tolist()
+        [0.5, 0.5, 0.5]
+        """
         weights = fejer_weights(self.radiance.shape[0]) / 2.0
         rows = self.radiance.mean(axis=1, dtype=np.float64)
         return np.asarray(weights @ rows, dtype=np.float64)

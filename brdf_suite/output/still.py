@@ -14,6 +14,7 @@ import numpy as np
 from brdf_suite.documents.view import View
 from brdf_suite.errors import PathLike
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.output.exposures import focused
@@ -124,21 +125,24 @@ def loaded_scene(
     columns: int | None = None,
     largest_face: int | None = None,
     fitting: FitSettings | None = None,
+    environment: Environment | None = None,
 ) -> Iterator[LoadedScene]:
     """Load surface and environment of a view into a windowless scene, which goes with the block.
 
-    The light is filtered for the exponents of ``fitting``, and a second paint fitted as it says; the paints that are
-    shown must be fitted so too. Where only small pictures are drawn, ``columns`` is how wide the light needs to be
-    before it is filtered, and ``largest_face``, in texels, how fine its maps after that.
+    An ``environment`` in memory takes the place of the view's. The light is filtered for the
+    exponents of ``fitting``, and a second paint fitted as it says; the paints that are shown must be fitted so too.
+    Where only small pictures are drawn, ``columns`` is how wide the light needs to be before it is filtered, and
+    ``largest_face``, in texels, how fine its maps after that.
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
     with OffscreenScene() as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
-        name = find_environment(view.environment)[0]
-        light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
+        source = environment or view.environment
+        name = environment.name if environment else Path(find_environment(view.environment)[0]).stem
+        light = stage(progress, 0.0, 0.6, f"preparing the light ({name})")
         prepared = load_environment(
-            view.environment,
+            source,
             light,
             layout=view.environment_layout,
             columns=columns,
@@ -163,11 +167,13 @@ def render_to_file(
     settings: PictureSettings | None = None,
     *,
     fitting: FitSettings | None = None,
+    environment: Environment | None = None,
     progress: Progress | None = None,
 ) -> StillPicture:
     """Render a paint or measured file (by name or path), a material or a fit in a view; write it as PNG or EXR.
 
     ``fitting`` says how its lobes are fitted; left out: with the default basis and settings, or as a given fit was.
+    ``environment``, one in memory, takes the place of the view's.
 
     Raises
     ------
@@ -192,7 +198,7 @@ def render_to_file(
     else:
         material = paint if isinstance(paint, Material) else load_material(paint)
         fit = fit_material(under_illuminant(material, view.light_colour), fitting)
-    with loaded_scene(view, subrange(progress, 0.0, 0.8), fitting=fitting) as loaded:
+    with loaded_scene(view, subrange(progress, 0.0, 0.8), fitting=fitting, environment=environment) as loaded:
         loaded.scene.set_material(fit)
         start = perf_counter()
         # The metadata give the exposure that was measured, where it is automatic.

@@ -84,7 +84,7 @@ class LobeFit(Shown):
         How many samples an undivided fit had.
     exact
         Where the time limit came first, it gets the fit with the optimum, unless the fitter's next paint comes before
-        it; :meth:`with_exact` makes it a fit of this material.
+        it; :func:`with_exact` makes it a fit of this material.
     weights_by_light
         For readings under other lights than the fit's: the lobes fitted with each, by its angle in degrees.
     settings
@@ -124,7 +124,17 @@ class LobeFit(Shown):
         return self.material.paint
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return what was fitted, f_r (..., 3) in 1/sr; arguments as of :meth:`.Reflectance.eval`."""
+        """Return what was fitted, f_r (..., 3) in 1/sr, linear Rec. 2020, without the cosine; 0 below the horizon.
+
+        Parameters
+        ----------
+        wi, wo
+            Unit directions (..., 3) to the light and to the viewer, z along the normal; they broadcast.
+
+        >>> import brdf_suite as bs
+        >>> bs.fit("blue").eval(bs.spherical([0.2, 0.4], 0.0), [0.0, 0.0, 1.0]).shape
+        (2, 3)
+        """
         return self.weights.eval(wi, wo)
 
     @property
@@ -169,19 +179,14 @@ class LobeFit(Shown):
         """The largest ΔE00 of :attr:`compared`; None where there is no such angle."""
         return max((row.delta_e_2000 for row in self.compared), default=None)
 
-    def with_exact(self, fit: LayersFit) -> LobeFit:
-        """Return the same material with the lobes that came after the time limit."""
-        return replace(
-            self,
-            weights=fit.weights,
-            l1_errors=_l1_errors(fit),
-            fit_seconds=fit.seconds,
-            seconds=self.seconds + fit.seconds - self.fit_seconds,
-            exact=fit.exact,
-        )
-
     def to_json(self) -> dict[str, object]:
-        """Return everything as plain values; angles in degrees, times in milliseconds."""
+        """Return everything as plain values, as JSON holds them; angles in degrees, times in milliseconds.
+
+        >>> import brdf_suite as bs
+        >>> plain = bs.fit("blue").to_json()
+        >>> len(plain["exponents"]), plain["delta_e_2000_worst"] < 2.0
+        (11, True)
+        """
         weights, reflectance = self.weights, self.reflectance
         plain: dict[str, object] = {
             "name": self.name,
@@ -217,6 +222,18 @@ class LobeFit(Shown):
                 for row in rows
             ]
         return plain
+
+
+def with_exact(fitted: LobeFit, found: LayersFit) -> LobeFit:
+    """Return the same material with the lobes that were found after the time limit."""
+    return replace(
+        fitted,
+        weights=found.weights,
+        l1_errors=_l1_errors(found),
+        fit_seconds=found.seconds,
+        seconds=fitted.seconds + found.seconds - fitted.fit_seconds,
+        exact=found.exact,
+    )
 
 
 class PaintFitter:

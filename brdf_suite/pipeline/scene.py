@@ -151,7 +151,7 @@ Partial = Callable[[PreparedEnvironment], None]
 
 
 def load_environment(
-    name_or_path: str | os.PathLike[str],
+    source: str | os.PathLike[str] | Environment,
     progress: Progress | None = None,
     *,
     layout: str = AUTOMATIC,
@@ -164,9 +164,9 @@ def load_environment(
 
     Parameters
     ----------
-    name_or_path
+    source
         A packaged name (``photo_studio``, ``street``, ``booth`` …), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
-        file, which is drawn.
+        file, which is drawn; or an environment in memory.
     layout
         How the image is laid out, where its shape does not determine it; see :func:`read_environment`.
     columns
@@ -183,9 +183,12 @@ def load_environment(
     Cancelled
         The progress callback asked for it.
     """
-    name, path = find_environment(name_or_path)
-    report(progress, 0.0, f"reading {path.name}")
-    environment = read_environment(path, layout, subrange(progress, 0.0, _READING_SHARE))
+    if isinstance(source, Environment):
+        name, environment = source.name, source
+    else:
+        name, path = find_environment(source)
+        report(progress, 0.0, f"reading {path.name}")
+        environment = read_environment(path, layout, subrange(progress, 0.0, _READING_SHARE))
     if columns is not None:
         environment = narrowed(environment, columns)
     store = cache or MapCache()

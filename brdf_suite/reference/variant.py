@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from brdf_suite import variables
 from brdf_suite.errors import ExtraError, ReferenceUnavailableError
 from brdf_suite.extras import check_extra, import_extra
 from brdf_suite.processes import child_command
 
-LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
 OLDEST_LLVM = 17
 """LLVM 14 to 16 abort in the middle of a compilation."""
 LLVM_PACKAGE = "libllvm19"
@@ -113,7 +113,7 @@ def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
     seen = f" Found: {'; '.join(findings)}." if findings else ""
     raise ReferenceUnavailableError(
         f"The reference renderer needs the library LLVM, version {OLDEST_LLVM} or later; install the package "
-        f"{LLVM_PACKAGE} (sudo apt-get install {LLVM_PACKAGE}), or set {LLVM_VARIABLE} to the library's file.{seen}"
+        f"{LLVM_PACKAGE} (sudo apt-get install {LLVM_PACKAGE}), or set {variables.LLVM} to the library's file.{seen}"
     )
 
 
@@ -121,7 +121,7 @@ def probe(variant: str, llvm_path: str) -> ProbeResult:
     """Try a variant in a process of its own; :class:`ExtraError` where Mitsuba cannot be loaded there."""
     environment = dict(os.environ)
     if llvm_path:
-        environment[LLVM_VARIABLE] = llvm_path
+        environment[variables.LLVM] = llvm_path
     try:
         done = subprocess.run(
             child_command("brdf_suite.reference.probe", variant),
@@ -154,7 +154,7 @@ def parse_version(path: str) -> int:
 
 def _libraries() -> list[str]:
     """Return the library named by the user, alone; else those of the usual places, newest first."""
-    named = os.environ.get(LLVM_VARIABLE)
+    named = os.environ.get(variables.LLVM)
     if named:
         return [named]
     found = {str(path.resolve()) for place in _PLACES for path in Path("/").glob(place)}
@@ -169,7 +169,7 @@ def prepare_library() -> None:
 
 def _name_library(variant: Variant) -> None:
     if variant.llvm_path:
-        os.environ[LLVM_VARIABLE] = variant.llvm_path
+        os.environ[variables.LLVM] = variant.llvm_path
 
 
 def start(*, scalar: bool = False) -> Variant:

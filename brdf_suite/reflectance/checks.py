@@ -82,7 +82,12 @@ class CheckReport:
         return all(finding.passed for finding in self.findings)
 
     def to_json(self) -> dict[str, object]:
-        """Return everything as plain values."""
+        """Return everything as plain values, as JSON holds them.
+
+        >>> import brdf_suite as bs
+        >>> bs.check("blue").to_json()["passed"]
+        True
+        """
         return {
             "name": self.name,
             "passed": self.passed,

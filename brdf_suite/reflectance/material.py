@@ -34,6 +34,8 @@ class Material(Shown):
         it comes from neither.
     document
         The paint document that it was built from; None for measured data and models.
+    flakes, orange_peel
+        What is seen of the base and of the coat from near; None where there are none, or none are known.
     notices
         Sentences for the user about how it was read and built.
     facts

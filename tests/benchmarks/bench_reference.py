@@ -11,6 +11,7 @@ import os
 from pathlib import Path
 from time import process_time
 
+from brdf_suite import variables
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.files.cache.disk_cache import default_root
@@ -111,8 +112,6 @@ NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 
 SAMPLES, SIZE = 1280, (64, 64)
-KEEP = "BRDF_SUITE_REFERENCE_KEEP"
-"""A folder, named by this environment variable, where what is traced is kept between runs."""
 
 
 def run(progress: Progress | None = None) -> dict[str, float | None]:
@@ -174,7 +173,7 @@ def _speed() -> float:
 
 def kept_traces() -> Path:
     """Return the folder in which traces are kept between runs."""
-    return Path(os.environ.get(KEEP, default_root() / "bench_reference"))
+    return Path(os.environ.get(variables.REFERENCE_KEEP, default_root() / "bench_reference"))
 
 
 def lights(shared: Path) -> tuple[list[str], list[str]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import os
 import re
 import shlex
@@ -17,9 +18,10 @@ import pytest
 
 from brdf_suite.cli.main import COMMANDS, main, parser
 from brdf_suite.cli.output import STAGE_END
-from brdf_suite.cli.tools.completion import parsers
+from brdf_suite.cli.tools.manual import parsers
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.extras import PACKAGES
+from brdf_suite.variables import VARIABLES
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 _STAGE = re.compile(rf".*{re.escape(STAGE_END)}\n", re.MULTILINE)
@@ -191,11 +193,17 @@ LINES = (
     Line("environment lights booth -n 2 --csv", 0, "elevation_deg,azimuth_deg,"),
     Line("environment info both", 1, err="did you mean booth?"),
     Line("environment sky -o - --model overcast", 0, '"format": "brdfstudio"', "standard output: written"),
+    Line("environment sky -o sky.brdfstudio --json", 0, '"output": "sky.brdfstudio"', made="sky.brdfstudio"),
+    Line("environment studio new.brdfstudio --new --json", 0, '"output": "new', made="new.brdfstudio"),
+    Line("project list mine.brdfproject --csv", 0, "kind,name\npaint,Blue\n"),
+    Line(
+        "fit-cook-torrance table1_white --lobes 1 --starts 1 --samples 300 --csv",
+        0,
+        "lobe,red,red_error,green,green_error,blue,blue_error,m,m_error,r,r_error\n0,",
+    ),
     Line("environment sky -o sky.txt", 1, err="sky.txt: must end in .brdfstudio or .exr"),
     Line("environment studio new.brdfstudio", 1, err="Nothing to do: give --new"),
-    Line(
-        "project pack --paint blue -o mine.brdfproject", 0, "mine.brdfproject: mine", made="mine.brdfproject"
-    ),
+    Line("project pack --paint blue -o new.brdfproject", 0, "new.brdfproject: new", made="new.brdfproject"),
     Line("project pack mine.brdfproject --paint blue", 2, err="required: -o/--output"),
     Line("project list nothing.brdfproject", 1, err="nothing.brdfproject"),
     Line("cache info --csv", 0),
@@ -205,6 +213,10 @@ LINES = (
     Line("completion zsh", 0, "bashcompinit"),
     Line("completion fish", 0, "complete -c brdf-suite -n '__fish_seen_subcommand_from palette; and "),
     Line("completion man -o brdf-suite.1", 0, made="brdf-suite.1"),
+    Line("completion man", 0, '.TH "BRDF\\-SUITE" 1 '),
+    Line("list schemas", 0, "brdfstudio"),
+    Line("list variables", 0, "BRDF_SUITE_CACHE_MB"),
+    Line("schemas", 2, err="did you mean list schemas?"),
 )
 
 
@@ -220,6 +232,7 @@ def prepared(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "export blue -o {}/blue.cxf",
         "export blue copper -o {}/two.cxf",
         "palette convert blue copper -o {}/two.brdfpalette",
+        "project pack --paint blue -o {}/mine.brdfproject",
     ):
         assert main([*shlex.split(line.format(folder)), "-q"]) == 0
     return folder
@@ -313,16 +326,41 @@ def test_render_sorts_its_options_into_groups() -> None:
         assert f"\n{title}:\n" in text
 
 
-def test_every_environment_variable_is_in_the_help() -> None:
-    sources = [*(CHECKOUT / "brdf_suite").rglob("*.py"), *(CHECKOUT / "apps").rglob("*.py")]
-    read = {
-        name
-        for file in sources
-        for name in re.findall(r"\"(BRDF_SUITE_[A-Z_]+)\"", file.read_text(encoding="utf-8"))
+def test_every_environment_variable_is_declared_in_one_place_and_in_the_help(run: Run) -> None:
+    sources = {
+        file: file.read_text(encoding="utf-8")
+        for folder in ("brdf_suite", "apps")
+        for file in (CHECKOUT / folder).rglob("*.py")
     }
+    declared = CHECKOUT / "brdf_suite" / "variables.py"
+    named = {file: set(re.findall(r"[\"'](BRDF_SUITE_[A-Z_]+)[\"']", text)) for file, text in sources.items()}
+    assert named.pop(declared) == {name for name in VARIABLES if name.startswith("BRDF_SUITE_")}
+    assert {file.name: names for file, names in named.items() if names} == {}
+    others = [
+        *sources.values(),
+        *(file.read_text() for file in (CHECKOUT / "tests" / "benchmarks").rglob("*.py")),
+    ]
+    for constant in ("CACHE", "CACHE_MB", "LINK", "REFERENCE_KEEP", "SETTINGS"):
+        assert any(f"variables.{constant}" in text for text in others), f"{constant} is read nowhere"
+    # What is read by a text in place of a declared name belongs to the system, and to no user.
+    read = {name for text in sources.values() for name in re.findall(r"environ(?:\.get\(|\[)\"(\w+)\"", text)}
+    assert read <= {"DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR", "QT_QPA_PLATFORM"}
     text = parser().format_help()
-    assert read
-    assert [name for name in sorted(read) if name not in text] == []
+    assert [name for name in VARIABLES if name not in text] == []
+
+
+def test_the_variables_are_listed_with_what_they_are_set_to(run: Run, folder: Path) -> None:
+    _, out, _ = run("list variables --csv", None)
+    assert f"variables,BRDF_SUITE_CACHE,{folder / 'cache'}," in out
+
+
+def test_the_schemas_are_listed_with_their_files(run: Run, folder: Path) -> None:
+    _, out, _ = run("list schemas --json", None)
+    rows = json.loads(out)["schemas"]
+    assert {"brdfpaint", "brdfpalette", "brdfview", "brdfstudio", "brdfproject"} <= {
+        row["name"] for row in rows
+    }
+    assert all(json.loads(Path(row["file"]).read_text(encoding="utf-8"))["$schema"] for row in rows)
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
@@ -345,12 +383,36 @@ def test_bash_completes(typed: list[str], expected: set[str], run: Run, folder: 
     assert len(done.stdout.split()) < 12
 
 
-def test_the_manual_has_every_option(run: Run, folder: Path) -> None:
-    _, page, _ = run("completion man", None)
+def test_every_command_has_a_page_of_the_manual_with_every_option(run: Run, folder: Path) -> None:
+    _, out, _ = run("completion man -o pages", None)
+    pages = {path.stem: path.read_text(encoding="ascii") for path in (folder / "pages").iterdir()}
+    assert out == f"pages: {len(pages)} pages\n"
+    assert set(pages) == {
+        "-".join(path) for path, _ in parsers(parser(COMMANDS)) if path[1:] != ("help",)
+    }  # those of the programs, too
     for one in leaves():
-        for action in one._actions:
-            for flag in action.option_strings:
-                assert flag.replace("-", "\\-") in page, (one.prog, flag)
+        page = pages[one.prog.replace(" ", "-")]
+        shown = [action for action in one._actions if action.help != "==SUPPRESS=="]
+        for flag in (flag for action in shown for flag in action.option_strings):
+            assert flag.replace("-", "\\-") in page, (one.prog, flag)
+        for section in ("NAME", "SYNOPSIS", "GENERAL", "EXAMPLES", "SEE ALSO"):
+            assert f".SH {section}\n" in page or f'.SH "{section}"\n' in page
+    assert "\\-\\-theme" in pages["brdf-suite-designer"]
+    assert "BRDF_SUITE_CACHE" in pages["brdf-suite"]
+    if shutil.which("groff") is not None:
+        files = sorted(map(str, (folder / "pages").iterdir()))
+        done = subprocess.run(
+            ["groff", "-man", "-ww", "-z", *files], capture_output=True, text=True, check=True
+        )
+        assert done.stderr == ""
+
+
+def test_one_page_of_the_manual_is_written_by_its_name(run: Run, folder: Path) -> None:
+    assert run("completion man -o brdf-suite-palette-find.1", None)[0] == 0
+    page = (folder / "brdf-suite-palette-find.1").read_text(encoding="ascii")
+    assert page.startswith('.TH "BRDF\\-SUITE\\-PALETTE\\-FIND" 1')
+    status, _, err = run("completion man -o brdf-suite-rendr.1", None)
+    assert (status, "did you mean brdf-suite-render?" in err) == (1, True)
 
 
 def test_the_bench_is_hidden_where_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:

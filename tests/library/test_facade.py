@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import doctest
+import functools
 import importlib
 import inspect
 import os
@@ -10,15 +11,16 @@ import pkgutil
 import re
 import subprocess
 import sys
+import typing
 from pathlib import Path
 
 import pytest
 
 import brdf_suite as bs
+from brdf_suite.lighting.filter.face_array import FaceArray
 
 SIGNATURES = Path(__file__).with_name("signatures.txt")
 CONSTANTS = {"version", "__version__"}
-RESULTS = {"Drawing", "LobeFit", "Rendering"}  # made by functions, not by users
 FUNCTIONS_AND_CLASSES = sorted(set(bs.__all__) - CONSTANTS)
 GUESSED = [
     "load",
@@ -49,6 +51,48 @@ GUESSED = [
 MEANT = {"read": "load", "read_palette": "load", "show": "plot"}
 
 
+def _classes_in(hint: object) -> set[type]:
+    """Return the suite's own classes in an annotation."""
+    if inspect.isclass(hint) and not typing.get_args(hint):
+        return {hint} if hint.__module__.startswith("brdf_suite.") else set()
+    return {kind for inner in typing.get_args(hint) for kind in _classes_in(inner)}
+
+
+def _results() -> dict[str, type]:
+    """Return the classes that functions return, by their names: made by functions, not by users."""
+    functions = [getattr(bs, name) for name in FUNCTIONS_AND_CLASSES]
+    found = {
+        kind
+        for one in functions
+        if inspect.isfunction(one)
+        for kind in _classes_in(typing.get_type_hints(one)["return"])
+    }
+    found.add(FaceArray)  # the maps of what prefilter returns
+    return {kind.__name__: kind for kind in found if kind not in (bs.Material, bs.Palette)}
+
+
+RESULTS = _results()
+
+
+def _methods() -> dict[str, object]:
+    """Return the public methods of public classes and of results, as ``Palette.entry``."""
+    classes = {
+        name: getattr(bs, name) for name in FUNCTIONS_AND_CLASSES if inspect.isclass(getattr(bs, name))
+    }
+    return {
+        f"{name}.{key}": method
+        for name, kind in sorted((classes | RESULTS).items())
+        for owner in kind.__mro__
+        for key, method in vars(owner).items()
+        if inspect.isfunction(method)
+        and not key.startswith("_")
+        and owner.__module__.startswith("brdf_suite.")
+    }
+
+
+METHODS = _methods()
+
+
 def in_a_fresh_process(statement: str) -> str:
     done = subprocess.run(
         [sys.executable, "-c", statement], capture_output=True, text=True, check=True, timeout=240
@@ -59,7 +103,7 @@ def in_a_fresh_process(statement: str) -> str:
 def test_importing_loads_neither_numpy_nor_any_room() -> None:
     before = set(in_a_fresh_process("import sys; print(*sys.modules)").split())
     loaded = set(in_a_fresh_process("import sys, brdf_suite; print(*sys.modules)").split()) - before
-    assert {name for name in loaded if name.startswith("brdf_suite")} == {"brdf_suite"}
+    assert {name for name in loaded if name.startswith("brdf_suite")} == {"brdf_suite", "brdf_suite.release"}
     assert not loaded & {"numpy", "scipy", "PIL", "importlib.metadata"}
 
 
@@ -94,8 +138,8 @@ def test_a_name_like_no_other_is_answered_with_all_names() -> None:
 
 def test_the_signatures_are_those_that_were_promised() -> None:
     lines = [f"version: {type(bs.version).__name__}"]
-    for name in FUNCTIONS_AND_CLASSES:
-        found = getattr(bs, name)
+    for name in sorted({*FUNCTIONS_AND_CLASSES, *RESULTS}):
+        found = RESULTS.get(name) or getattr(bs, name)
         if inspect.isclass(found) and issubclass(found, Exception):
             lines.append(f"{name}: exception")
             continue
@@ -139,13 +183,13 @@ class _Written(str):
         return str(self)
 
 
-@pytest.mark.parametrize("name", FUNCTIONS_AND_CLASSES)
-def test_every_name_has_an_example_that_runs(
+@pytest.mark.parametrize("name", ["brdf_suite", *FUNCTIONS_AND_CLASSES, *METHODS])
+def test_every_name_and_every_method_has_an_example_that_runs(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    value = getattr(bs, name)
-    module = importlib.import_module(value.__module__)
+    value = bs if name == "brdf_suite" else METHODS[name] if "." in name else getattr(bs, name)
+    module = importlib.import_module(getattr(value, "__module__", name))
     found = doctest.DocTestFinder(recurse=False).find(value, name, module=module)
     examples = [example for test in found for example in test.examples]
     assert examples, f"{name} has no example"
@@ -155,6 +199,28 @@ def test_every_name_has_an_example_that_runs(
     for test in found:
         runner.run(test, out=output.append)
     assert not runner.failures, "".join(output)
+
+
+@pytest.mark.parametrize("name", [*FUNCTIONS_AND_CLASSES, *METHODS])
+def test_every_parameter_is_documented(name: str) -> None:
+    value = METHODS[name] if "." in name else getattr(bs, name)
+    if name in RESULTS or (inspect.isclass(value) and issubclass(value, Exception)):
+        return
+    text = inspect.getdoc(value) or ""
+    taken = [one for one in inspect.signature(value).parameters if one not in ("self", "progress")]
+    assert [one for one in taken if not re.search(rf"\b{one}\b", text)] == []
+
+
+def test_every_property_is_documented() -> None:
+    classes = [getattr(bs, name) for name in FUNCTIONS_AND_CLASSES] + [*RESULTS.values()]
+    bare = [
+        f"{kind.__name__}.{key}"
+        for kind in classes
+        if inspect.isclass(kind)
+        for key, value in vars(kind).items()
+        if isinstance(value, (property, functools.cached_property)) and not (value.__doc__ or "").strip()
+    ]
+    assert bare == []
 
 
 def test_no_module_is_called_like_a_function_of_the_library_that_it_defines() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import typing
 from pathlib import Path
 
 import numpy as np
@@ -183,6 +184,39 @@ def test_a_picture_of_a_fit_is_that_of_its_material(tmp_path: Path) -> None:
     assert (tmp_path / "again.png").read_bytes() == by_name.content
     with pytest.raises(FileError, match=r"ends in \.png"):
         by_name.save(tmp_path / "again.jpg")
+
+
+@pytest.mark.parametrize("renderer", ["realtime", "raytraced"])
+def test_an_environment_in_memory_lights_a_picture_as_its_file_does(
+    renderer: typing.Literal["realtime", "raytraced"], tmp_path: Path
+) -> None:
+    scene = {"size": (32, 24), "surface": "sphere", "renderer": renderer}
+    scene |= {} if renderer == "realtime" else {"samples": 2}
+    light = bs.load("overcast", bs.Environment)
+    named = bs.render("solid_red", environment="overcast", **scene).pixels.astype(int)
+    given = bs.render("solid_red", environment=light, **scene).pixels
+    assert np.abs(given - named).max() <= 1  # maps that were shipped are half floats of the same light
+    twice = bs.render("solid_red", environment=2.0 * light.radiance, **scene)
+    assert twice.pixels.mean() > 1.1 * given.mean()
+
+
+def test_a_picture_in_a_light_of_ones_own_says_so(tmp_path: Path) -> None:
+    mine = bs.Environment("my light, 2", np.full((32, 64, 3), 0.5))
+    picture = bs.render("solid_red", tmp_path / "a.png", size=(32, 24), surface="sphere", environment=mine)
+    assert picture.path is not None
+    assert b'"environment":"my_light_2"' in picture.content
+    for wrong in (np.full((32, 64, 3), -1.0), np.full((32, 64, 3), np.nan), np.ones((32, 64))):
+        with pytest.raises(ValueRangeError, match="radiance"):
+            bs.render("solid_red", size=(32, 24), environment=wrong)
+
+
+def test_texture_is_read_with_the_colours() -> None:
+    blue, red = bs.measure("blue").texture, bs.measure("solid_red").texture
+    assert blue is not None
+    assert red is not None
+    assert [one.light_deg for one in blue.sparkle] == [15.0, 45.0, 75.0]
+    assert min(one.grade for one in blue.sparkle) > 0.0 == max(one.grade for one in red.sparkle)
+    assert blue.graininess > 0.0 == red.graininess
 
 
 def test_wrong_arguments_of_a_picture_are_named() -> None:

@@ -29,6 +29,7 @@ from pathlib import Path
 
 from cache_writer import ENTRIES, EXPONENTS, Writer, entry_path, environment, limit, maps_of, same
 
+from brdf_suite import variables
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.cache import disk_cache as cache_folder
 from brdf_suite.files.cache.entry_lock import shard
@@ -44,7 +45,7 @@ def afterwards(folder: Path, size: int) -> Figures:
     """Return what the command says about the cache, and what one more program finds or makes in it."""
     verified = subprocess.run(
         [sys.executable, "-m", "brdf_suite.cli.main", "cache", "verify", "--json"],
-        env={**os.environ, cache_folder.ENVIRONMENT_VARIABLE: str(folder)},
+        env={**os.environ, variables.CACHE: str(folder)},
         capture_output=True,
         text=True,
         check=False,

@@ -16,9 +16,9 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from brdf_suite import variables
 from brdf_suite.errors import SuiteError
 
-NAME_VARIABLE = "BRDF_SUITE_LINK"
 _LONGEST_SOCKET_PATH = 100
 
 
@@ -29,7 +29,7 @@ class LinkAddressError(SuiteError):
 def link_name() -> str:
     """Return the name of the link: of this user, or what ``BRDF_SUITE_LINK`` says (for separate sessions)."""
     own = f"brdf-suite-{_user()}"
-    wanted = os.environ.get(NAME_VARIABLE, "")
+    wanted = os.environ.get(variables.LINK, "")
     if not wanted:
         return own
     safe = "".join(c if c.isascii() and (c.isalnum() or c in "-_.") else "_" for c in wanted)

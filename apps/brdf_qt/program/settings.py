@@ -11,8 +11,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QSettings
 
+from brdf_suite import variables
+
 ORGANISATION = "BRDF Suite"
-FOLDER_VARIABLE = "BRDF_SUITE_SETTINGS"
 SHARED = "shared"
 """The settings that all programs have in common."""
 
@@ -20,7 +21,7 @@ SHARED = "shared"
 def settings(program: str = "") -> QSettings:
     """Return the settings of a program, by default the running one; cheap to call, all of them share one state."""
     name = program or QCoreApplication.applicationName() or SHARED
-    folder = os.environ.get(FOLDER_VARIABLE)
+    folder = os.environ.get(variables.SETTINGS)
     if folder:
         return QSettings(str(Path(folder) / f"{name}.ini"), QSettings.Format.IniFormat)
     return QSettings(QSettings.Format.IniFormat, QSettings.Scope.UserScope, ORGANISATION, name)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.lobe_fit import LobeFit, with_exact
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -58,4 +58,4 @@ class ExactFit(QObject):
         if error is not None:
             self.failed.emit(fit, error)
         else:
-            self.arrived.emit(fit.with_exact(future.result()))
+            self.arrived.emit(with_exact(fit, future.result()))

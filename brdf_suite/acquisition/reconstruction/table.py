@@ -98,30 +98,31 @@ class Acquired:
     seconds: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     compared: Mapping[str, ParameterizedTable] = field(default_factory=lambda: MappingProxyType({}))
 
-    def to_json(self) -> dict[str, Any]:
-        """Return what ``brdf-suite acquire --json`` prints."""
-        coverage = self.table.coverage
-        median = 0.0
-        if coverage is not None and (coverage.samples > 0.0).any():
-            median = float(np.median(coverage.deviation[coverage.samples > 0.0]))
-        return {
-            "positions": len(self.positions_done),
-            "resumed": self.resumed,
-            "left_out": [{"position": one.position, "reason": one.reason} for one in self.positions_failed],
-            "readings": self.readings,
-            "coverage": {
-                "bins": int(np.count_nonzero(self.table.measured_mask())),
-                "share_below_75_deg": covered_share(self.table, 75.0),
-                "median_deviation": median,
-            },
-            "calibration": dict(self.calibration.figures),
-            "notices": list(self.notices),
-            "seconds": {name: round(value, 3) for name, value in self.seconds.items()},
-        }
-
 
 Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
 """Called after each position with how many are done, of how many, and a function that makes the table so far."""
+
+
+def figures_of(acquired: Acquired) -> dict[str, Any]:
+    """Return what is known of a reconstruction as plain values, as ``brdf-suite acquire --json`` prints them."""
+    coverage = acquired.table.coverage
+    median = 0.0
+    if coverage is not None and (coverage.samples > 0.0).any():
+        median = float(np.median(coverage.deviation[coverage.samples > 0.0]))
+    return {
+        "positions": len(acquired.positions_done),
+        "resumed": acquired.resumed,
+        "left_out": [{"position": one.position, "reason": one.reason} for one in acquired.positions_failed],
+        "readings": acquired.readings,
+        "coverage": {
+            "bins": int(np.count_nonzero(acquired.table.measured_mask())),
+            "share_below_75_deg": covered_share(acquired.table, 75.0),
+            "median_deviation": median,
+        },
+        "calibration": dict(acquired.calibration.figures),
+        "notices": list(acquired.notices),
+        "seconds": {name: round(value, 3) for name, value in acquired.seconds.items()},
+    }
 
 
 def reconstruct(

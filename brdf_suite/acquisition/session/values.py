@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from types import MappingProxyType
 
-from brdf_suite.documents.parameter import Parameter, check_numbers, check_text, describe
+from brdf_suite.documents.parameter import Parameter, as_whole, check_numbers, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
 Rgb = tuple[float, float, float]
@@ -52,11 +52,12 @@ def set_vector(owner: object, parameter: Parameter, name: str) -> None:
 
 def check_whole(value: object, place: str, low: int, high: int) -> int:
     """Return a whole number from ``low`` to ``high``."""
-    if isinstance(value, bool) or not isinstance(value, int):
+    found = as_whole(value)
+    if isinstance(found, bool) or not isinstance(found, int):
         raise ValueRangeError(place, f"expected a whole number, not {describe(value)}")
-    if not low <= value <= high:
+    if not low <= found <= high:
         raise ValueRangeError(place, f"{describe(value)} is outside the range {low} to {high}")
-    return value
+    return found
 
 
 def set_times(owner: object) -> None:

@@ -50,6 +50,7 @@ def add_light(actions: argparse._SubParsersAction[CommandParser]) -> None:
         "brdf-suite environment studio mine.brdfstudio -o mine.exr",
     )
     add_output(studio, "the map to write, 1024 × 512, as OpenEXR", stream=".exr", required=False)
+    add_json(studio)
     studio.set_defaults(run=run_studio)
 
     sky = actions.add_parser(
@@ -75,6 +76,7 @@ def add_light(actions: argparse._SubParsersAction[CommandParser]) -> None:
         "brdf-suite environment sky -o overcast.brdfstudio --model overcast",
     )
     add_output(sky, "the .brdfstudio or .exr file to write", stream=STUDIO_ENDING)
+    add_json(sky)
     sky.set_defaults(run=run_sky)
 
 
@@ -89,13 +91,14 @@ def run_studio(options: argparse.Namespace) -> int:
 
         light: LightDocument = BOOTH if options.booth else EXAMPLE
         save_light(light, path)
-        print_done(f"{path}: written; edit it as text and open it as an environment")
+        if options.output is None:
+            _print_written(path, "written; edit it as text and open it as an environment", options)
     elif options.output is None:
         raise SuiteError("Nothing to do: give --new to write FILE, or -o MAP.exr to draw it.")
     else:
         light = load_light(path)
     if options.output is not None:
-        _render(light, options.output)
+        _render(light, options.output, options)
     return 0
 
 
@@ -114,21 +117,29 @@ def run_sky(options: argparse.Namespace) -> int:
         sun_disc=not options.no_disc,
     )
     if path.suffix.lower() == ".exr":
-        _render(light, path)
+        _render(light, path, options)
         return 0
     save_light(light, path)
-    print_done(f"{path}: written")
+    _print_written(path, "written", options)
     return 0
 
 
-def _render(light: LightDocument, path: Path) -> None:
+def _print_written(path: Path, line: str, options: argparse.Namespace, **facts: object) -> None:
+    if options.json:
+        print_json({"output": str(path), **facts})
+    else:
+        print_done(f"{path}: {line}")
+
+
+def _render(light: LightDocument, path: Path, options: argparse.Namespace) -> None:
     if path.suffix.lower() != ".exr":
         raise FileError(path, "must end in .exr")
-    with progress_bar("drawing") as progress:
+    with progress_bar("drawing", quiet=options.json) as progress:
         made = draw_light(light, progress)
     write_exr(path, made.stored(), metadata={"comments": made.comment})
     rows, columns = made.radiance.shape[:2]
-    print_done(f"{path}: {columns} × {rows}, written. {made.comment}")
+    line = f"{columns} × {rows}, written. {made.comment}"
+    _print_written(path, line, options, width=columns, height=rows, comment=made.comment)
 
 
 _GREY = 0.18

@@ -11,7 +11,7 @@ from typing import Any
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import Acquired
+from brdf_suite.acquisition.reconstruction.table import Acquired, figures_of
 from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
 from brdf_suite.cli.arguments import add_arguments, add_json, add_output
@@ -191,14 +191,14 @@ def run(options: argparse.Namespace) -> int:
         step = acquire_partial if options.partial else acquire
         found = step(road, options.output, progress, overwrite=options.overwrite, restart=options.restart)
     if options.json:
-        print_json({"file": str(options.output), **found.to_json()})
+        print_json({"file": str(options.output), **figures_of(found)})
     else:
         _print_summary(found, options.output)
     return 0
 
 
 def _print_summary(found: Acquired, output: Path) -> None:
-    summary = found.to_json()
+    summary = figures_of(found)
     coverage = summary["coverage"]
     again = f" ({found.resumed} taken up from {output.name}.work)" if found.resumed else ""
     print(f"{len(found.positions_done)} positions{again}, {found.readings:,} readings")

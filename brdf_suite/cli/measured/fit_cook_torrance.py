@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from numpy import asarray
 
 from brdf_suite.appearance.flakes.lobes import flakes_of_lobes
 from brdf_suite.cli.arguments import PAINT, add_arguments, add_json, add_output
-from brdf_suite.cli.output import print_done, print_json, print_notes, progress_bar
+from brdf_suite.cli.output import print_csv, print_done, print_json, print_notes, progress_bar
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Flakes
@@ -20,6 +21,7 @@ from brdf_suite.errors import FileError, FittingError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance.fit import StartsFile
 from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import FitErrors
 from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
 from brdf_suite.pipeline.material import load_material
@@ -67,7 +69,7 @@ def add(command: CommandParser) -> None:
         flake_size=float,
         state=Path,
     )
-    add_json(command)
+    add_json(command, csv=True)
     command.set_defaults(run=run)
 
 
@@ -131,6 +133,10 @@ def run(options: argparse.Namespace) -> int:
             value["file"] = str(options.output)
         print_json(value)
         return 0
+    if options.csv:
+        print_csv(_lobe_rows(found.fit))
+        print_notes(found.notices)
+        return 0
     _print_summary(found)
     if beside:
         print(f"the models side by side, within {settings.grazing_deg:g}°:")
@@ -188,6 +194,25 @@ def _print_summary(found: FileFit) -> None:
     print(f"within {fit.settings.grazing_deg:g}° of the normal: {_errors(found.errors_within)}")
     print(f"over everything: {_errors(found.errors)}")
     print_notes(found.notices)
+
+
+def _lobe_rows(fit: CookTorranceFit) -> Iterator[dict[str, object]]:
+    """Yield the numbers of each lobe with their standard errors; the diffuse part is lobe 0, without m and r."""
+    errors = fit.standard_errors
+    yield {"lobe": 0, **_channels(fit.kd, errors.kd), "m": "", "m_error": "", "r": "", "r_error": ""}
+    for k in range(fit.model.lobes):
+        shape = {"m": fit.m[k], "m_error": errors.m[k], "r": fit.r[k], "r_error": errors.r[k]}
+        plain = {name: float(value) for name, value in shape.items()}
+        yield {"lobe": k + 1, **_channels(fit.ks[k], errors.ks[k]), **plain}
+
+
+def _channels(values: object, errors: object) -> dict[str, object]:
+    pairs = zip(("red", "green", "blue"), asarray(values).tolist(), asarray(errors).tolist(), strict=True)
+    return {
+        key: number
+        for name, value, error in pairs
+        for key, number in ((name, value), (f"{name}_error", error))
+    }
 
 
 def _errors(errors: FitErrors) -> str:

@@ -16,11 +16,10 @@ from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, TextureReading
 from brdf_suite.cli.arguments import PAINTS, add_arguments, add_json
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.inspection.measuring import measurement_json
-from brdf_suite.inspection.texture.readings import texture_of
+from brdf_suite.inspection.measuring import measurement_json, read_material
 from brdf_suite.pipeline.material import Material, load_material, paints_of
 from brdf_suite.reflectance.instruments.aperture import aperture
-from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport, measure
+from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport
 from brdf_suite.reflectance.instruments.under_light import readings_under
 
 GEOMETRY_HELP = (
@@ -89,32 +88,28 @@ def run(options: argparse.Namespace) -> int:
         item = load_material(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
         )
-        measured.append(_Measured(item, measure(item.reflectance, geometries, through), texture_of(item)))
+        measured.append(_Measured(item, read_material(item, geometries, through)))
     if options.json:
-        answers = [
-            measurement_json(one.item, one.report, options.illuminant) | {"texture": one.texture.to_json()}
-            for one in measured
-        ]
+        answers = [measurement_json(one.item, one.report, options.illuminant) for one in measured]
         print_json(answers[0] if len(answers) == 1 else {"paints": answers})
     elif options.csv:
         _print_csv(measured, options.illuminant)
     else:
         for one in measured:
-            _print_table(one.item, one.report, one.texture, options.illuminant)
+            _print_table(one.item, one.report, options.illuminant)
     return 0
 
 
 class _Measured(NamedTuple):
     item: Material
     report: InstrumentReport
-    texture: TextureReadings
 
 
 def _under(item: Material, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
     return readings_under(item.reflectance, report, illuminant, item.observer_deg)
 
 
-def _print_table(item: Material, report: InstrumentReport, texture: TextureReadings, illuminant: str) -> None:
+def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> None:
     # Two paints may share a name, as the shipped blue and that of Table 1 do.
     plain = Path(item.origin).name.replace("_", " ").lower()
     named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.origin})"
@@ -136,7 +131,7 @@ def _print_table(item: Material, report: InstrumentReport, texture: TextureReadi
         for angle, value in report.gloss.items()
     )
     print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
-    _print_texture(texture)
+    _print_texture(report.texture or NO_TEXTURE)
     if report.flop is not None:
         print(f"  flop index: {report.flop.value:.2f}")
     if report.travel is not None:
@@ -180,7 +175,8 @@ def _print_csv(measured: list[_Measured], illuminant: str) -> None:
     head.append("graininess")
     head += [f"nearest_sample_deg_{name}" for name in (*names, "G20", "G60", "G85")]
     writer.writerow(head)
-    for item, report, texture in measured:
+    for item, report in measured:
+        texture = report.texture or NO_TEXTURE
         row: list[str] = [item.name, item.origin]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from brdf_suite.cli.arguments import add_arguments, add_json, add_output
-from brdf_suite.cli.output import print_done, print_json
+from brdf_suite.cli.output import print_csv, print_done, print_json
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.project import (
     NamedView,
@@ -64,7 +64,7 @@ def add(command: CommandParser) -> None:
     listed = parts.add_parser("list", help="say what a project holds")
     listed.examples = ("brdf-suite project list spring.brdfproject",)
     add_arguments(listed, {"project FILE": "a project, zip file or folder"})
-    add_json(listed)
+    add_json(listed, csv=True)
     listed.set_defaults(run=run_list)
     collect = parts.add_parser("collect", help="write a project with the files that it names")
     add_arguments(
@@ -116,7 +116,6 @@ def run_list(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    print(f"{project.name}")
     rows = [
         ("paint", [paint.name for paint in project.paints]),
         ("standard", [] if project.standard is None else [project.standard.name]),
@@ -127,6 +126,10 @@ def run_list(options: argparse.Namespace) -> int:
         ("collected", [f"{name}, {size:,} bytes" for name, size in parts]),
         ("named", [path for path in project_references(project) if path != project.source]),
     ]
+    if options.csv:
+        print_csv({"kind": word, "name": name} for word, names in rows for name in names)
+        return 0
+    print(f"{project.name}")
     for word, names in rows:
         for name in names:
             print(f"{word:>10}  {name}")

@@ -17,11 +17,12 @@ from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import load_database
 from brdf_suite.fitting.basis_search.search import CountResult, search, usable_cores
+from brdf_suite.release import __version__
 from brdf_suite.resources import resource_root
 
 _OUTPUT = Path("basis.json")
 _MOST_STARTS, _MOST_WORKERS = 64, 64
-_LIBRARIES = ("brdf-suite", "numpy", "scipy", "highspy")
+_LIBRARIES = ("numpy", "scipy", "highspy")
 
 
 def add(command: CommandParser) -> None:
@@ -131,7 +132,11 @@ def _provenance(
         "seconds": sum(result.seconds for result in results),
         "evaluations": sum(result.evaluations for result in results),
         "date": datetime.now(UTC).date().isoformat(),
-        "versions": {name: version(name) for name in _LIBRARIES} | {"python": str(machine["python"])},
+        "versions": {
+            "brdf-suite": __version__,
+            **{name: version(name) for name in _LIBRARIES},
+            "python": str(machine["python"]),
+        },
         "processor": machine["processor"],
         "cores": machine["cores"],
         "system": machine["system"],

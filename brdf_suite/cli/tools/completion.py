@@ -1,15 +1,15 @@
-"""``brdf-suite completion``: completion scripts of shells, and the page of the manual, made from the parser."""
+"""``brdf-suite completion``: completion scripts of shells, and the pages of the manual, made from the parser."""
 
 from __future__ import annotations
 
 import argparse
 import shlex
-from collections.abc import Iterator
-from importlib.metadata import version
 
 from brdf_suite.cli.arguments import add_output
+from brdf_suite.cli.tools.manual import parsers, print_manual
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.release import __version__
 
 _PAINTS = "$(brdf-suite list paints --csv 2>/dev/null | cut -d, -f2 | tail -n +2)"
 
@@ -17,17 +17,20 @@ _PAINTS = "$(brdf-suite list paints --csv 2>/dev/null | cut -d, -f2 | tail -n +2
 def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
-        "Print what a shell needs to complete commands, options, their words and the names of paints; or the page of "
-        "the manual. Both are made from the parser, so that they have every option."
+        "Print what a shell needs to complete commands, options, their words and the names of paints; or pages of the "
+        "manual: that of brdf-suite, the one that FILE is called after, as brdf-suite-render.1, or all of them where "
+        "FILE is a folder. Both are made from the parser, so that they have every option."
     )
     command.examples = (
         "brdf-suite completion bash > ~/.local/share/bash-completion/completions/brdf-suite",
         "brdf-suite completion zsh >> ~/.zshrc",
         "brdf-suite completion fish > ~/.config/fish/completions/brdf-suite.fish",
-        "brdf-suite completion man -o brdf-suite.1",
+        "brdf-suite completion man -o ~/.local/share/man/man1",
     )
-    command.add_argument("kind", metavar="KIND", choices=tuple(_KINDS), help=", ".join(_KINDS))
-    add_output(command, "the file to write (default: standard output)", stream=".txt", required=False)
+    kinds = (*_KINDS, "man")
+    command.add_argument("kind", metavar="KIND", choices=kinds, help=", ".join(kinds))
+    written = "the file to write, of the manual also a folder (default: standard output)"
+    add_output(command, written, stream=".1", required=False)
     command.set_defaults(run=run)
 
 
@@ -35,7 +38,10 @@ def run(options: argparse.Namespace) -> int:
     """Print or write the script or page."""
     from brdf_suite.cli.main import COMMANDS, parser
 
-    text = _KINDS[options.kind](parser(COMMANDS))
+    top = parser(COMMANDS)
+    if options.kind == "man":
+        return print_manual(top, options.output)
+    text = _KINDS[options.kind](top)
     if options.output is None:
         print(text, end="")
     else:
@@ -43,20 +49,13 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def parsers(of: CommandParser) -> Iterator[tuple[tuple[str, ...], CommandParser]]:
-    """Yield the words and the parser of a command and of all commands below it."""
-    yield tuple(of.prog.split(" ")), of
-    for action in of._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            for below in action.choices.values():
-                yield from parsers(below)
-
-
 def _bash(top: CommandParser) -> str:
     words, after = [], []
     for path, command in parsers(top):
         given: dict[str, None] = {}
         for action in command._actions:
+            if action.help == argparse.SUPPRESS:
+                continue
             given |= dict.fromkeys(action.option_strings)
             choices = " ".join(map(str, action.choices or ()))
             if action.option_strings and choices:
@@ -73,7 +72,7 @@ def _bash(top: CommandParser) -> str:
         words.append(f'    "{" ".join(path[1:])}") words="{" ".join(given)}{paints}" ;;')
     path_words = "|".join(sorted({word for path, _ in parsers(top) for word in path[1:]}))
     return f"""\
-# Completion of brdf-suite {version("brdf-suite")} for bash.
+# Completion of brdf-suite {__version__} for bash.
 _brdf_suite() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" path="" each words=""
   for each in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
@@ -96,7 +95,7 @@ def _zsh(top: CommandParser) -> str:
 
 
 def _fish(top: CommandParser) -> str:
-    lines = [f"# Completion of brdf-suite {version('brdf-suite')} for fish."]
+    lines = [f"# Completion of brdf-suite {__version__} for fish."]
     for path, command in parsers(top):
         seen = " ".join(f"__fish_seen_subcommand_from {word};" for word in path[1:]).replace("; _", "; and _")
         when = shlex.quote(seen.rstrip(";") or "__fish_use_subcommand")
@@ -106,7 +105,7 @@ def _fish(top: CommandParser) -> str:
                     lines.append(
                         f"complete -c brdf-suite -n {when} -f -a {row.dest} -d {shlex.quote(row.help or '')}"
                     )
-            elif action.option_strings:
+            elif action.option_strings and action.help != argparse.SUPPRESS:
                 flags = [
                     f"-l {flag[2:]}" if flag.startswith("--") else f"-s {flag[1:]}"
                     for flag in action.option_strings
@@ -120,21 +119,4 @@ def _fish(top: CommandParser) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _manual(top: CommandParser) -> str:
-    """Return a page in the macros of man(7); the help of each command is a section."""
-    page = [
-        f'.TH BRDF-SUITE 1 "" "brdf-suite {version("brdf-suite")}"',
-        ".SH NAME",
-        f"brdf-suite \\- {top.description}",
-    ]
-    for path, command in parsers(top):
-        page += [f'.SH "{" ".join(path)}"', ".nf", *map(_roff, command.format_help().splitlines()), ".fi"]
-    return "\n".join(page) + "\n"
-
-
-def _roff(line: str) -> str:
-    plain = line.replace("\\", "\\e").replace("-", "\\-")
-    return f"\\&{plain}" if plain.startswith((".", "'")) else plain
-
-
-_KINDS = {"bash": _bash, "zsh": _zsh, "fish": _fish, "man": _manual}
+_KINDS = {"bash": _bash, "zsh": _zsh, "fish": _fish}

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import json
+import os
 from collections.abc import Callable, Iterable, Mapping
 
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
@@ -15,6 +17,8 @@ from brdf_suite.pipeline.scene import environment_names, surface_names
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reports import handover
+from brdf_suite.resources import SCHEMA_ENDING, resource, schema_names
+from brdf_suite.variables import VARIABLES
 
 Row = Mapping[str, object]
 
@@ -23,7 +27,8 @@ def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "List names: of what is shipped (paints, environments, surfaces), of file formats and their endings, of "
-        "reflectance models, and of the geometries of instruments. Without KIND all of them."
+        "reflectance models, of the geometries of instruments, of JSON Schemas of the suite's own formats with the "
+        "files that they are in, and of environment variables with what they are set to. Without KIND all of them."
     )
     command.examples = (
         "brdf-suite list paints",
@@ -90,6 +95,13 @@ def _format(name: str, title: str, holds: str, endings: tuple[str, ...], uses: s
     }
 
 
+def _schemas() -> Iterable[Row]:
+    for name in schema_names():
+        file = resource("schemas", f"{name}{SCHEMA_ENDING}")
+        title = str(json.loads(file.read_text(encoding="utf-8"))["title"]).removeprefix("BRDF Suite: ")
+        yield {"name": name, "file": str(file), "title": title}
+
+
 _KINDS: Mapping[str, Callable[[], Iterable[Row]]] = {
     "paints": _paints,
     "environments": lambda: [{"name": name} for name in environment_names()],
@@ -97,4 +109,8 @@ _KINDS: Mapping[str, Callable[[], Iterable[Row]]] = {
     "formats": _formats,
     "models": lambda: [{"name": name, "title": model.title} for name, model in MODELS.items()],
     "geometries": lambda: [{"name": name, "title": one.title} for name, one in GEOMETRY_SETS.items()],
+    "schemas": _schemas,
+    "variables": lambda: [
+        {"name": name, "value": os.environ.get(name, ""), "title": what} for name, what in VARIABLES.items()
+    ],
 }

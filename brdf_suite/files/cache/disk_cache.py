@@ -26,14 +26,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
+from brdf_suite import variables
 from brdf_suite.documents.atomic import sync_folder
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.array_file import Layout, read_arrays
 from brdf_suite.files.cache.entry_lock import exclusive_entry, shard, try_entry
 from brdf_suite.progress import Progress, report
 
-ENVIRONMENT_VARIABLE = "BRDF_SUITE_CACHE"
-LIMIT_VARIABLE = "BRDF_SUITE_CACHE_MB"
 DEFAULT_LIMIT_BYTES = 2 * 1024**3
 
 _ENTRY = re.compile(r"[0-9a-f]{64}\.\w")
@@ -45,7 +44,7 @@ _log = logging.getLogger(__name__)
 
 def default_root() -> Path:
     """Return the cache's folder: ``$BRDF_SUITE_CACHE``, or the system's place for a user's caches."""
-    override = os.environ.get(ENVIRONMENT_VARIABLE)
+    override = os.environ.get(variables.CACHE)
     if override:
         return Path(override)
     import platformdirs  # 20 ms, which a start with a chosen folder saves
@@ -55,11 +54,13 @@ def default_root() -> Path:
 
 def default_limit() -> int:
     """Return the size in bytes that the cache may have: ``$BRDF_SUITE_CACHE_MB``, in 10⁶ bytes, or 2 GiB."""
-    text = os.environ.get(LIMIT_VARIABLE, "").strip()
+    text = os.environ.get(variables.CACHE_MB, "").strip()
     if not text:
         return DEFAULT_LIMIT_BYTES
     if not text.isdecimal():
-        _log.warning("%s is %r, not a whole number of megabytes; 2 GiB is the limit.", LIMIT_VARIABLE, text)
+        _log.warning(
+            "%s is %r, not a whole number of megabytes; 2 GiB is the limit.", variables.CACHE_MB, text
+        )
         return DEFAULT_LIMIT_BYTES
     return int(text) * 1_000_000
 
@@ -258,7 +259,7 @@ class DiskCache:
         if not self._make_room(needed):
             self._notice(
                 f"The {self._what} are not kept: {needed / 1e6:,.0f} MB do not fit into the cache's "
-                f"{self.limit_bytes / 1e6:,.0f} MB; {LIMIT_VARIABLE} sets another limit."
+                f"{self.limit_bytes / 1e6:,.0f} MB; {variables.CACHE_MB} sets another limit."
             )
             return
         try:
@@ -266,7 +267,7 @@ class DiskCache:
         except OSError as error:
             self._notice(
                 f"The {self._what} are not kept: {self.folder} cannot be written ({error.strerror or error}). "
-                f"Make room there, or set {ENVIRONMENT_VARIABLE} to another folder."
+                f"Make room there, or set {variables.CACHE} to another folder."
             )
             return
         self._make_room(0)  # others may have written meanwhile, too

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from importlib.metadata import version
 from types import MappingProxyType
 
 import numpy as np
@@ -27,6 +26,7 @@ from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPa
 from brdf_suite.files.hardened_xml import attribute, clean_text, text_content
 from brdf_suite.files.paint_fields import flatten_paint, setting_text
 from brdf_suite.progress import Progress
+from brdf_suite.release import __version__
 
 _FIRST_NM, _LAST_FIRST_NM = 360.0, 400.0
 _LEAST, _MOST = -0.1, 3.0
@@ -80,7 +80,7 @@ def write_document(
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
         "  <cc:FileInformation>\n"
-        f"    <cc:Creator>BRDF Suite {version('brdf-suite')}</cc:Creator>\n"
+        f"    <cc:Creator>BRDF Suite {__version__}</cc:Creator>\n"
         f"    <cc:CreationDate>{now}</cc:CreationDate>\n"
         f"    <cc:Description>{text_content(about)}</cc:Description>\n{tags}"
         "  </cc:FileInformation>\n"

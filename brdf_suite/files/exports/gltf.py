@@ -10,7 +10,6 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Sequence
-from importlib.metadata import version
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
 from brdf_suite.files.exports.model_fit import format_differences
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.progress import Progress
+from brdf_suite.release import __version__
 
 EXTRAS = "brdf_suite"
 _RINGS, _SECTORS = 32, 64
@@ -55,7 +55,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()
     # On a unit sphere the normals are the positions; the node makes it smaller.
     document = {
-        "asset": {"version": "2.0", "generator": f"BRDF Suite {version('brdf-suite')}"},
+        "asset": {"version": "2.0", "generator": f"BRDF Suite {__version__}"},
         "extensionsUsed": ["KHR_materials_clearcoat"],
         "scene": 0,
         "scenes": [{"nodes": [0]}],

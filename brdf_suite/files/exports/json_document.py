@@ -22,7 +22,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
-from importlib.metadata import version
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz
 from brdf_suite.appearance.colour.spaces import lab_to_lch
@@ -35,6 +34,7 @@ from brdf_suite.documents.store import AnyPaint, any_paint_from_json, paint_to_j
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints
 from brdf_suite.progress import Progress
+from brdf_suite.release import __version__
 
 NAME = "brdf-suite-paints"
 _VERSION = 1
@@ -54,7 +54,7 @@ def document(items: Sequence[ExportItem]) -> dict[str, object]:
     return {
         "format": NAME,
         "version": _VERSION,
-        "creator": f"BRDF Suite {version('brdf-suite')}",
+        "creator": f"BRDF Suite {__version__}",
         "created": datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z"),
         "paints": [_item(item) for item in items],
     }

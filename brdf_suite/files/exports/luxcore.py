@@ -22,7 +22,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from importlib.metadata import version
 
 import numpy as np
 
@@ -44,6 +43,7 @@ from brdf_suite.files.exports.model_fit import (
 )
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.release import __version__
 
 _NARROWEST, _WIDEST = 0.06, 1.0
 _GRID, _FINER = 13, 7
@@ -149,7 +149,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
 def _block(item: ExportItem, name: str, paint: CarPaint) -> str:
     differences = ", ".join(f"{value:.2f}" for value in paint.differences)
     lines = [
-        f"# {' '.join(item.name.split())}, by BRDF Suite {version('brdf-suite')}",
+        f"# {' '.join(item.name.split())}, by BRDF Suite {__version__}",
         f"# dE00 to the paint at its readings: {differences}",
         f'scene.materials.{name}.type = "carpaint"',
         f"scene.materials.{name}.kd = {_numbers(paint.kd)}",

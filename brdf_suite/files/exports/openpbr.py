@@ -9,7 +9,6 @@ found stands in :mod:`brdf_suite.files.exports.metal_rough_fit`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib.metadata import version
 from xml.sax.saxutils import quoteattr
 
 from brdf_suite.documents.atomic import write_atomically
@@ -18,6 +17,7 @@ from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.metal_rough_fit import MetalRough, fit_openpbr
 from brdf_suite.files.exports.model_fit import fitted_losses, material_names
 from brdf_suite.progress import Progress
+from brdf_suite.release import __version__
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:
@@ -55,7 +55,7 @@ def _block(item: ExportItem, name: str, model: MetalRough) -> str:
     inputs = [f'    <input name="base_color" type="color3" value="{colour}"/>']
     inputs += [f'    <input name="{key}" type="float" value="{value:.9g}"/>' for key, value in floats.items()]
     differences = ", ".join(f"{value:.2f}" for value in model.differences)
-    comment = f"{item.name}, by BRDF Suite {version('brdf-suite')}; ΔE00 at its readings: {differences}"
+    comment = f"{item.name}, by BRDF Suite {__version__}; ΔE00 at its readings: {differences}"
     lines = "\n".join(inputs)
     return (
         f'  <open_pbr_surface name="{name}_surface" type="surfaceshader" doc={quoteattr(comment)}>\n{lines}\n'

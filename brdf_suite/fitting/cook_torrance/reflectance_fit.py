@@ -118,7 +118,7 @@ def _of_samples(samples: ScatteredSamples, fit: CookTorranceFit) -> FitPlot:
 
 @dataclass(frozen=True, eq=False)
 class FileFit(Shown):
-    """Lobes beside what they were fitted to.
+    """Cook-Torrance lobes beside what they were fitted to.
 
     ``errors`` are over every measured bin or sample; ``errors_within`` over those not beyond the grazing angle of the
     settings, which alone the fit may look at. ``paint`` is there for Cook-Torrance lobes. ``seconds``: from the
@@ -134,7 +134,18 @@ class FileFit(Shown):
     seconds: float
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return what was fitted, f_r (..., 3) in 1/sr; arguments as of :meth:`.Reflectance.eval`."""
+        """Return what was fitted, f_r (..., 3) in 1/sr, linear Rec. 2020, without the cosine; 0 below the horizon.
+
+        Parameters
+        ----------
+        wi, wo
+            Unit directions (..., 3) to the light and to the viewer, z along the normal; they broadcast.
+
+        >>> import brdf_suite as bs
+        >>> found = bs.fit_cook_torrance("table1_white", lobes=1, starts=1, samples=300)
+        >>> found.eval(bs.spherical([0.2, 0.4], 0.0), [0.0, 0.0, 1.0]).shape
+        (2, 3)
+        """
         return self.fit.eval(wi, wo)
 
     @cached_property
@@ -156,7 +167,13 @@ class FileFit(Shown):
         )
 
     def to_json(self) -> dict[str, object]:
-        """Return everything but the plot as plain values."""
+        """Return everything but the plot as plain values, as JSON holds them.
+
+        >>> import brdf_suite as bs
+        >>> plain = bs.fit_cook_torrance("table1_white", lobes=1, starts=1, samples=300).to_json()
+        >>> 0.0 < plain["errors"]["l1_mean"] < 1.0
+        True
+        """
         return {
             "name": self.name,
             **self.fit.to_json(),

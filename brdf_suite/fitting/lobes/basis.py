@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.parameter import as_whole
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
 from brdf_suite.resources import resource
@@ -93,7 +94,8 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
         It cannot be read.
     """
     reader = FieldReader(read_json(path), path)
-    if (reader.take("format"), reader.take("version")) != (STORED_FORMAT, STORED_VERSION):
+    kind, version = reader.take("format"), reader.take("version")
+    if (kind, version) != (STORED_FORMAT, STORED_VERSION) or isinstance(version, bool):
         reader.fail(f"this is no {STORED_FORMAT} of version {STORED_VERSION}", "format")
     bases: dict[int, LobeBasis] = {}
     for item in reader.take_objects("results"):
@@ -105,8 +107,8 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
         except FittingError as error:
             raise DocumentError(path, str(error).rstrip("."), item.where("exponents")) from error
         bases[basis.count] = basis
-    count = reader.take("default_count")
-    if not isinstance(count, int) or count not in bases:
+    count = as_whole(reader.take("default_count"))
+    if not isinstance(count, int) or isinstance(count, bool) or count not in bases:
         reader.fail(f"there is no basis of {count!r} lobes", "default_count")
     return bases, count
 

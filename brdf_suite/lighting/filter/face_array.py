@@ -38,7 +38,13 @@ class FaceArray:
         return int(self.faces.shape[1])
 
     def radiance(self) -> NDArray[np.float32]:
-        """Return the radiance (6, F, F, 3) as float32."""
+        """Return the radiance (6, F, F, 3) as float32, faces and rows in the order of :attr:`faces`.
+
+        >>> import brdf_suite as bs, numpy as np
+        >>> maps = bs.prefilter(np.ones((64, 128, 3)), [20.0])
+        >>> maps.diffuse.radiance().dtype, maps.diffuse.radiance().shape[0]
+        (dtype('float32'), 6)
+        """
         return self.faces.astype(np.float32) * np.float32(self.scale)
 
 

@@ -21,8 +21,9 @@ from typing import TypeVar
 
 import numpy as np
 
+from brdf_suite import variables
 from brdf_suite.arrays import Bytes
-from brdf_suite.files.cache.disk_cache import ENVIRONMENT_VARIABLE, default_limit, default_root
+from brdf_suite.files.cache.disk_cache import default_limit, default_root
 
 _VERSION = 1
 _PATIENCE_S = 5.0
@@ -160,7 +161,7 @@ class SwatchStore:
         self._given_up = True
         self._notice(
             f"Pictures of paints are not kept: {self.path} cannot be used ({why}). Make room there, or set "
-            f"{ENVIRONMENT_VARIABLE} to another folder."
+            f"{variables.CACHE} to another folder."
         )
         return nothing
 

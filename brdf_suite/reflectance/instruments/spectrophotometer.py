@@ -21,6 +21,7 @@ from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, FlopIndex, Travel, flop_index, travel
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
+from brdf_suite.appearance.texture import TextureReadings
 from brdf_suite.arrays import Floats, Triple, triple
 from brdf_suite.errors import FittingError
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -70,9 +71,22 @@ class Reading:
 
 @dataclass(frozen=True)
 class InstrumentReport:
-    """Readings of the virtual instruments. ``flop`` and ``travel`` are ``None`` where their angles are not read.
+    """Readings of the virtual instruments.
 
-    ``gloss_sample_deg`` is the angle from each mirror direction to the nearest sample, as of a :class:`Reading`.
+    Attributes
+    ----------
+    readings
+        One for each geometry, with ``lab``, ``lch``, ``xyz`` and the reflectance ``factor``.
+    gloss
+        Gloss units by 20, 60 and 85°; ``gloss_sample_deg``: the angle from each mirror direction to the nearest sample,
+        as of a :class:`Reading`.
+    flop, travel
+        ``None`` where their angles are not read.
+    texture
+        ``sparkle`` in light from 15, 45 and 75°, and ``graininess``, on the suite's own scale; zeros of a paint without
+        flakes, ``None`` where texture was not read.
+    notices
+        Sentences about what was read.
     """
 
     geometry_set: GeometrySet
@@ -83,6 +97,7 @@ class InstrumentReport:
     flop: FlopIndex | None
     travel: Travel | None
     notices: tuple[str, ...]
+    texture: TextureReadings | None = None
 
     @property
     def haze(self) -> float:
@@ -90,7 +105,12 @@ class InstrumentReport:
         return haze_units(self.gloss[20], self.gloss[60])
 
     def gloss_supported(self, angle_deg: int) -> bool:
-        """Whether the nearest sample lies in the receptor at 20, 60 or 85°."""
+        """Return whether the nearest sample lies in the receptor at ``angle_deg``: 20, 60 or 85.
+
+        >>> import brdf_suite as bs
+        >>> bs.measure("blue").gloss_supported(20)
+        True
+        """
         return math.radians(self.gloss_sample_deg[angle_deg]) <= half_widths(angle_deg)[0][0]
 
     @property

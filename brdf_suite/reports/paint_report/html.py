@@ -9,13 +9,13 @@ import base64
 import json
 from functools import partial
 from html import escape
-from importlib.metadata import version
 
 from brdf_suite.appearance.texture import SCALE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.release import __version__
 from brdf_suite.reports.paint_report.document import (
     Report,
     ReportOptions,
@@ -83,7 +83,7 @@ def page(made: Report) -> str:
     data = json.dumps(json_document.document([made.item]), allow_nan=False).replace("<", "\\u003c")
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
-        f'<meta name="generator" content="BRDF Suite {version("brdf-suite")}">\n'
+        f'<meta name="generator" content="BRDF Suite {__version__}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{escape(made.title)}</title>\n<style>{_STYLE}</style>\n{_OPEN}{data}{_CLOSE}\n</head><body><main>\n"
         f"<header><h1>{escape(made.title)}</h1>"
@@ -105,7 +105,7 @@ def conventions(made: Report) -> str:
         f"L*a*b*: CIE 1976, D65, 10° observer; light at {made.light_deg:g}° unless said otherwise, angles counted "
         "from the mirror direction. Gloss: ASTM D523. Fit: what the lobes of the picture give. Numbers in italics are "
         f"computed, not read. Sparkle and graininess: {SCALE}, computed; not a maker's index. "
-        f"BRDF Suite {version('brdf-suite')}."
+        f"BRDF Suite {__version__}."
     )
 
 

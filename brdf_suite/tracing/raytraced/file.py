@@ -10,6 +10,7 @@ from time import perf_counter
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
@@ -42,6 +43,7 @@ def render_raytraced(
     seconds: float | None = None,
     fresh: bool = False,
     tables: TableSplit = "clamp",
+    environment: Environment | None = None,
     progress: Progress | None = None,
 ) -> RaytracedPicture:
     """Ray-trace a picture and write it as PNG (as a screen shows it) or EXR (radiance, and the object apart).
@@ -56,6 +58,8 @@ def render_raytraced(
         A pixel; those of the quality where they are not given. With more, lights are drawn anew round by round.
     seconds
         To trace at most; at least one pass is traced.
+    environment
+        One in memory, in place of the view's.
     """
     path = Path(path)
     if path.suffix.lower() not in (".png", ".exr"):
@@ -64,7 +68,8 @@ def render_raytraced(
     chosen = find_quality(quality)
     report(progress, 0.0, "starting the ray tracer")
     session = RaytracedSession()
-    scene = session.show(paint, view, size, chosen, subrange(progress, 0.0, 0.05), tables=tables)
+    loading = subrange(progress, 0.0, 0.05)
+    scene = session.show(paint, view, size, chosen, loading, tables=tables, environment=environment)
     kept = path.with_name(path.name + ".raytraced.part.exr")
     begun = None if fresh or not kept.exists() else read_sums(kept, scene.key)
     end = samples or chosen.samples

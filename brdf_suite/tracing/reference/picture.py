@@ -13,6 +13,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png_strips
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
@@ -100,6 +101,7 @@ def render_reference(
     fresh: bool = False,
     settings: PictureSettings | None = None,
     denoise: bool = False,
+    environment: Environment | None = None,
     progress: Progress | None = None,
 ) -> ReferencePicture:
     """Path-trace a picture and write it as PNG (as a screen shows it) or EXR (radiance with its variance).
@@ -115,6 +117,8 @@ def render_reference(
         Bits, colours and transparency of the file, as of a drawn picture.
     denoise
         Take the noise out, where there is an NVIDIA graphics card; an EXR keeps the noisy light beside.
+    environment
+        One in memory, in place of the view's.
     """
     settings, path = settings or PictureSettings(), Path(path)
     check_settings(path, settings)
@@ -123,7 +127,9 @@ def render_reference(
         start(scalar=True)
         check_denoiser()
     try:
-        scene = prepare_reference(paint, view, size, progress=subrange(progress, 0.0, 0.05))
+        scene = prepare_reference(
+            paint, view, size, environment=environment, progress=subrange(progress, 0.0, 0.05)
+        )
     except MemoryError as error:
         raise too_large(size) from error
     state = path.with_name(path.name + ".part.exr")

@@ -186,9 +186,10 @@ def prepare_reference(
     view: View,
     size: Size,
     *,
+    environment: Environment | None = None,
     progress: Progress | None = None,
 ) -> ReferenceScene:
-    """Load everything and hand it to the path tracer.
+    """Load everything and hand it to the path tracer; an ``environment`` in memory takes the place of the view's.
 
     Raises
     ------
@@ -205,8 +206,9 @@ def prepare_reference(
     variant = start(scalar=True)
     material = load_lit(paint, view)
     report(progress, 0.3, "reading the environment")
-    _, path = find_environment(view.environment)
-    environment = read_environment(path, view.environment_layout, subrange(progress, 0.3, 0.6))
+    if environment is None:
+        _, path = find_environment(view.environment)
+        environment = read_environment(path, view.environment_layout, subrange(progress, 0.3, 0.6))
     mesh = load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.8))
     return build_reference(material, view, size, environment, mesh, variant=variant)
 

@@ -23,7 +23,7 @@ from brdf_suite.acquisition.reconstruction.options import (
 )
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path, write_acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import Acquired, reconstruct
+from brdf_suite.acquisition.reconstruction.table import Acquired, figures_of, reconstruct
 from brdf_suite.acquisition.session.series import PhotographSeries
 from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
@@ -115,7 +115,7 @@ def test_the_table_is_near_the_paint(whole: tuple[Acquired, Path]) -> None:
     assert found.positions_done == tuple(range(POSITIONS))
     assert not found.positions_failed
     assert np.median(errors(found.table)) < 0.04
-    document = found.to_json()
+    document = figures_of(found)
     assert document["readings"] > 5_000
     assert json.loads(json.dumps(document)) == document
     assert not work_path(output).exists()
