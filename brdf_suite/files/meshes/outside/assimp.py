@@ -1,0 +1,122 @@
+"""FBX, Collada, 3MF, X3D, AC3D and 3DS, by the Open Asset Import Library.
+
+It turns the axes of FBX, Collada and 3DS to y up, and gives Collada in metres; FBX it scales to metres when asked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import assimp_py
+import numpy as np
+
+from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+
+_METRES = {"fbx": 1.0, "dae": 1.0, "x3d": 1.0, "ac": 1.0}
+_3MF_UNITS = {
+    "micron": 1e-6,
+    "millimeter": 1e-3,
+    "centimeter": 1e-2,
+    "inch": 0.0254,
+    "foot": 0.3048,
+    "meter": 1.0,
+}
+_3MF_UNIT = re.compile(rb"<[\w:]*model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
+_BASE = (
+    assimp_py.Process_Triangulate | assimp_py.Process_SortByPType | assimp_py.Process_JoinIdenticalVertices
+)
+
+
+def read(file: Path, options: dict[str, Any]) -> Found:
+    """Return the triangles of all nodes; ``kind`` is the ending that the content asks for."""
+    kind = options["kind"]
+    flags = _BASE | (assimp_py.Process_GlobalScale if kind == "fbx" else 0)
+    try:
+        scene = assimp_py.import_file(str(_named(file, kind)), flags)
+    except (RuntimeError, ValueError, OSError) as error:
+        reason = " ".join(str(error).split())[:160].rstrip(". ")
+        raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
+    parts: list[FoundPart] = []
+    waiting = [(scene.root_node, np.eye(4))]
+    while waiting:
+        node, above = waiting.pop()
+        matrix = above @ np.array(node.transformation, np.float64).reshape(4, 4)
+        for number in node.mesh_indices:
+            part = _part(scene, scene.meshes[number], str(node.name), matrix, linear=kind != "3mf")
+            if part is not None:
+                parts.append(part)
+        waiting += [(child, matrix) for child in node.children]
+    if kind == "3mf":
+        return Found(parts, "z", _3mf_metres(file))
+    return Found(parts, "y", _METRES.get(kind))
+
+
+def _named(file: Path, kind: str) -> Path:
+    """Return the file under a name with the ending by which the library chooses its reader."""
+    if file.suffix.lower() == f".{kind}":
+        return file
+    named = Path(f"mesh.{kind}").absolute()
+    with contextlib.suppress(OSError):
+        os.link(file, named)
+        return named
+    shutil.copyfile(file, named)
+    return named
+
+
+def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> FoundPart | None:
+    if mesh.num_faces == 0 or mesh.num_indices != 3 * mesh.num_faces:
+        return None
+    positions = np.asarray(mesh.vertices, np.float64).reshape(-1, 3)
+    triangles = np.asarray(mesh.indices, np.int64).reshape(-1, 3)
+    turn = matrix[:3, :3]
+    arrays = {"positions": (positions @ turn.T + matrix[:3, 3]).astype(np.float32)}
+    if mesh.normals is not None and abs(np.linalg.det(turn)) > 0.0:
+        normals = np.asarray(mesh.normals, np.float64).reshape(-1, 3)
+        arrays["normals"] = (normals @ np.linalg.inv(turn)).astype(np.float32)
+    if mesh.texcoords and len(mesh.texcoords[0]):
+        uvs = np.asarray(mesh.texcoords[0], np.float64).reshape(len(positions), -1)
+        arrays["uvs"] = uvs[:, :2].astype(np.float32)
+    if np.linalg.det(turn) < 0.0:
+        triangles = triangles[:, ::-1]
+    arrays["triangles"] = triangles
+    look = _look(scene.materials[mesh.material_index], linear)
+    return FoundPart(arrays, {"name": node or str(mesh.name), **look})
+
+
+def _look(material: dict[str, Any], linear: bool) -> dict[str, Any]:
+    fields: dict[str, Any] = {"material": str(material.get("NAME", ""))}
+    colour = material.get("COLOR_BASE", material.get("COLOR_DIFFUSE"))
+    if isinstance(colour, list | tuple) and len(colour) >= 3 and not material.get("TEXTURES"):
+        channels = np.clip(np.array(colour[:3], np.float64), 0.0, 1.0)
+        fields["colour"] = (channels if linear else channels**2.2).tolist()
+    for key, name in (("metallic", "METALLIC_FACTOR"), ("roughness", "ROUGHNESS_FACTOR")):
+        if isinstance(material.get(name), float):
+            fields[key] = material[name]
+    opacity = material.get("OPACITY", 1.0)
+    # Nothing that is to be seen lets all light through; some programs mean the opposite by their number.
+    if isinstance(opacity, float) and 0.0 < opacity < 1.0:
+        fields["passing"] = 1.0 - opacity
+    return fields
+
+
+def _3mf_metres(file: Path) -> float:
+    """Return the metres of a unit, millimetres where the model does not say (3MF core specification)."""
+    with (
+        contextlib.suppress(
+            OSError, ValueError, zipfile.BadZipFile, KeyError, NotImplementedError, RuntimeError
+        ),
+        zipfile.ZipFile(file) as archive,
+    ):
+        for name in archive.namelist():
+            if name.lower().endswith(".model"):
+                with archive.open(name) as stream:
+                    found = _3MF_UNIT.search(stream.read(1 << 16))
+                if found is not None:
+                    return _3MF_UNITS.get(found[1].decode(), 1e-3)
+    return 1e-3
