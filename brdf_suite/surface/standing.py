@@ -54,7 +54,7 @@ def find_unit(size: float) -> tuple[LengthUnit, bool]:
 
 
 def guess_up(points: Floats, usual: str) -> UpAxis:
-    """Return the axis along which points (n, 3) of a file that does not say it stand upright; else the ``usual`` one."""
+    """Return the axis along which points (n, 3) of a silent file stand upright; else the ``usual`` one."""
     if not len(points):
         return "y"
     if lies_on_its_side(points):

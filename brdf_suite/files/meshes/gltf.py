@@ -1,7 +1,7 @@
 """glTF 2.0 reader: triangles, normals, texture coordinates, and materials without their textures.
 
-Source: Khronos Group, glTF 2.0 Specification, KHR_mesh_quantization, KHR_draco_mesh_compression, KHR_materials_transmission
-and :mod:`brdf_suite.files.meshes.meshopt`. Textures, cameras, animations, skins and morph targets are not read. The
+Source: Khronos Group, glTF 2.0 Specification, with the extensions for quantized and compressed meshes (Draco's in a
+child process) and KHR_materials_transmission. Textures, cameras, animations, skins and morph targets are not read. The
 scene graph is walked once, each node's matrix being its parent's times its own.
 """
 
@@ -252,10 +252,7 @@ class _Primitives:
         if positions.shape[1] != 3:
             raise FileError(self._path, "its points do not have three coordinates each", f"meshes[{mesh}]")
         positions[~(np.abs(positions) <= np.finfo(np.float32).max)] = np.nan
-        if "indices" in values:
-            corners = values["indices"].ravel().astype(np.int64)
-        else:
-            corners = np.arange(len(positions))
+        corners = values.get("indices", np.arange(len(positions))).ravel().astype(np.int64)
         normals, uvs = values.get("NORMAL"), values.get("TEXCOORD_0")
         if uvs is not None:
             uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v downwards

@@ -1,8 +1,8 @@
 """Decoder of meshopt compression, as glTF's ``EXT_meshopt_compression`` and ``KHR_meshopt_compression`` define it.
 
-Source: Khronos Group, EXT_meshopt_compression, appendices A (bitstreams) and B (filters), and KHR_meshopt_compression for
-version 1 of the vertex bitstream. Vertices are stored in blocks; each byte of a vertex is a stream of differences in
-groups of 16, packed in as few bits as they need. Triangles refer to recent edges and corners.
+Source: Khronos Group, EXT_meshopt_compression, appendices A (bitstreams) and B (filters), and KHR_meshopt_compression
+for version 1 of the vertex bitstream. Vertices are stored in blocks; each byte of a vertex is a stream of differences
+in groups of 16, packed in as few bits as they need. Triangles refer to recent edges and corners.
 """
 
 from __future__ import annotations

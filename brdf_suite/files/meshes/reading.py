@@ -195,8 +195,7 @@ def read_mesh(
     Raises
     ------
     FileError
-        No such file, not a mesh, damaged, compressed in a way that cannot be read, without triangles, or of a kind whose
-        library is not installed.
+        No such file, not a mesh, damaged, without triangles, or of a kind whose library is not installed.
     """
     file = Path(path)
     data = _content(file)

@@ -1,6 +1,7 @@
 """FBX, Collada, 3MF, X3D, AC3D and 3DS, by the Open Asset Import Library.
 
-It turns the axes of FBX, Collada and 3DS to y up, and gives Collada in metres; FBX it scales to metres when asked.
+It turns the axes of FBX, Collada and 3DS to y up, and gives Collada in metres; FBX it scales to metres when asked. What
+it leaves out of Collada and 3MF, names and the unit, is read from their text.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ import os
 import re
 import shutil
 import zipfile
+import zlib
+from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +31,9 @@ _3MF_UNITS = {
     "meter": 1.0,
 }
 _3MF_UNIT = re.compile(rb"<[\w:]*model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
+_NAMED = re.compile(rb"<(?:node|object)\b([^>]{1,4000})>")
+_ATTRIBUTE = re.compile(rb"\b(id|name)\s*=\s*[\"']([^\"']*)[\"']")
+_LONGEST = 1 << 28
 _BASE = (
     assimp_py.Process_Triangulate | assimp_py.Process_SortByPType | assimp_py.Process_JoinIdenticalVertices
 )
@@ -42,18 +48,21 @@ def read(file: Path, options: dict[str, Any]) -> Found:
     except (RuntimeError, ValueError, OSError) as error:
         reason = " ".join(str(error).split())[:160].rstrip(". ")
         raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
+    names = _names(file, kind)
     parts: list[FoundPart] = []
     waiting = [(scene.root_node, np.eye(4))]
     while waiting:
         node, above = waiting.pop()
         matrix = above @ np.array(node.transformation, np.float64).reshape(4, 4)
         for number in node.mesh_indices:
-            part = _part(scene, scene.meshes[number], str(node.name), matrix, linear=kind != "3mf")
+            name = names.get(str(node.name), str(node.name))
+            part = _part(scene, scene.meshes[number], name, matrix, linear=kind != "3mf")
             if part is not None:
                 parts.append(part)
         waiting += [(child, matrix) for child in node.children]
     if kind == "3mf":
-        return Found(parts, "z", _3mf_metres(file))
+        unit = _3MF_UNIT.search(_3mf_model(file))
+        return Found(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
     return Found(parts, "y", _METRES.get(kind))
 
 
@@ -98,25 +107,37 @@ def _look(material: dict[str, Any], linear: bool) -> dict[str, Any]:
     for key, name in (("metallic", "METALLIC_FACTOR"), ("roughness", "ROUGHNESS_FACTOR")):
         if isinstance(material.get(name), float):
             fields[key] = material[name]
-    opacity = material.get("OPACITY", 1.0)
+    opacity = material.get("OPACITY", colour[3] if fields.get("colour") and len(colour) > 3 else 1.0)
     # Nothing that is to be seen lets all light through; some programs mean the opposite by their number.
     if isinstance(opacity, float) and 0.0 < opacity < 1.0:
         fields["passing"] = 1.0 - opacity
     return fields
 
 
-def _3mf_metres(file: Path) -> float:
-    """Return the metres of a unit, millimetres where the model does not say (3MF core specification)."""
-    with (
-        contextlib.suppress(
-            OSError, ValueError, zipfile.BadZipFile, KeyError, NotImplementedError, RuntimeError
-        ),
-        zipfile.ZipFile(file) as archive,
-    ):
-        for name in archive.namelist():
-            if name.lower().endswith(".model"):
-                with archive.open(name) as stream:
-                    found = _3MF_UNIT.search(stream.read(1 << 16))
-                if found is not None:
-                    return _3MF_UNITS.get(found[1].decode(), 1e-3)
-    return 1e-3
+def _names(file: Path, kind: str) -> dict[str, str]:
+    """Return what a Collada or 3MF file calls the things that its library names by their identity alone."""
+    if kind not in ("dae", "3mf"):
+        return {}
+    text = file.read_bytes() if kind == "dae" else _3mf_model(file)
+    before = "" if kind == "dae" else "Object_"
+    names = {}
+    for tag in _NAMED.findall(text):
+        said = dict(_ATTRIBUTE.findall(tag))
+        if b"id" in said and said.get(b"name"):
+            names[before + said[b"id"].decode("utf-8", "replace")] = unescape(
+                said[b"name"].decode("utf-8", "replace")
+            )
+    return names
+
+
+def _3mf_model(file: Path) -> bytes:
+    """Return the model of a 3MF file as text, empty where it cannot be had."""
+    try:
+        with zipfile.ZipFile(file) as archive:
+            for name in archive.namelist():
+                if name.lower().endswith(".model"):
+                    with archive.open(name) as stream:
+                        return stream.read(_LONGEST)
+    except (OSError, ValueError, EOFError, zipfile.BadZipFile, NotImplementedError, RuntimeError, zlib.error):
+        return b""  # the library has read it nevertheless
+    return b""

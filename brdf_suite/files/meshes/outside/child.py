@@ -1,7 +1,7 @@
 """Reading a mesh in a child process, so that no fault of a library of others reaches the program.
 
-The libraries decode what anyone may have made, in C++. A child that breaks down, hangs or asks for too much memory costs
-the file and nothing else. Its answer is a file: the length of a JSON header, the header, and the arrays that it
+The libraries decode what anyone may have made, in C++. A child that breaks down, hangs or asks for too much memory
+costs the file and nothing else. Its answer is a file: the length of a JSON header, the header, and the arrays that it
 describes; all of it is checked before it is used, as a file of a user would be.
 """
 
@@ -61,7 +61,7 @@ class OutsidePart:
 class OutsideMesh:
     """Parts in the axes and the unit of their file.
 
-    ``up`` is the axis that points up, ``y`` or ``z``; ``metres`` the length of a unit; None where the file does not say.
+    ``up`` is the axis that points up, ``y`` or ``z``; ``metres`` the length of a unit; None where the file is silent.
     """
 
     parts: list[RawPart]

@@ -1,6 +1,6 @@
 """STEP and IGES: CAD surfaces, cut into triangles by Open CASCADE; cascadio gives a binary glTF file.
 
-The glTF file is y up and in metres. A part is given back with z up as CAD programs have it, and named as in the file.
+That file is in metres, with the axes of the CAD program, which has z up.
 """
 
 from __future__ import annotations
@@ -39,15 +39,10 @@ def read(file: Path, options: dict[str, Any]) -> Found:
         raise Refused("damaged: its surfaces could not be cut into triangles") from error
     found = []
     for part in parts:
-        arrays = {"positions": _lowered(part.positions).astype(np.float32), "triangles": part.triangles}
+        arrays = {"positions": part.positions.astype(np.float32), "triangles": part.triangles}
         if part.normals is not None:
-            arrays["normals"] = _lowered(part.normals).astype(np.float32)
+            arrays["normals"] = part.normals.astype(np.float32)
         look = part.look
         fields = {"name": part.name, "material": look.name, "colour": look.colour, "passing": look.passing}
         found.append(FoundPart(arrays, fields))
     return Found(found, up="z", metres=1.0)
-
-
-def _lowered(vectors: Any) -> Any:
-    """Return vectors (n, 3) of axes with y up in those with z up."""
-    return np.stack((vectors[:, 0], -vectors[:, 2], vectors[:, 1]), axis=1)

@@ -1,7 +1,7 @@
 """Universal Scene Description (``.usd``, ``.usda``, ``.usdc``, ``.usdz``), by Pixar's usd-core.
 
-Sources: OpenUSD, UsdGeom and UsdPreviewSurface. Meshes that are drawn are read, with those of instances, subsets of other
-materials as parts of their own. Of a subdivision surface the cage is read; curves, points and solids are not.
+Sources: OpenUSD, UsdGeom and UsdPreviewSurface. Meshes that are drawn are read, with those of instances; subsets of
+other materials are parts of their own. Of a subdivision surface the cage is read; curves, points and solids are not.
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ _BASE_INPUTS = {
 
 def read(file: Path, options: dict[str, Any]) -> Found:  # noqa: ARG001 - as the other readers
     """Return the meshes of the stage at the time that it starts with."""
+    parts: list[FoundPart] = []
     try:
         stage = Usd.Stage.Open(str(file))
-    except Tf.ErrorException as error:
+        matrices = UsdGeom.XformCache()
+        for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
+            if prim.IsA(UsdGeom.Mesh) and _is_drawn(prim):
+                matrix = np.array(matrices.GetLocalToWorldTransform(prim), np.float64)
+                parts += _parts(UsdGeom.Mesh(prim), matrix)
+    except (Tf.ErrorException, RuntimeError, ValueError, TypeError, OverflowError) as error:
         raise Refused("damaged, or refers to files that are not there") from error
-    parts: list[FoundPart] = []
-    matrices = UsdGeom.XformCache()
-    for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
-        if prim.IsA(UsdGeom.Mesh) and _is_drawn(prim):
-            matrix = np.array(matrices.GetLocalToWorldTransform(prim), np.float64)
-            parts += _parts(UsdGeom.Mesh(prim), matrix)
     up = "z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "y"
     return Found(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
 
@@ -68,10 +68,9 @@ def _parts(mesh: Any, matrix: Any) -> Iterator[FoundPart]:
     triangles = indices[corners]
     if any(found is not None for found in values.values()):
         positions, triangles = points[indices], corners
-    with np.errstate(all="ignore"):
-        positions = positions @ matrix[:3, :3] + matrix[3, :3]
-        if values["normals"] is not None and abs(np.linalg.det(matrix[:3, :3])) > 0.0:
-            values["normals"] = values["normals"] @ np.linalg.inv(matrix[:3, :3]).T
+    positions = positions @ matrix[:3, :3] + matrix[3, :3]
+    if values["normals"] is not None and abs(np.linalg.det(matrix[:3, :3])) > 0.0:
+        values["normals"] = values["normals"] @ np.linalg.inv(matrix[:3, :3]).T
     left = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
     if left != (np.linalg.det(matrix[:3, :3]) < 0.0):
         triangles = triangles[:, ::-1]

@@ -1,7 +1,7 @@
 """The child process that reads a mesh by a library: ``worker LIBRARY FILE ANSWER OPTIONS``.
 
-It limits its own memory, hides its output, and writes an answer as :mod:`brdf_suite.files.meshes.outside.child` describes
-it. An ending other than 0 means that the library broke down.
+It limits its own memory and writes an answer as :mod:`brdf_suite.files.meshes.outside.child` describes it. A status
+other than 0 means that the library broke down.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ def main(arguments: list[str]) -> int:
     """Read the file that the arguments name and write the answer; return the exit status."""
     library, file, answer, options = arguments
     _limit()
+    np.seterr(all="ignore")  # what is not finite is left out, and said, by the parent
     read: Callable[[Path, dict[str, Any]], Found] = importlib.import_module(_READERS[library]).read
     try:
         found = read(Path(file), json.loads(options))
