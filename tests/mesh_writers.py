@@ -596,7 +596,8 @@ def collada(number: int, folder: Path) -> Written:
         elif number % 5 < 4:
             counts = " ".join(str(len(face)) for face in faces)
             text = " ".join(map(numbers, faces))
-            shape = f'<polylist count="{len(faces)}" material="s">{inputs}<vcount>{counts}</vcount><p>{text}</p></polylist>'
+            listed = f"{inputs}<vcount>{counts}</vcount><p>{text}</p>"
+            shape = f'<polylist count="{len(faces)}" material="s">{listed}</polylist>'
         else:
             text = "".join(f"<p>{numbers(face)}</p>" for face in faces)
             shape = f'<polygons count="{len(faces)}" material="s">{inputs}{text}</polygons>'
@@ -608,8 +609,8 @@ def collada(number: int, folder: Path) -> Written:
         colour = " ".join(f"{v:.6g}" for v in solid.colour)
         kind = ("phong", "lambert", "blinn")[number % 3]
         parts["effects"].append(
-            f'<effect id="e{place}"><profile_COMMON><technique sid="c"><{kind}><diffuse><color>{colour} 1</color></diffuse>'
-            f"<transparency><float>{solid.opacity}</float></transparency></{kind}></technique></profile_COMMON></effect>"
+            f'<effect id="e{place}"><profile_COMMON><technique sid="c"><{kind}><diffuse><color>{colour} 1</color>'
+            f"</diffuse><transparency><float>{solid.opacity}</float></transparency></{kind}></technique></profile_COMMON></effect>"
         )
         parts["materials"].append(
             f'<material id="m{place}" name="{solid.material}"><instance_effect url="#e{place}"/></material>'

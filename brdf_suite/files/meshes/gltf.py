@@ -289,7 +289,8 @@ class _Primitives:
         count = self._whole(accessor, "count", place)
         check_made(self._path, 8 * count * width, f"its {count:,} values", place)
         if "bufferView" in accessor:
-            values = self._stored(accessor, kind, count, width, place).astype(np.float64)
+            with np.errstate(invalid="ignore"):  # of numbers that are none
+                values = self._stored(accessor, kind, count, width, place).astype(np.float64)
         else:
             if 8 * count * width > _MOST_UNSTORED:
                 reason = f"its {count:,} values are not in the file; {_MOST_UNSTORED // (8 * width):,} may be left out"

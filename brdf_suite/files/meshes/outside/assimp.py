@@ -16,10 +16,12 @@ from html import unescape
 from pathlib import Path
 from typing import Any
 
-import assimp_py
 import numpy as np
 
+from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+
+assimp_py = import_library("assimp")
 
 _METRES = {"fbx": 1.0, "dae": 1.0, "x3d": 1.0, "ac": 1.0}
 _3MF_UNITS = {

@@ -14,13 +14,14 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import ExtraError, FileError, PathLike
-from brdf_suite.extras import check_extra
+from brdf_suite.extras import check_extra, import_extra
 from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
 from brdf_suite.processes import child_command
 from brdf_suite.surface.repair import ForeignLook, RawPart
@@ -47,6 +48,13 @@ LIBRARIES = {
     "assimp": Library("assimp_py", "a file of this kind (FBX, Collada, 3MF, X3D, AC3D, 3DS)"),
     "step": Library("cascadio", "a file of CAD surfaces (STEP, IGES)"),
 }
+_INSTEAD = "glTF, OBJ, STL and PLY need nothing more"
+
+
+def import_library(library: str) -> ModuleType:
+    """Return the module of a library, for the child process; errors as :func:`import_extra`."""
+    needed = LIBRARIES[library]
+    return import_extra(needed.module, purpose=needed.purpose, instead=_INSTEAD)
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +126,7 @@ def _run(
 ) -> tuple[dict[str, Any], list[OutsidePart]]:
     needed = LIBRARIES[library]
     try:
-        check_extra(needed.module, purpose=needed.purpose, instead="glTF, OBJ, STL and PLY need nothing more")
+        check_extra(needed.module, purpose=needed.purpose, instead=_INSTEAD)
     except ExtraError as error:
         raise FileError(path, error.reason) from error
     with tempfile.TemporaryDirectory(prefix="brdf-suite-") as folder:

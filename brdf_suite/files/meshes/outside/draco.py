@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import DracoPy
 import numpy as np
 
+from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+
+DracoPy = import_library("draco")
 
 
 def read(file: Path, options: dict[str, Any]) -> Found:

@@ -9,13 +9,15 @@ import struct
 from pathlib import Path
 from typing import Any
 
-import cascadio
 import numpy as np
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.glb import split_glb
 from brdf_suite.files.meshes.gltf import read_gltf
+from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+
+cascadio = import_library("step")
 
 _ANGLE = 0.35
 """Radians between neighbouring triangles of a curved surface."""

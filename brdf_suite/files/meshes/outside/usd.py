@@ -7,13 +7,17 @@ other materials are parts of their own. Of a subdivision surface the cage is rea
 from __future__ import annotations
 
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pxr import Tf, Usd, UsdGeom, UsdShade
 
+from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+
+import_library("usd")
+Tf, Usd, UsdGeom, UsdShade = (import_module(f"pxr.{name}") for name in ("Tf", "Usd", "UsdGeom", "UsdShade"))
 
 _NOT_DRAWN = ("guide", "proxy")
 _BASE_INPUTS = {

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.errors import ExtraError
 from brdf_suite.files.meshes.outside.child import HEADER_BYTES
 from brdf_suite.files.meshes.outside.values import Found, Refused
 
@@ -35,12 +36,13 @@ def main(arguments: list[str]) -> int:
     library, file, answer, options = arguments
     _limit()
     np.seterr(all="ignore")  # what is not finite is left out, and said, by the parent
-    read: Callable[[Path, dict[str, Any]], Found] = importlib.import_module(_READERS[library]).read
     try:
+        read: Callable[[Path, dict[str, Any]], Found] = importlib.import_module(_READERS[library]).read
         found = read(Path(file), json.loads(options))
     except Refused as refusal:
-        _write(Path(answer), Found([], refused=str(refusal)))
-        return 0
+        found = Found([], refused=str(refusal))
+    except ExtraError as error:
+        found = Found([], refused=error.reason)
     _write(Path(answer), found)
     return 0
 
