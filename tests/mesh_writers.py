@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import re
 import struct
 import zipfile
 import zlib
@@ -31,6 +32,8 @@ class Solid:
     metallic: float = 0.0
     roughness: float = 0.3
     opacity: float = 1.0
+    given_normals: np.ndarray | None = None
+    given_uvs: np.ndarray | None = None
 
     @property
     def triangles(self) -> np.ndarray:
@@ -39,11 +42,14 @@ class Solid:
 
     def normals(self) -> np.ndarray:
         """Of points, outwards."""
+        if self.given_normals is not None:
+            return self.given_normals
         away = self.points - self.points.mean(axis=0)
         return away / np.linalg.norm(away, axis=1, keepdims=True)
 
     def uvs(self) -> np.ndarray:
-        return self.points[:, :2] * 0.5 + 0.1
+        """Millimetres, as far as a projection gives them."""
+        return self.points[:, :2] * 1000.0 if self.given_uvs is None else self.given_uvs
 
 
 def box(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, list[tuple[int, ...]]]:
@@ -192,9 +198,9 @@ def small_normals(solid: Solid) -> np.ndarray:
     return np.rint(solid.normals() * 127).astype("i1")
 
 
-def quantized_glb(number: int, folder: Path) -> Written:
-    file, worst = Glb(), 0.0
-    for solid in solids(number):
+def quantized_glb(number: int, folder: Path, given: list[Solid] | None = None) -> Written:
+    file, worst, found = Glb(), 0.0, given or solids(number)
+    for solid in found:
         bits, signed, normalized = (16, 14, 12, 8)[number % 4], number % 2 == 1, number % 3 == 0
         codes, node, error = quantized(solid, bits, signed)
         if normalized:
@@ -217,23 +223,23 @@ def quantized_glb(number: int, folder: Path) -> Written:
                 view, code(array), len(array), "VEC3", byteOffset=offset, normalized=norm
             )
         if number % 2:
-            uvs = np.rint(np.clip(solid.uvs(), 0, 1) * 65535).astype("<u2")
+            uvs = np.rint(solid.uvs() * 4.0).astype("<i2")
             view = file.view(uvs.tobytes(), byteStride=4)
-            attributes["TEXCOORD_0"] = file.accessor(view, 5123, len(uvs), "VEC2", normalized=True)
+            attributes["TEXCOORD_0"] = file.accessor(view, 5122, len(uvs), "VEC2")
         indices = solid.triangles.ravel().astype(
             ("u1", "<u2", "<u4")[number % 3 if len(solid.points) < 255 else 1]
         )
         at = file.accessor(file.view(indices.tobytes()), code(indices), len(indices), "SCALAR")
         file.part(solid, {"attributes": attributes, "indices": at}, **node)
-    return Written(file.write(folder / "a.glb", "KHR_mesh_quantization"), solids(number), worst)
+    return Written(file.write(folder / "a.glb", "KHR_mesh_quantization"), found, worst)
 
 
-def draco_glb(number: int, folder: Path) -> Written:
+def draco_glb(number: int, folder: Path, given: list[Solid] | None = None) -> Written:
     import DracoPy
 
-    file, worst = Glb(), 0.0
+    file, worst, found = Glb(), 0.0, given or solids(number)
     bits = 10 + number % 7
-    for solid in solids(number):
+    for solid in found:
         more = {}
         if number % 2:
             more["normals"] = solid.normals()
@@ -263,15 +269,15 @@ def draco_glb(number: int, folder: Path) -> Written:
         primitive = {"attributes": attributes, "indices": at, "mode": 4}
         file.part(solid, primitive | {"extensions": {"KHR_draco_mesh_compression": extension}})
         worst = max(worst, float(np.ptp(solid.points, axis=0).max()) / (1 << bits))
-    return Written(file.write(folder / "a.glb", "KHR_draco_mesh_compression"), solids(number), 2.0 * worst)
+    return Written(file.write(folder / "a.glb", "KHR_draco_mesh_compression"), found, 2.0 * worst)
 
 
-def meshopt_glb(number: int, folder: Path) -> Written:
+def meshopt_glb(number: int, folder: Path, given: list[Solid] | None = None) -> Written:
     import meshopt
 
     name = ("EXT_meshopt_compression", "KHR_meshopt_compression")[number % 2]
     version = number % 2  # of the bitstream; the second name has both
-    file, worst, fallback = Glb(), 0.0, 0
+    file, worst, fallback, found = Glb(), 0.0, 0, given or solids(number)
 
     def view(rows: np.ndarray, mode: str, filter_name: str = "NONE") -> int:
         nonlocal fallback
@@ -294,7 +300,7 @@ def meshopt_glb(number: int, folder: Path) -> Written:
         fallback += rows.nbytes + -rows.nbytes % 4
         return file.add("bufferViews", at | ({"byteStride": stride} if mode == "ATTRIBUTES" else {}))
 
-    for solid in solids(number):
+    for solid in found:
         node: dict = {}
         if number % 3 == 0:
             positions = solid.points.astype("<f4")
@@ -321,22 +327,24 @@ def meshopt_glb(number: int, folder: Path) -> Written:
             attributes["NORMAL"] = file.accessor(
                 normal, 5122 if wide else 5120, len(long), "VEC3", normalized=True
             )
+        uvs = solid.uvs().astype("<f4")
+        attributes["TEXCOORD_0"] = file.accessor(view(uvs, "ATTRIBUTES"), 5126, len(uvs), "VEC2")
         indices = solid.triangles.ravel().astype("<u2" if number % 2 else "<u4")
         mode = "TRIANGLES" if number % 5 else "INDICES"
         at = file.accessor(view(indices, mode), code(indices), len(indices), "SCALAR")
         file.part(solid, {"attributes": attributes, "indices": at}, **node)
     path = file.write(folder / "a.glb", name, "KHR_mesh_quantization", fallback=fallback)
-    return Written(path, solids(number), worst + 1e-5)
+    return Written(path, found, worst + 1e-5)
 
 
 # USD
 
 
-def usda_text(number: int) -> tuple[str, list[Solid]]:
+def usda_text(number: int, given: list[Solid] | None = None) -> tuple[str, list[Solid]]:
     z_up, metres = number % 2 == 1, (1.0, 0.01, 0.001)[number % 3]
-    found = solids(number)
-    prims, materials = [], []
-    for place, solid in enumerate(found):
+    found = given or solids(number)
+    prims, materials = [], {}
+    for solid in found:
         points = (lowered(solid.points) if z_up else solid.points) / metres
         shift = points.mean(axis=0) if number % 4 == 2 else np.zeros(3)
         faces = [tuple(reversed(face)) for face in solid.faces] if number % 5 == 3 else solid.faces
@@ -370,15 +378,15 @@ def usda_text(number: int) -> tuple[str, list[Solid]]:
                 f"double3 xformOp:translate = {shown}",
                 'uniform token[] xformOpOrder = ["xformOp:translate"]',
             ]
-        lines.append(f"rel material:binding = </Looks/M{place}>")
+        material = re.sub(r"\W", "_", solid.material)
+        lines.append(f"rel material:binding = </Looks/{material}>")
         body = "\n        ".join(lines)
         prims.append(
             f'    def Mesh "{solid.name}" (prepend apiSchemas = ["MaterialBindingAPI"])\n    {{\n        {body}\n    }}'
         )
         red, green, blue = solid.colour
-        materials.append(
-            f"""    def Material "M{place}" {{
-        token outputs:surface.connect = </Looks/M{place}/S.outputs:surface>
+        materials[material] = f"""    def Material "{material}" {{
+        token outputs:surface.connect = </Looks/{material}/S.outputs:surface>
         def Shader "S" {{
             uniform token info:id = "UsdPreviewSurface"
             color3f inputs:diffuseColor = ({red}, {green}, {blue})
@@ -387,14 +395,13 @@ def usda_text(number: int) -> tuple[str, list[Solid]]:
             token outputs:surface
         }}
     }}"""
-        )
     head = f'#usda 1.0\n(\n    defaultPrim = "Car"\n    metersPerUnit = {metres}\n    upAxis = "{"ZY"[not z_up]}"\n)\n'
     car = 'def Xform "Car"\n{\n' + "\n".join(prims) + "\n}\n"
-    return head + car + 'def Scope "Looks"\n{\n' + "\n".join(materials) + "\n}\n", found
+    return head + car + 'def Scope "Looks"\n{\n' + "\n".join(materials.values()) + "\n}\n", found
 
 
-def usd(number: int, folder: Path) -> Written:
-    text, found = usda_text(number)
+def usd(number: int, folder: Path, given: list[Solid] | None = None) -> Written:
+    text, found = usda_text(number, given)
     path = folder / ("a.usda", "a.usd", "a.usdc", "a.usdz")[number % 4]
     if path.suffix == ".usdc":
         from pxr import Usd

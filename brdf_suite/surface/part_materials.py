@@ -12,10 +12,11 @@ import re
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 
-from brdf_suite.documents.view_settings import Material
+from brdf_suite.documents.view_settings import MATERIALS, Material
 from brdf_suite.surface.repair import ForeignLook, RawPart
 
 # In order: the first row with a word that a name begins a word with decides. Paint comes first, since
@@ -55,9 +56,13 @@ _SECOND_SHARE = 0.1
 def named_material(material: str, part: str) -> Material | None:
     """Return the material that names say; the material's name counts before the part's own. None: they say nothing.
 
+    A material that has the name of one of ours is that: our own files pass through the hands of other programs.
+
     >>> named_material("window_trim", "Body"), named_material("Material.001", "FrontTyre")
     ('trim', 'rubber')
     """
+    if material in MATERIALS:
+        return cast(Material, material)
     for name in (material, part):
         words = [word.lower() for word in _WORD.findall(name)]
         for result, starts in _ROWS:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.files.meshes.reading import read_mesh, write_mesh_glb
 from brdf_suite.pipeline.scene import load_surface, surface_names
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.repair import shape_mesh
 from brdf_suite.surface.standing import Standing, find_standing, find_unit, lies_on_its_side
 
 

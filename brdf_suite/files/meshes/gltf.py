@@ -113,7 +113,8 @@ def _check_extensions(path: PathLike, document: dict[str, Any]) -> None:
     required = document.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else []:
         if name not in _DECODED and name not in NO_SHAPE and not str(name).startswith(NO_SHAPE_PREFIXES):
-            reason = f"it requires the extension {str(name)[:80]}, which is not read; export it again without"
+            shown = str(name)[:80] if str(name).isprintable() else repr(str(name)[:80])
+            reason = f"it requires the extension {shown}, which is not read; export it again without"
             raise FileError(path, reason, "extensionsRequired")
 
 
@@ -279,7 +280,8 @@ class _Primitives:
             if key in numbers:
                 stored = draco.arrays[f"attribute {int(numbers[key])}"]
                 accessor = _at(self._document["accessors"], index)
-                values[key] = _fractions(stored.astype(np.float64), stored.dtype, accessor)
+                with np.errstate(invalid="ignore"):
+                    values[key] = _fractions(stored.astype(np.float64), stored.dtype, accessor)
         return values
 
     def _values(self, index: int) -> Floats:

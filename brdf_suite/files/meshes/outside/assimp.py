@@ -48,7 +48,7 @@ def read(file: Path, options: dict[str, Any]) -> Found:
     try:
         scene = assimp_py.import_file(str(_named(file, kind)), flags)
     except (RuntimeError, ValueError, OSError) as error:
-        reason = " ".join(str(error).split())[:160].rstrip(". ")
+        reason = str(error).partition("': ")[2][:160].rstrip(". ") or "no reason is given"
         raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
     names = _names(file, kind)
     parts: list[FoundPart] = []

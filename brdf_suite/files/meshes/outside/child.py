@@ -87,6 +87,14 @@ def read_outside(path: PathLike, library: str, kind: str, tessellation_mm: float
     """
     options = {"kind": kind, "tessellation_mm": tessellation_mm}
     header, found = _run(path, library, str(Path(path).absolute()), options)
+    with np.errstate(invalid="ignore"):  # of numbers that are none
+        parts = _raw_parts(path, found)
+    up, metres = header.get("up"), header.get("metres")
+    usable = isinstance(metres, int | float) and 1e-9 <= metres <= 1e9
+    return OutsideMesh(parts, up if up in ("y", "z") else None, float(metres) if usable else None)
+
+
+def _raw_parts(path: PathLike, found: list[OutsidePart]) -> list[RawPart]:
     parts = []
     for part in found:
         triangles = part.arrays["triangles"].astype(np.int64)
@@ -100,9 +108,7 @@ def read_outside(path: PathLike, library: str, kind: str, tessellation_mm: float
             continue
         name = str(part.fields.get("name") or "part")
         parts.append(RawPart(name, "", positions, triangles, normals, uvs, _look(part.fields)))
-    up, metres = header.get("up"), header.get("metres")
-    usable = isinstance(metres, int | float) and 1e-9 <= metres <= 1e9
-    return OutsideMesh(parts, up if up in ("y", "z") else None, float(metres) if usable else None)
+    return parts
 
 
 def decode_draco(path: PathLike, chunks: Sequence[bytes]) -> list[OutsidePart]:
@@ -161,7 +167,8 @@ def _unpacked(path: PathLike, content: bytes) -> tuple[dict[str, Any], list[Outs
     try:
         header = json.loads(content[HEADER_BYTES : HEADER_BYTES + length])
         if "refused" in header:
-            raise FileError(path, " ".join(str(header["refused"]).split())[:300])
+            said = " ".join(str(header["refused"]).split())[:300]
+            raise FileError(path, "".join(letter if letter.isprintable() else "?" for letter in said))
         at, parts = HEADER_BYTES + length, []
         for described in header["parts"]:
             arrays: dict[str, NDArray[Any]] = {}
