@@ -234,7 +234,8 @@ def _with_paint_on(view: View, patterns: str) -> View:
         if not found:
             names = ", ".join(sorted(own)[:_MOST_NAMES]) + (", …" if len(own) > _MOST_NAMES else "")
             raise ValueRangeError(
-                "--paint-parts", f"no part is called {pattern!r}{did_you_mean(pattern, own)}; there are {names}"
+                "--paint-parts",
+                f"no part is called {pattern!r}{did_you_mean(pattern, own)}; there are {names}",
             )
         painted |= found
     chosen = {name: word for name, word in view.surface_look.chosen.items() if name not in own}

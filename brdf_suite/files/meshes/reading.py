@@ -32,6 +32,7 @@ from brdf_suite.surface.repair import ForeignLook, RawPart, raised, repair
 from brdf_suite.surface.standing import guess_up
 
 _STL_HEADER, _STL_TRIANGLE = 84, 50
+_MOST_OBJECTS = 256
 _LARGEST = float(np.finfo(np.float32).max)
 
 
@@ -52,8 +53,10 @@ def check_stl(path: PathLike, data: bytes) -> None:
         raise FileError(path, f"{what}: {sizes}", "byte 80")
 
 
-def read_parts(path: PathLike, kind: str) -> list[RawPart]:
+def read_parts(path: PathLike, kind: str, data: bytes) -> list[RawPart]:
     """Return the parts with triangles of an OBJ, STL or PLY file, in world axes and the unit of the file, unchecked.
+
+    Of an OBJ file up to 256 objects, or else groups, are parts of their own; of more, each material is one.
 
     Raises :class:`FileError`: the file is damaged or refers to what it does not hold.
     """
@@ -61,7 +64,7 @@ def read_parts(path: PathLike, kind: str) -> list[RawPart]:
     import trimesh
 
     try:
-        scene = trimesh.load_scene(os.fspath(path), process=False, file_type=kind)
+        scene = trimesh.load_scene(os.fspath(path), process=False, file_type=kind, **_divided(kind, data))
         names = scene.graph.nodes_geometry
         faces: dict[str, Any] = {
             node: getattr(scene.geometry[scene.graph[node][1]], "faces", None) for node in names
@@ -73,6 +76,16 @@ def read_parts(path: PathLike, kind: str) -> list[RawPart]:
         raise
     except Exception as error:  # its readers raise whatever a damaged file runs them into
         raise FileError(path, _in_words(error)) from error
+
+
+def _divided(kind: str, data: bytes) -> dict[str, bool]:
+    """Return how an OBJ file is divided into parts beside its materials, as ``trimesh`` takes it."""
+    if kind == "obj":
+        for start, option in ((b"o", "split_objects"), (b"g", "split_groups")):
+            count = data.count(b"\n" + start + b" ") + data.startswith(start + b" ")
+            if 1 < count <= _MOST_OBJECTS:
+                return {option: True}
+    return {}
 
 
 def gltf_parts(path: PathLike, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
@@ -212,7 +225,7 @@ def read_mesh(
     else:
         if kind == "stl":
             check_stl(path, data)
-        found = OutsideMesh(read_parts(path, kind), None, None)
+        found = OutsideMesh(read_parts(path, kind, data), None, None)
     return _repaired(path, found, kind, unit, up)
 
 

@@ -6,10 +6,7 @@ it leaves out of Collada and 3MF, names and the unit, is read from their text.
 
 from __future__ import annotations
 
-import contextlib
-import os
 import re
-import shutil
 import zipfile
 import zlib
 from html import unescape
@@ -19,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused, named
 
 assimp_py = import_library("assimp")
 
@@ -46,7 +43,7 @@ def read(file: Path, options: dict[str, Any]) -> Found:
     kind = options["kind"]
     flags = _BASE | (assimp_py.Process_GlobalScale if kind == "fbx" else 0)
     try:
-        scene = assimp_py.import_file(str(_named(file, kind)), flags)
+        scene = assimp_py.import_file(str(named(file, kind)), flags)
     except (RuntimeError, ValueError, OSError) as error:
         reason = str(error).partition("': ")[2][:160].rstrip(". ") or "no reason is given"
         raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
@@ -66,18 +63,6 @@ def read(file: Path, options: dict[str, Any]) -> Found:
         unit = _3MF_UNIT.search(_3mf_model(file))
         return Found(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
     return Found(parts, "y", _METRES.get(kind))
-
-
-def _named(file: Path, kind: str) -> Path:
-    """Return the file under a name with the ending by which the library chooses its reader."""
-    if file.suffix.lower() == f".{kind}":
-        return file
-    named = Path(f"mesh.{kind}").absolute()
-    with contextlib.suppress(OSError):
-        os.link(file, named)
-        return named
-    shutil.copyfile(file, named)
-    return named
 
 
 def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> FoundPart | None:

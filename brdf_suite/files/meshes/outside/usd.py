@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused, named
 
 import_library("usd")
 Tf, Usd, UsdGeom, UsdShade = (import_module(f"pxr.{name}") for name in ("Tf", "Usd", "UsdGeom", "UsdShade"))
@@ -28,11 +28,11 @@ _BASE_INPUTS = {
 }
 
 
-def read(file: Path, options: dict[str, Any]) -> Found:  # noqa: ARG001 - as the other readers
+def read(file: Path, options: dict[str, Any]) -> Found:
     """Return the meshes of the stage at the time that it starts with."""
     parts: list[FoundPart] = []
     try:
-        stage = Usd.Stage.Open(str(file))
+        stage = Usd.Stage.Open(str(named(file, options["kind"], "usd")))
         matrices = UsdGeom.XformCache()
         for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
             if prim.IsA(UsdGeom.Mesh) and _is_drawn(prim):

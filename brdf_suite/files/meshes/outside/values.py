@@ -1,9 +1,13 @@
-"""What the readers of the child process return."""
+"""What the readers of the child process share: the values that they return, and a file under another name."""
 
 from __future__ import annotations
 
+import contextlib
+import os
+import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
@@ -32,3 +36,15 @@ class Found:
     up: str | None = None
     metres: float | None = None
     refused: str = ""
+
+
+def named(file: Path, *kinds: str) -> Path:
+    """Return the file under a name with an ending of ``kinds``, by which a library chooses its reader."""
+    if file.suffix.lower().removeprefix(".") in kinds:
+        return file
+    other = Path(f"mesh.{kinds[0]}").absolute()
+    with contextlib.suppress(OSError):
+        os.link(file, other)
+        return other
+    shutil.copyfile(file, other)
+    return other
