@@ -83,7 +83,7 @@ def add_scene(command: CommandParser, default_size: tuple[int, int] = (1280, 720
             "--tessellation MM": "how near triangles come to the surfaces of a CAD file, in millimetres "
             f"(default: {SurfaceLook().tessellation_mm:g})",
             "--paint-parts NAMES": "the parts that the paint is on, divided by commas, * for any letters (default: as "
-            "names, looks and areas tell)",
+            "names, looks and areas suggest)",
             "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
             "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
             "--azimuth DEG": "camera azimuth in degrees",

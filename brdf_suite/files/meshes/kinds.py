@@ -1,4 +1,4 @@
-"""Which kind of mesh a file holds: told by its content, and by its name's ending where the content does not tell."""
+"""Which kind of mesh a file holds: by its content, and by its name's ending where the content leaves that open."""
 
 from __future__ import annotations
 

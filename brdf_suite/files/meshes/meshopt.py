@@ -251,14 +251,14 @@ def _triangles(data: bytes, count: int) -> list[int]:
             at += 1
             if both == 0:
                 fresh = 0
-        told = code >= _NO_TABLE_NEXT  # only then 15 means that an index follows
+        explicit = code >= _NO_TABLE_NEXT  # only then 15 means that an index follows
         found = []
         for place in (first, both >> 4, both & 15):
             if place == 0:
                 found.append(fresh)
                 fresh += 1
             else:
-                found.append(-1 if told and place == _RECENT else corners[(corner - place) & 15])
+                found.append(-1 if explicit and place == _RECENT else corners[(corner - place) & 15])
         for k, index in enumerate(found):
             if index < 0:
                 value, at = _leb128(data, at, end)
@@ -266,7 +266,7 @@ def _triangles(data: bytes, count: int) -> list[int]:
                 found[k] = last
         a, b, c = found
         for place, index in ((0, a), (both >> 4, b), (both & 15, c)):
-            if place == 0 or (told and place == _RECENT):
+            if place == 0 or (explicit and place == _RECENT):
                 corners[corner] = index
                 corner = (corner + 1) & 15
         result += found

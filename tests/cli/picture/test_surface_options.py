@@ -39,7 +39,7 @@ def view_of(*words: object) -> View:
 
 @pytest.fixture
 def blocks(tmp_path: Path) -> Path:
-    """Three triangles, of paint as far as their names tell, and glass."""
+    """Three triangles, and one more that is called glass."""
     lines = []
     for place, name in enumerate(("door_left", "door_right", "roof", "glass_front")):
         lines += [f"o {name}", f"v {place} 0 0", f"v {place + 1} 0 0", f"v {place} 1 0.5"]

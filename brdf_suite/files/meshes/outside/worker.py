@@ -49,9 +49,8 @@ def main(arguments: list[str]) -> int:
 
 def _limit() -> None:
     """Limit memory and what is written, where the system can."""
-    with contextlib.suppress(ImportError, ValueError, OSError):
-        import resource
-
+    with contextlib.suppress(ImportError):  # Windows has none
+        resource = importlib.import_module("resource")
         for what, most in (
             (resource.RLIMIT_AS, _MEMORY),
             (resource.RLIMIT_FSIZE, _ANSWER + (1 << 20)),
