@@ -36,6 +36,10 @@ PACKAGES = {
     "cv2": _Package("OpenCV", "opencv-python-headless", "acquisition"),
     "rawpy": _Package("rawpy", "rawpy", "acquisition"),
     "numba": _Package("numba", "numba", "acquisition"),
+    "DracoPy": _Package("DracoPy", "dracopy", "meshes"),
+    "assimp_py": _Package("Assimp (assimp-py)", "assimp-py", "meshes"),
+    "cascadio": _Package("Open CASCADE (cascadio)", "cascadio", "meshes"),
+    "pxr": _Package("OpenUSD (usd-core)", "usd-core", "meshes"),
     "imageio_ffmpeg": _Package("ffmpeg (imageio-ffmpeg)", "imageio-ffmpeg", "video"),
 }
 """The optional modules, by the name that they are imported by."""

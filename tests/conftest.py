@@ -101,6 +101,7 @@ def load_helper() -> Callable[[str], ModuleType]:
             name.removesuffix(".py"), Path(__file__).with_name(name)
         )
         module = importlib.util.module_from_spec(spec)
+        sys.modules[spec.name] = module  # where its dataclasses look for it
         spec.loader.exec_module(module)
         return module
 

@@ -114,6 +114,14 @@ PARAMETERS: Mapping[str, Parameter] = {
         "Strength", "×", 0.0, 8.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
     ),
     "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
+    "surface.tessellation_mm": Parameter(
+        "Fineness",
+        "mm",
+        1e-3,
+        100.0,
+        0.2,
+        "Largest distance of a triangle from the CAD surface that it stands for",
+    ),
     "relief.normal_strength": Parameter("Strength", "", 0.0, 4.0, 1.0, "Factor on the normal map's slopes"),
     "relief.normal_width_mm": Parameter("Width", "mm", 0.1, 1e5, 100.0, "What one tile of the map covers"),
     "relief.orange_peel": Parameter(
@@ -236,8 +244,8 @@ class SurfaceLook:
     """Import options of the mesh, and its baked occlusion.
 
     ``unit`` is the length unit of the file, ``file``: as it says, metres where it does not; ``up`` the axis that points
-    up in it, ``file``: y, until it is said. ``recentre`` puts the middle of its box over the origin and its lowest
-    point on the ground.
+    up in it, ``file``: as it says or seems to stand. ``tessellation_mm`` is how near triangles come to the surfaces of
+    a CAD file. ``recentre`` puts the middle of its box over the origin and its lowest point on the ground.
     """
 
     unit: LengthUnit = "file"
@@ -249,11 +257,12 @@ class SurfaceLook:
     occlusion: bool = True
     ground: bool = False
     up: UpAxis = "file"
+    tessellation_mm: float = PARAMETERS["surface.tessellation_mm"].default
 
     def __post_init__(self) -> None:
         check_choices(self, unit=LENGTH_UNITS, up=UP_AXES, normals=NORMALS_MODES)
         check_flags(self, "recentre", "flip_normals", "occlusion", "ground")
-        set_numbers(self, PARAMETERS, "scale", group="surface.")
+        set_numbers(self, PARAMETERS, "scale", "tessellation_mm", group="surface.")
         object.__setattr__(self, "materials", check_items(self.materials, "materials", PartMaterial, 10_000))
         if len(self.chosen) != len(self.materials):
             raise ValueRangeError("materials", "a part is named twice")

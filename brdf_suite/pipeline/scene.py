@@ -298,9 +298,10 @@ def prepare_light(
     return replace(prepared, draft=draft)
 
 
-def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Mesh:
-    """Return a surface by packaged name or by file, whose numbers are in ``unit`` (see :func:`read_mesh`).
+def load_surface(name_or_path: str | os.PathLike[str], look: SurfaceLook | None = None) -> Mesh:
+    """Return a surface by packaged name or by file, in the unit, axis and fineness of ``look`` (see :func:`read_mesh`).
 
     Raises :class:`FileError`: there is no such surface, or its file cannot be read; the message says why.
     """
-    return read_mesh(find_surface(name_or_path), unit)
+    look = look or SurfaceLook()
+    return read_mesh(find_surface(name_or_path), look.unit, look.up, look.tessellation_mm)

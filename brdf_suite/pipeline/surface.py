@@ -25,7 +25,7 @@ def load_shaped(name_or_path: str, look: SurfaceLook, progress: Progress | None 
     Raises :class:`FileError`: there is no such surface, or its file cannot be read; the message says why.
     """
     report(progress, 0.0, "reading the surface")
-    mesh = load_surface(name_or_path, look.unit)
+    mesh = load_surface(name_or_path, look)
     report(progress, 0.8, "shaping the surface")
     mesh = shape_mesh(mesh, look)
     report(progress, 1.0, "reading the surface")

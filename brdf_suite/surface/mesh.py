@@ -117,6 +117,7 @@ class Mesh:
     """A named surface of at least one part; ``notes`` say what was repaired or assumed, for the user.
 
     ``metres_per_unit`` is what a unit of the file's numbers was taken for; None where unit and axes are known.
+    ``was_turned``: the z axis of a file that does not say which one is up was taken as up.
 
     >>> import numpy as np
     >>> corner = np.eye(3)
@@ -129,6 +130,7 @@ class Mesh:
     parts: tuple[PartGeometry, ...]
     notes: tuple[str, ...] = ()
     metres_per_unit: float | None = None
+    was_turned: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parts", tuple(self.parts))

@@ -91,12 +91,28 @@ CREASE_DEG = 40.0
 """Faces that meet at more than this angle keep an edge between them when normals are made."""
 
 
+@dataclass(frozen=True)
+class ForeignLook:
+    """The material of a part in a foreign file: its name, and what is known of its look.
+
+    ``colour`` linear red, green and blue, 0…1, ``metallic`` and ``roughness`` 0…1: None where the file does not say,
+    or says it by a picture; ``passing`` is the share of light that comes through.
+    """
+
+    name: str = ""
+    colour: tuple[float, float, float] | None = None
+    metallic: float | None = None
+    roughness: float | None = None
+    passing: float = 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class RawPart:
     """Unchecked data of one part from a file.
 
     ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices; ``normals`` (n, 3) or ``None``;
-    ``uvs`` (n, 2) in any unit, or ``None``.
+    ``uvs`` (n, 2) in any unit, or ``None``. ``look`` is the file's material, ``material`` ours, to be guessed by
+    :func:`brdf_suite.surface.part_materials.guess_materials`.
     """
 
     name: str
@@ -105,6 +121,7 @@ class RawPart:
     triangles: Integers
     normals: Floats | None = None
     uvs: Floats | None = None
+    look: ForeignLook = ForeignLook()
 
 
 def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
@@ -225,15 +242,13 @@ def split_corners(
 
 
 def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
-    """Return ``mesh`` with axes, scale, place and normals of ``look``; the same object where nothing is to be done.
+    """Return ``mesh`` with scale, place and normals of ``look``; the same object where nothing is to be done.
 
     Texture coordinates are lengths on the surface and grow with it. Where normals are made again, vertices are split at
     edges: ``smooth`` keeps those above 40°, ``flat`` all. ``flip_normals`` turns triangles and normals to the
-    other side. The unit belongs to the file and is no matter of this.
+    other side. Unit and up axis belong to the file and are no matter of this.
     """
     parts = list(mesh.parts)
-    if look.up == "z":
-        parts = [replace(p, positions=_raised(p.positions), normals=_raised(p.normals)) for p in parts]
     if look.normals != "file":
         crease = CREASE_DEG if look.normals == "smooth" else 0.0
         parts = [_with_normals(part, crease) for part in parts]
@@ -254,7 +269,7 @@ def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
     return replace(mesh, parts=tuple(parts))
 
 
-def _raised(vectors: AnyArray) -> AnyArray:
+def raised(vectors: AnyArray) -> AnyArray:
     """Return vectors (n, 3) of axes with z up in those with y up: turned by a quarter about x."""
     return np.stack((vectors[:, 0], vectors[:, 2], -vectors[:, 1]), axis=1)
 

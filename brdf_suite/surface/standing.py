@@ -38,7 +38,7 @@ def find_standing(mesh: Mesh) -> Standing | None:
         return None
     points = np.concatenate([part.positions for part in mesh.parts]).astype(np.float64)
     unit, sure = find_unit(float(np.ptp(points, axis=0).max()) / taken)
-    up: UpAxis = "z" if lies_on_its_side(points) else "y"
+    up: UpAxis = "z" if mesh.was_turned or lies_on_its_side(points) else "y"
     return Standing(up, unit, is_doubtful=up == "z" or not sure)
 
 
@@ -51,6 +51,16 @@ def find_unit(size: float) -> tuple[LengthUnit, bool]:
     low, high = PLAUSIBLE_M
     fitting = [unit for unit, metres in UNITS.items() if low <= size * metres <= high]
     return (fitting[0], fitting[0] == "m") if fitting else ("m", False)
+
+
+def guess_up(points: Floats, usual: str) -> UpAxis:
+    """Return the axis along which points (n, 3) of a silent file stand upright; else the ``usual`` one."""
+    if not len(points):
+        return "y"
+    if lies_on_its_side(points):
+        return "z"
+    # With the axes changed over, what stands on y lies on its side.
+    return "z" if usual == "z" and not lies_on_its_side(points[:, [0, 2, 1]]) else "y"
 
 
 def lies_on_its_side(points: Floats) -> bool:

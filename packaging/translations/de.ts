@@ -9742,10 +9742,6 @@ Ungespeicherte Änderungen.</translation>
         <translation>Flach</translation>
     </message>
     <message>
-        <source>Open a mesh (.glb, .gltf, .obj, .stl, .ply)</source>
-        <translation>Ein Netz öffnen (.glb, .gltf, .obj, .stl, .ply)</translation>
-    </message>
-    <message>
         <source>Occlusion</source>
         <translation>Verdeckung</translation>
     </message>
@@ -9794,12 +9790,20 @@ Ungespeicherte Änderungen.</translation>
         <translation>Achse, die in der Datei nach oben zeigt</translation>
     </message>
     <message>
+        <source>Fineness</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
         <source>Place</source>
         <translation>Lage</translation>
     </message>
     <message>
         <source>Moves the centre over the origin and the lowest point to height 0</source>
         <translation>Setzt die Mitte über den Ursprung und den tiefsten Punkt auf Höhe 0</translation>
+    </message>
+    <message>
+        <source>Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)</source>
+        <translation>Netz öffnen (glTF, FBX, USD, STEP, OBJ, STL, PLY und andere)</translation>
     </message>
     <message>
         <source>Normals</source>

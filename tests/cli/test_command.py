@@ -175,9 +175,10 @@ def test_files_are_found_from_the_working_folder(inside, tmp_path: Path) -> None
     assert "note:" in done.stderr  # normals and texture coordinates were made, and that is reported
 
 
-def test_the_unreadable_mesh_says_why(inside, shared_data: Path) -> None:
-    path = shared_data / "meshes" / "polyhaven_boombox_meshopt.glb"
-    refused(inside("render", "blue", "-o", "out.png", "--mesh", path), "boombox", "EXT_meshopt_compression")
+def test_the_unreadable_mesh_says_why(inside, tmp_path: Path) -> None:
+    path = tmp_path / "crowd.gltf"
+    path.write_text('{"extensionsRequired": ["EXT_mesh_gpu_instancing"]}')
+    refused(inside("render", "blue", "-o", "out.png", "--mesh", path), "crowd", "EXT_mesh_gpu_instancing")
 
 
 def test_shipped_surfaces_and_environments_differ(inside, tmp_path: Path) -> None:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from brdf_suite.documents.view_settings import SurfaceLook
-from brdf_suite.files.meshes.reading import read_mesh
+from brdf_suite.files.meshes.reading import read_mesh, write_mesh_glb
 from brdf_suite.pipeline.scene import load_surface, surface_names
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.repair import shape_mesh
 from brdf_suite.surface.standing import Standing, find_standing, find_unit, lies_on_its_side
 
 
@@ -45,14 +44,16 @@ def test_the_unit_in_which_a_size_is_one_of_an_object(size: float, unit: str, su
     assert find_unit(size) == (unit, sure)
 
 
-def test_axes_with_z_up_are_turned_and_normals_with_them() -> None:
+def test_axes_with_z_up_are_turned_and_normals_with_them(tmp_path: Path) -> None:
     corner = np.array([[0.0, 0, 0], [1, 0, 0], [0, 2, 3]])
     normals = np.tile([0.0, 0.0, 1.0], (3, 1))
     mesh = Mesh("facet", (PartGeometry("facet", "paint", corner, normals, corner[:, :2], [[0, 1, 2]]),))
-    raised = shape_mesh(mesh, SurfaceLook(up="z")).parts[0]
-    np.testing.assert_allclose(raised.positions[2], [0.0, 3.0, -2.0])
-    np.testing.assert_allclose(raised.normals, np.tile([0.0, 1.0, 0.0], (3, 1)))
-    assert shape_mesh(mesh, SurfaceLook(up="y")) is mesh
+    write_mesh_glb(mesh, tmp_path / "facet.glb")
+    upright = read_mesh(tmp_path / "facet.glb", up="z").parts[0]
+    np.testing.assert_allclose(upright.positions[2], [0.0, 3.0, -2.0])
+    np.testing.assert_allclose(upright.normals, np.tile([0.0, 1.0, 0.0], (3, 1)))
+    for up in ("y", "file"):
+        np.testing.assert_array_equal(read_mesh(tmp_path / "facet.glb", up=up).parts[0].positions, corner)
 
 
 def test_a_file_in_millimetres_with_z_up(tmp_path) -> None:

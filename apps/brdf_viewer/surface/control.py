@@ -24,7 +24,7 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 OCCLUSION = "occlusion"
-_SHAPE = ("unit", "up", "scale", "recentre", "flip_normals", "normals")
+_SHAPE = ("unit", "up", "tessellation_mm", "scale", "recentre", "flip_normals", "normals")
 _FIRST_SECONDS = ("fine_silver", "dark_grey")
 """Shipped paints that a part gets that is to wear the second paint where none was chosen."""
 _CLOSING_MS = 60_000

@@ -151,7 +151,7 @@ class SurfaceSection(Section):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Surface"), "surface", parent)
         self.daily = Form()
-        self.chooser = SourceChooser(tr("Open a mesh (.glb, .gltf, .obj, .stl, .ply)"))
+        self.chooser = SourceChooser(tr("Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)"))
         self.facts = note(lines=2)
         self.occlusion = self._check("occlusion", tr("Occlusion"))
         self.occlusion.setToolTip(tr("Darkens recesses; computed once per surface in the background"))
@@ -177,6 +177,8 @@ class SurfaceSection(Section):
         form.add_wide(self.baking, self.again)
         form.add_row(tr("Unit"), self.unit, tr("Unit of length in the file"))
         form.add_row(tr("Up axis"), self.up, tr("Axis that points up in the file"))
+        self.fineness = form.add_number(tr("Fineness"), PARAMETERS["surface.tessellation_mm"], 0.05, 3)
+        self.fineness.edited.connect(lambda value: self.edited.emit("tessellation_mm", value))
         self.scale = form.add_number(tr("Scale"), PARAMETERS["surface.scale"], 0.1, 4)
         self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
         tip = tr("Moves the centre over the origin and the lowest point to height 0")
@@ -190,6 +192,7 @@ class SurfaceSection(Section):
         for name in ("unit", "up", "normals"):
             getattr(self, name).show_choice(getattr(look, name))
         self.scale.set_value(look.scale)
+        self.fineness.set_value(look.tessellation_mm)
         self.parts.set_chosen(look.chosen)
 
     def _check(self, field: str, title: str) -> QCheckBox:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
+from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from brdf_suite.cli.arguments import add_arguments
 from brdf_suite.command_parser import CommandParser
@@ -17,8 +18,18 @@ from brdf_suite.documents.view import (
     TONE_CURVES,
     View,
 )
-from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp
-from brdf_suite.errors import ValueRangeError
+from brdf_suite.documents.view_settings import (
+    ILLUMINANTS,
+    LENGTH_UNITS,
+    SECOND_PAINT,
+    SPARKLE_MODES,
+    UP_AXES,
+    Lamp,
+    Material,
+    PartMaterial,
+    SurfaceLook,
+)
+from brdf_suite.errors import ValueRangeError, did_you_mean
 
 if TYPE_CHECKING:
     from brdf_suite.output.picture_file import PictureSettings
@@ -27,6 +38,8 @@ _LAYOUT = {
     "--layout LAYOUT=auto": "how the image is laid out, where its shape misleads: "
     f"{', '.join(ENVIRONMENT_LAYOUTS[1:])} (default: auto)"
 }
+_MOST_NAMES = 30
+"""Parts that a message names."""
 _COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
 
 
@@ -63,13 +76,22 @@ def add_scene(command: CommandParser, default_size: tuple[int, int] = (1280, 720
     add_arguments(
         shown,
         {
-            "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
-            "(default: speed_form)",
+            "--mesh FILE|NAME": "a mesh (glTF, OBJ, STL, PLY; FBX, USD, STEP and others with the extra `meshes`), or "
+            "speed_form, sphere, panel, car (default: speed_form)",
+            "--unit": "unit of the mesh's lengths (default: as its file says, else metres)",
+            "--up": "axis that points up in the mesh (default: as its file says, else as it seems to stand)",
+            "--tessellation MM": "how near triangles come to the surfaces of a CAD file, in millimetres "
+            f"(default: {SurfaceLook().tessellation_mm:g})",
+            "--paint-parts NAMES": "the parts that the paint is on, divided by commas, * for any letters (default: as "
+            "names, looks and areas suggest)",
             "--[no-]ground": "put the mesh on a ground that takes its shadow (default: on)",
             "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
             "--azimuth DEG": "camera azimuth in degrees",
             "--elevation DEG": "camera elevation in degrees, -90 to 90",
         },
+        unit=LENGTH_UNITS[1:],
+        up=UP_AXES[1:],
+        tessellation=float,
     )
     picture = command.add_argument_group("picture")
     add_arguments(
@@ -178,7 +200,16 @@ def parse_view(options: argparse.Namespace) -> View:
     changed["lens"] = replace(view.lens, **lens)
     changed["light_colour"] = replace(view.light_colour, **light)
     changed["sparkle"] = replace(view.sparkle, **given(mode=options.sparkle))
-    look = given(ground=options.ground, occlusion=options.occlusion)
+    look = given(
+        ground=options.ground,
+        occlusion=options.occlusion,
+        unit=options.unit,
+        up=options.up,
+        tessellation_mm=options.tessellation,
+    )
+    if options.mesh is not None:
+        # Axes, unit and parts are those of the view's own file.
+        look = {"unit": "file", "up": "file", "materials": (), **look}
     changed["surface_look"] = replace(view.surface_look, **look)
     if options.environment is not None or options.layout != "auto":
         changed["environment_layout"] = options.layout
@@ -188,7 +219,36 @@ def parse_view(options: argparse.Namespace) -> View:
     view = replace(view, **changed)
     find_environment(view.environment)
     find_surface(view.surface)
-    return view
+    return view if options.paint_parts is None else _with_paint_on(view, options.paint_parts)
+
+
+def _with_paint_on(view: View, patterns: str) -> View:
+    """Return the view with its paint on the parts that ``patterns`` name, and on no others."""
+    from brdf_suite.pipeline.surface import load_shaped
+
+    own = {part.name: part.material for part in load_shaped(view.surface, view.surface_look).parts}
+    wanted = [word.strip() for word in patterns.split(",") if word.strip()]
+    painted: set[str] = set()
+    for pattern in wanted:
+        found = {name for name in own if fnmatchcase(name.casefold(), pattern.casefold())}
+        if not found:
+            names = ", ".join(sorted(own)[:_MOST_NAMES]) + (", …" if len(own) > _MOST_NAMES else "")
+            raise ValueRangeError(
+                "--paint-parts",
+                f"no part is called {pattern!r}{did_you_mean(pattern, own)}; there are {names}",
+            )
+        painted |= found
+    chosen = {name: word for name, word in view.surface_look.chosen.items() if name not in own}
+    for name, material in own.items():
+        worn = view.surface_look.chosen.get(name, material)
+        if name in painted:
+            chosen[name] = "paint"
+        elif worn in ("paint", SECOND_PAINT):
+            chosen[name] = "neutral"
+        elif name in view.surface_look.chosen:
+            chosen[name] = worn
+    parts = tuple(PartMaterial(name, cast(Material, word)) for name, word in chosen.items())
+    return replace(view, surface_look=replace(view.surface_look, materials=parts))
 
 
 def add_environment(command: CommandParser) -> None:

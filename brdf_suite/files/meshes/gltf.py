@@ -1,15 +1,15 @@
-"""glTF 2.0 reader: triangles, normals, texture coordinates and material names.
+"""glTF 2.0 reader: triangles, normals, texture coordinates, and materials without their textures.
 
-Source: Khronos Group, glTF 2.0 Specification, and KHR_mesh_quantization. Textures, cameras, animations, skins and morph
-targets are not read. The scene graph is walked once, each node's matrix being its parent's times its own. A part is
-painted unless its name says otherwise: who opens a mesh here wants to see paint on it.
+Source: Khronos Group, glTF 2.0 Specification, with the extensions for quantized and compressed meshes (Draco's in a
+child process) and KHR_materials_transmission. Textures, cameras, animations, skins and morph targets are not read. The
+scene graph is walked once, each node's matrix being its parent's times its own.
 """
 
 from __future__ import annotations
 
 import base64
-import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path, PureWindowsPath
 from typing import Any
 from urllib.parse import unquote
@@ -20,48 +20,12 @@ from numpy.typing import NDArray
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
-from brdf_suite.surface.repair import RawPart
+from brdf_suite.files.meshes.meshopt import decode_view
+from brdf_suite.files.meshes.outside.child import OutsidePart, decode_draco
+from brdf_suite.surface.repair import ForeignLook, RawPart
 
-# In order: the first row with a word that a name begins a word with decides. Paint comes first, since
-# "metallic paint" is no metal; trim before glass, since a window trim is no window; lamps before the lenses of them.
-_ROWS: tuple[tuple[str, tuple[str, ...]], ...] = (
-    ("paint", ("paint", "carpaint", "lacquer", "body", "bodywork", "coachwork")),
-    ("trim", ("trim", "plastic", "bumper", "grille", "grill")),
-    ("glass", ("glass", "window", "windscreen", "windshield")),
-    ("rubber", ("rubber", "tire", "tyre", "wheel")),
-    ("tail_lamp", ("taillight", "taillamp", "brakelight")),
-    ("lamp", ("lamp", "headlamp", "headlight", "bulb")),
-    ("lens", ("lens",)),
-    ("chrome", ("chrome", "metal", "steel", "alumin", "rim")),
-    ("neutral", ("calibration", "floor", "ground", "backdrop", "background", "pedestal", "plinth")),
-)
-_WHOLE_WORDS = frozenset({"rim", "rims", "body", "grill", "metal", "metals"})
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
-
-
-def material_word(material: str, part: str) -> str:
-    """Return the material word for a part; the material's name counts before the part's own.
-
-    >>> material_word("window_trim", "Body"), material_word("Material.001", "FrontTyre")
-    ('trim', 'rubber')
-    """
-    for name in (material, part):
-        words = [word.lower() for word in _WORD.findall(name)]
-        for result, starts in _ROWS:
-            if any(
-                word in (start, start + "s") if start in _WHOLE_WORDS else word.startswith(start)
-                for word in words
-                for start in starts
-            ):
-                return result
-    return "paint"
-
-
-_COMPRESSED = {
-    "EXT_meshopt_compression": "meshopt compression",
-    "KHR_meshopt_compression": "meshopt compression",
-    "KHR_draco_mesh_compression": "Draco compression",
-}
+_MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+_DRACO = "KHR_draco_mesh_compression"
 NO_SHAPE_PREFIXES = (
     "KHR_materials_",
     "ADOBE_materials_",
@@ -89,7 +53,7 @@ NO_SHAPE = frozenset(
     }
 )
 """Extensions, with those of :data:`NO_SHAPE_PREFIXES`, that change neither triangles nor where they stand."""
-_QUANTIZED = "KHR_mesh_quantization"
+_DECODED = frozenset({"KHR_mesh_quantization", _DRACO, *_MESHOPT})
 
 _COMPONENTS: dict[int, np.dtype[Any]] = {
     5120: np.dtype("i1"),
@@ -101,6 +65,7 @@ _COMPONENTS: dict[int, np.dtype[Any]] = {
 }
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
+_USED = ("POSITION", "NORMAL", "TEXCOORD_0")
 
 _MOST_UNSTORED = 1 << 24
 """Bytes of values that are zero because the file does not hold them; repair makes many times as much of triangles."""
@@ -122,12 +87,13 @@ def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | Non
         A buffer beside it cannot be read, or it refers to what it does not hold.
     """
     _check_extensions(path, document)
-    primitives = _Primitives(path, document, binary)
     places: dict[tuple[int, int], list[Floats]] = {}
     for mesh, matrix in _walk(path, document):
         for number, primitive in enumerate(_at(document["meshes"], mesh)["primitives"]):
             if primitive.get("mode", _TRIANGLES) in (_TRIANGLES, _STRIP, _FAN):
                 places.setdefault((mesh, number), []).append(matrix)
+    primitives = _Primitives(path, document, binary)
+    primitives.decompress(list(places))
     parts: list[RawPart] = []
     total = 0
     for key, matrices in places.items():
@@ -146,11 +112,9 @@ def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | Non
 def _check_extensions(path: PathLike, document: dict[str, Any]) -> None:
     required = document.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else []:
-        if name in _COMPRESSED:
-            what = f"its triangles are stored with {_COMPRESSED[name]} ({name})"
-            raise FileError(path, f"{what}, which cannot be read; export it again without compression")
-        if name != _QUANTIZED and name not in NO_SHAPE and not str(name).startswith(NO_SHAPE_PREFIXES):
-            reason = f"it requires the extension {str(name)[:80]}, which is not read; export it again without"
+        if name not in _DECODED and name not in NO_SHAPE and not str(name).startswith(NO_SHAPE_PREFIXES):
+            shown = str(name)[:80] if str(name).isprintable() else repr(str(name)[:80])
+            reason = f"it requires the extension {shown}, which is not read; export it again without"
             raise FileError(path, reason, "extensionsRequired")
 
 
@@ -245,7 +209,13 @@ def _placed(part: RawPart, matrices: Floats) -> RawPart:
     triangles += (np.arange(len(matrices)) * count)[:, None, None]
     triangles[missing] = -1
     uvs = None if part.uvs is None else np.tile(part.uvs, (len(matrices), 1))
-    return RawPart(part.name, part.material, positions.reshape(-1, 3), triangles.reshape(-1, 3), normals, uvs)
+    return replace(
+        part,
+        positions=positions.reshape(-1, 3),
+        triangles=triangles.reshape(-1, 3),
+        normals=normals,
+        uvs=uvs,
+    )
 
 
 # Values.
@@ -257,32 +227,62 @@ class _Primitives:
     def __init__(self, path: PathLike, document: dict[str, Any], binary: memoryview | None) -> None:
         self._path, self._document, self._binary = path, document, binary
         self._buffers: dict[int, memoryview] = {}
+        self._decoded: dict[int, memoryview] = {}
+        self._decoded_bytes = 0
+        self._draco: dict[tuple[int, int], OutsidePart] = {}
+
+    def decompress(self, keys: list[tuple[int, int]]) -> None:
+        """Decode the primitives, of those with these (mesh, number), that are stored with Draco: all in one go."""
+        wanted: dict[int, list[tuple[int, int]]] = {}
+        for mesh, number in keys:
+            stored = _extension(self._document["meshes"][mesh]["primitives"][number], _DRACO)
+            if stored is not None:
+                wanted.setdefault(stored["bufferView"], []).append((mesh, number))
+        if not wanted:
+            return
+        chunks = [bytes(self._view(view)) for view in wanted]
+        for found, those in zip(decode_draco(self._path, chunks), wanted.values(), strict=True):
+            self._draco.update(dict.fromkeys(those, found))
 
     def read(self, mesh: int, number: int) -> RawPart:
         """Return a primitive in its own axes; its normals and texture coordinates where it has as many as positions."""
         found = self._document["meshes"][mesh]
         primitive = found["primitives"][number]
-        attributes = primitive["attributes"]
-        positions = self._values(attributes["POSITION"])
+        values = self._attributes(primitive, self._draco.get((mesh, number)))
+        positions = values["POSITION"]
         if positions.shape[1] != 3:
             raise FileError(self._path, "its points do not have three coordinates each", f"meshes[{mesh}]")
         positions[~(np.abs(positions) <= np.finfo(np.float32).max)] = np.nan
-        if "indices" in primitive:
-            corners = self._values(primitive["indices"]).ravel().astype(np.int64)
-        else:
-            corners = np.arange(len(positions))
-        normals = self._values(attributes["NORMAL"]) if "NORMAL" in attributes else None
-        uvs = self._values(attributes["TEXCOORD_0"]) if "TEXCOORD_0" in attributes else None
+        corners = values.get("indices", np.arange(len(positions))).ravel().astype(np.int64)
+        normals, uvs = values.get("NORMAL"), values.get("TEXCOORD_0")
         if uvs is not None:
             uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v downwards
         name = str(found.get("name", f"mesh {mesh}")) + (f"_{number}" if number else "")
-        material = ""
+        look = ForeignLook()
         if "material" in primitive:
-            material = str(_at(self._document["materials"], primitive["material"]).get("name", ""))
-        triangles = _triangles(corners, primitive.get("mode", _TRIANGLES))
+            look = _look(_at(self._document["materials"], primitive["material"]))
+        mode = _TRIANGLES if (mesh, number) in self._draco else primitive.get("mode", _TRIANGLES)
+        triangles = _triangles(corners, mode)
         # The repair leaves these out and reports them; moved by the number of vertices, they would hit other instances.
         triangles[((triangles < 0) | (triangles >= len(positions))).any(axis=1)] = -1
-        return RawPart(name, material_word(material, name), positions, triangles, normals, uvs)
+        return RawPart(name, "", positions, triangles, normals, uvs, look)
+
+    def _attributes(self, primitive: dict[str, Any], draco: OutsidePart | None) -> dict[str, Floats]:
+        """Return the values that are used of a primitive by name, ``indices`` among them."""
+        named = {key: primitive["attributes"][key] for key in _USED if key in primitive["attributes"]}
+        if draco is None:
+            if "indices" in primitive:
+                named["indices"] = primitive["indices"]
+            return {key: self._values(index) for key, index in named.items()}
+        numbers = primitive["extensions"][_DRACO]["attributes"]
+        values: dict[str, Floats] = {"indices": draco.arrays["faces"].astype(np.float64)}
+        for key, index in named.items():
+            if key in numbers:
+                stored = draco.arrays[f"attribute {int(numbers[key])}"]
+                accessor = _at(self._document["accessors"], index)
+                with np.errstate(invalid="ignore"):
+                    values[key] = _fractions(stored.astype(np.float64), stored.dtype, accessor)
+        return values
 
     def _values(self, index: int) -> Floats:
         """Return the values (count, width) of an accessor, normalized integers as the fractions that they represent."""
@@ -291,7 +291,8 @@ class _Primitives:
         count = self._whole(accessor, "count", place)
         check_made(self._path, 8 * count * width, f"its {count:,} values", place)
         if "bufferView" in accessor:
-            values = self._stored(accessor, kind, count, width, place).astype(np.float64)
+            with np.errstate(invalid="ignore"):  # of numbers that are none
+                values = self._stored(accessor, kind, count, width, place).astype(np.float64)
         else:
             if 8 * count * width > _MOST_UNSTORED:
                 reason = f"its {count:,} values are not in the file; {_MOST_UNSTORED // (8 * width):,} may be left out"
@@ -304,25 +305,49 @@ class _Primitives:
                 sparse["indices"], _COMPONENTS[sparse["indices"]["componentType"]], changed, 1, place
             )
             values[at[:, 0].astype(np.int64)] = self._stored(sparse["values"], kind, changed, width, place)
-        if accessor.get("normalized") and kind.kind in "iu":
-            values = np.maximum(values / np.iinfo(kind).max, -1.0)
-        return values
+        return _fractions(values, kind, accessor)
 
     def _stored(
         self, fields: dict[str, Any], kind: np.dtype[Any], count: int, width: int, place: str
     ) -> NDArray[Any]:
         """Return a view of values (count, width) in a buffer view, as an accessor's ``fields`` place them in it."""
-        view = _at(self._document["bufferViews"], fields["bufferView"])
-        buffer = self._buffer(view["buffer"])
+        content = self._view(fields["bufferView"])
         item = kind.itemsize * width
         start = self._whole(fields, "byteOffset", place, 0)
-        stride = self._whole(view, "byteStride", place, item) or item
-        begin = self._whole(view, "byteOffset", place, 0)
-        length = self._whole(view, "byteLength", place)
-        if count and (start + stride * (count - 1) + item > length or begin + length > len(buffer)):
+        stride = (
+            self._whole(self._document["bufferViews"][fields["bufferView"]], "byteStride", place, item)
+            or item
+        )
+        if count and start + stride * (count - 1) + item > len(content):
             raise FileError(self._path, "its values reach past the end of the file", place)
         strides = (stride, kind.itemsize)
-        return np.ndarray((count, width), kind, buffer, begin + start if count else 0, strides)
+        return np.ndarray((count, width), kind, content, start if count else 0, strides)
+
+    def _view(self, index: Any) -> memoryview:
+        """Return the content of a buffer view, decoded where it is compressed."""
+        view, place = _at(self._document["bufferViews"], index), f"bufferViews[{index}]"
+        packed = next((found for name in _MESHOPT if (found := _extension(view, name)) is not None), None)
+        if packed is None:
+            return self._slice(view, place)
+        if index not in self._decoded:
+            count, stride = self._whole(packed, "count", place), self._whole(packed, "byteStride", place)
+            self._decoded_bytes += count * stride
+            check_made(self._path, self._decoded_bytes, "what its compressed views hold", place)
+            stored = self._slice(packed, place)
+            try:
+                content = decode_view(stored, count, stride, packed["mode"], packed.get("filter", "NONE"))
+            except (ValueError, LookupError) as error:
+                raise FileError(self._path, f"its meshopt compression is damaged ({error})", place) from error
+            self._decoded[index] = memoryview(content)
+        return self._decoded[index]
+
+    def _slice(self, fields: dict[str, Any], place: str) -> memoryview:
+        buffer = self._buffer(fields["buffer"])
+        begin = self._whole(fields, "byteOffset", place, 0)
+        length = self._whole(fields, "byteLength", place)
+        if begin + length > len(buffer):
+            raise FileError(self._path, "reaches past the end of the file", place)
+        return buffer[begin : begin + length]
 
     def _whole(self, fields: dict[str, Any], key: str, place: str, default: int | None = None) -> int:
         value = fields[key] if default is None else fields.get(key, default)
@@ -357,6 +382,43 @@ class _Primitives:
         if file.exists() and file.stat().st_size > MOST_MADE_BYTES:
             raise FileError(self._path, f"needs {file.name}, which is larger than 1 GiB", place)
         return memoryview(file.read_bytes())
+
+
+def _fractions(values: Floats, kind: np.dtype[Any], accessor: dict[str, Any]) -> Floats:
+    """Return values of an accessor, normalized integers as the fractions that they represent."""
+    if accessor.get("normalized") and kind.kind in "iu":
+        return np.asarray(np.maximum(values / np.iinfo(kind).max, -1.0))
+    return values
+
+
+def _extension(fields: dict[str, Any], name: str) -> dict[str, Any] | None:
+    """Return what an extension says of an object, None where it says nothing."""
+    found = fields.get("extensions", {}).get(name)
+    return found if isinstance(found, dict) else None
+
+
+def _look(material: dict[str, Any]) -> ForeignLook:
+    metal = material.get("pbrMetallicRoughness", {})
+    gloss = _extension(material, "KHR_materials_pbrSpecularGlossiness")
+    factor = (
+        metal.get("baseColorFactor", [1.0] * 4) if gloss is None else gloss.get("diffuseFactor", [1.0] * 4)
+    )
+    *colour, alpha = (min(max(float(number), 0.0), 1.0) for number in factor)
+    textured = "baseColorTexture" in metal if gloss is None else "diffuseTexture" in gloss
+    through = _extension(material, "KHR_materials_transmission") or {}
+    passing = max(
+        float(through.get("transmissionFactor", 0.0)),
+        1.0 - alpha if material.get("alphaMode") == "BLEND" else 0.0,
+    )
+    known = "metallicRoughnessTexture" not in metal and gloss is None
+    red, green, blue = colour
+    return ForeignLook(
+        str(material.get("name", "")),
+        None if textured else (red, green, blue),
+        float(metal.get("metallicFactor", 1.0)) if known else None,
+        float(metal.get("roughnessFactor", 1.0)) if known else None,
+        passing,
+    )
 
 
 def _triangles(corners: Integers, mode: int) -> Integers:

@@ -1,9 +1,10 @@
-"""Reading meshes: glTF (``.glb``, ``.gltf``), OBJ, STL and PLY.
+"""Reading meshes: glTF, OBJ, STL and PLY, and by optional libraries USD, FBX, Collada, 3MF, X3D, STEP and IGES.
 
 Our own ``.glb`` files are read as they are (:mod:`brdf_suite.files.meshes.glb`). glTF files of others are read by
-:mod:`brdf_suite.files.meshes.gltf`, the other formats through ``trimesh``; the scene graph is applied, so that parts
-stand in world axes, and :mod:`brdf_suite.surface.repair` makes them drawable. What was changed or assumed stands in
-``Mesh.notes``.
+:mod:`brdf_suite.files.meshes.gltf`, OBJ, STL and PLY through ``trimesh``, the rest in a child process
+(:mod:`brdf_suite.files.meshes.outside`); the scene graph is applied, so that parts stand in world axes. Materials are
+guessed by :mod:`brdf_suite.surface.part_materials`, and :mod:`brdf_suite.surface.repair` makes parts drawable. What was
+changed or assumed stands in ``Mesh.notes``.
 """
 
 from __future__ import annotations
@@ -18,14 +19,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.documents.view_settings import PARAMETERS
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.meshes.glb import is_own, parse_json, read_own_glb, split_glb, write_mesh_glb
-from brdf_suite.files.meshes.gltf import material_word, read_gltf
+from brdf_suite.files.meshes.gltf import read_gltf
+from brdf_suite.files.meshes.kinds import MESH_ENDINGS, OUTSIDE, kind_of
+from brdf_suite.files.meshes.outside.child import OutsideMesh, read_outside
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.repair import RawPart, repair
+from brdf_suite.surface.part_materials import guess_materials
+from brdf_suite.surface.repair import ForeignLook, RawPart, raised, repair
+from brdf_suite.surface.standing import guess_up
 
 _STL_HEADER, _STL_TRIANGLE = 84, 50
+_MOST_OBJECTS = 256
 _LARGEST = float(np.finfo(np.float32).max)
 
 
@@ -46,8 +53,10 @@ def check_stl(path: PathLike, data: bytes) -> None:
         raise FileError(path, f"{what}: {sizes}", "byte 80")
 
 
-def read_parts(path: PathLike) -> list[RawPart]:
-    """Return the parts with triangles, in world axes and the unit of the file, unchecked.
+def read_parts(path: PathLike, kind: str, data: bytes) -> list[RawPart]:
+    """Return the parts with triangles of an OBJ, STL or PLY file, in world axes and the unit of the file, unchecked.
+
+    Of an OBJ file up to 256 objects, or else groups, are parts of their own; of more, each material is one.
 
     Raises :class:`FileError`: the file is damaged or refers to what it does not hold.
     """
@@ -55,7 +64,7 @@ def read_parts(path: PathLike) -> list[RawPart]:
     import trimesh
 
     try:
-        scene = trimesh.load_scene(os.fspath(path), process=False)
+        scene = trimesh.load_scene(os.fspath(path), process=False, file_type=kind, **_divided(kind, data))
         names = scene.graph.nodes_geometry
         faces: dict[str, Any] = {
             node: getattr(scene.geometry[scene.graph[node][1]], "faces", None) for node in names
@@ -67,6 +76,16 @@ def read_parts(path: PathLike) -> list[RawPart]:
         raise
     except Exception as error:  # its readers raise whatever a damaged file runs them into
         raise FileError(path, _in_words(error)) from error
+
+
+def _divided(kind: str, data: bytes) -> dict[str, bool]:
+    """Return how an OBJ file is divided into parts beside its materials, as ``trimesh`` takes it."""
+    if kind == "obj":
+        for start, option in ((b"o", "split_objects"), (b"g", "split_groups")):
+            count = data.count(b"\n" + start + b" ") + data.startswith(start + b" ")
+            if 1 < count <= _MOST_OBJECTS:
+                return {option: True}
+    return {}
 
 
 def gltf_parts(path: PathLike, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
@@ -114,10 +133,33 @@ def _raw_part(path: PathLike, scene: Any, node: str) -> RawPart:
         triangles = triangles[:, ::-1]
     uvs = getattr(mesh.visual, "uv", None)
     uvs = None if uvs is None else np.asarray(uvs, dtype=np.float64)
-    material = str(getattr(getattr(mesh.visual, "material", None), "name", None) or "")
+    look = _look(getattr(mesh.visual, "material", None))
     own_name = str(name).lower().endswith(Path(path).suffix.lower())
     label = Path(str(name)).stem if own_name else str(name)
-    return RawPart(label, material_word(material, str(name)), positions, triangles, normals, uvs)
+    return RawPart(label, "", positions, triangles, normals, uvs, look)
+
+
+def _look(material: Any) -> ForeignLook:
+    """Return what a material of an OBJ file says (MTL; ``Pm`` and ``Pr`` are those of its extension)."""
+    said = getattr(material, "kwargs", None) or {}
+
+    def number(key: str) -> float | None:
+        found = said.get(key)
+        try:
+            value = float(found[0] if isinstance(found, list) else found)
+        except (TypeError, ValueError, LookupError):
+            return None
+        return min(max(value, 0.0), 1.0) if math.isfinite(value) else None
+
+    given = said.get("kd")
+    colour = None
+    if isinstance(given, list) and len(given) == 3 and np.isfinite(given).all() and "map_kd" not in said:
+        red, green, blue = (min(max(float(channel), 0.0), 1.0) for channel in given)
+        colour = (red, green, blue)
+    opacity, clear = number("d"), number("tr")
+    passing = 1.0 - opacity if opacity else clear or 0.0
+    name = str(getattr(material, "name", None) or "")
+    return ForeignLook(name, colour, number("pm"), number("pr"), passing)
 
 
 def _finite_or_nan(values: Any) -> NDArray[np.float64]:
@@ -133,8 +175,6 @@ def _finite_or_nan(values: Any) -> NDArray[np.float64]:
 
 __all__ = ["MESH_ENDINGS", "read_mesh", "write_mesh_glb"]
 
-MESH_ENDINGS = (".glb", ".gltf", ".obj", ".stl", ".ply")
-
 _LARGEST_FILE = 1 << 30
 _SMALLEST_M, _LARGEST_M = 0.001, 50.0
 METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
@@ -142,39 +182,51 @@ METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254}
 _UNIT_NAMES = {"m": "metres", "cm": "centimetres", "mm": "millimetres", "in": "inches"}
 
 
+_NO_UP = {"obj": "y", "stl": "z", "ply": "z"}
+"""Kinds that do not say which axis is up, and the one that is up in most of them."""
+TESSELLATION_MM = PARAMETERS["surface.tessellation_mm"].default
+
+
 @within_memory
-def read_mesh(path: PathLike, unit: str = "file") -> Mesh:
-    """Return the mesh in a file, in metres, every part with normals and texture coordinates in millimetres.
+def read_mesh(
+    path: PathLike, unit: str = "file", up: str = "file", tessellation_mm: float = TESSELLATION_MM
+) -> Mesh:
+    """Return the mesh in a file, in metres and y up, every part with normals and texture coordinates in millimetres.
 
     Parameters
     ----------
     path
-        A file whose name ends in one of :data:`MESH_ENDINGS`.
+        A file, usually of one of :data:`MESH_ENDINGS`; its content says of which kind it is.
     unit
-        The unit of the lengths in the file, one of ``m``, ``cm``, ``mm``, ``in``; ``file``: metres, or what the size
-        reports where that is no size for an object in metres.
+        The unit of the lengths in the file, one of ``m``, ``cm``, ``mm``, ``in``; ``file``: as the file says, else
+        metres, or what the size reports where that is no size for an object in metres.
+    up
+        The axis that points up in the file, ``y`` or ``z``; ``file``: as the file says, else where it seems to stand.
+    tessellation_mm
+        The largest distance of a triangle from the CAD surface that it stands for, millimetres.
 
     Raises
     ------
     FileError
-        No such file, not a mesh, damaged, compressed in a way that cannot be read, or without triangles.
+        No such file, not a mesh, damaged, without triangles, or of a kind whose library is not installed.
     """
     file = Path(path)
-    ending = file.suffix.lower()
-    if ending not in MESH_ENDINGS:
-        known = ", ".join(MESH_ENDINGS)
-        raise FileError(path, f"not a mesh file that can be read; the name has to end in one of {known}")
     data = _content(file)
-    if ending == ".glb":
+    kind = kind_of(path, data)
+    if kind == "glb":
         document, binary = split_glb(path, data)
         if is_own(document):
-            return _in_unit(read_own_glb(path, document, binary, file.stem), unit)
-        return _repaired(path, gltf_parts(path, document, binary), unit)
-    if ending == ".gltf":
-        return _repaired(path, gltf_parts(path, parse_json(path, data, "not glTF: "), None), unit)
-    if ending == ".stl":
-        check_stl(path, data)
-    return _repaired(path, read_parts(path), unit)
+            return _in_unit(read_own_glb(path, document, binary, file.stem), unit, up)
+        found = OutsideMesh(gltf_parts(path, document, binary), "y", None)
+    elif kind == "gltf":
+        found = OutsideMesh(gltf_parts(path, parse_json(path, data, "not glTF: "), None), "y", None)
+    elif kind in OUTSIDE:
+        found = read_outside(path, OUTSIDE[kind], kind, tessellation_mm)
+    else:
+        if kind == "stl":
+            check_stl(path, data)
+        found = OutsideMesh(read_parts(path, kind, data), None, None)
+    return _repaired(path, found, kind, unit, up)
 
 
 def _content(file: Path) -> bytes:
@@ -191,48 +243,69 @@ def _content(file: Path) -> bytes:
         raise FileError(file, f"cannot be read ({error.strerror or error})") from error
 
 
-def _repaired(path: PathLike, raw: list[RawPart], unit: str) -> Mesh:
+def _repaired(path: PathLike, found: OutsideMesh, kind: str, unit: str, up: str) -> Mesh:
+    raw = found.parts
     if not raw:
         raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
-    factor, note = _scale(raw) if unit == "file" else (METRES[unit], f"taken as {_UNIT_NAMES[unit]}")
+    if unit == "file":
+        factor, note = _scale(raw, found.metres or 1.0)
+    else:
+        factor, note = METRES[unit], f"taken as {_UNIT_NAMES[unit]}"
     notes = [note] if note else []
+    is_told = note is None and found.metres is not None
+    turned = False
+    if up == "file" and found.up is None:
+        up = guess_up(_points(raw), _NO_UP[kind])
+        turned = up == "z"
+        if turned:
+            notes.append("taken as z up, which the file does not say")
+    turns = (up if up != "file" else found.up) == "z"
     parts: list[PartGeometry] = []
-    for one in raw:
-        scaled = RawPart(one.name, one.material, one.positions * factor, one.triangles, one.normals, one.uvs)
-        part, said = repair(scaled)
+    for one in guess_materials(raw):
+        positions, normals = one.positions * factor, one.normals
+        if turns:
+            positions, normals = raised(positions), None if normals is None else raised(normals)
+        part, said = repair(replace(one, positions=positions, normals=normals))
         notes += said
         if part is not None:
             parts.append(part)
     if not parts:
         raise FileError(path, f"no triangle that can be drawn ({'; '.join(notes)})")
-    return Mesh(Path(path).stem, tuple(parts), tuple(notes), factor)
+    return Mesh(Path(path).stem, tuple(parts), tuple(notes), None if is_told else factor, turned)
 
 
-def _in_unit(mesh: Mesh, unit: str) -> Mesh:
-    """Take the numbers of a mesh in metres for those of another unit."""
-    factor = METRES.get(unit, 1.0)
-    if factor == 1.0:
-        return mesh
-    parts = [
-        replace(p, positions=p.positions * np.float64(factor), uvs=p.uvs * np.float64(factor))
-        for p in mesh.parts
-    ]
-    return Mesh(mesh.name, tuple(parts), (*mesh.notes, f"taken as {_UNIT_NAMES[unit]}"))
+def _in_unit(mesh: Mesh, unit: str, up: str) -> Mesh:
+    """Take the numbers of a mesh in metres and y up for those of another unit and axis."""
+    factor, notes = METRES.get(unit, 1.0), mesh.notes
+    parts = mesh.parts
+    if up == "z":
+        parts = tuple(replace(p, positions=raised(p.positions), normals=raised(p.normals)) for p in parts)
+    if factor != 1.0:
+        notes = (*notes, f"taken as {_UNIT_NAMES[unit]}")
+        parts = tuple(
+            replace(p, positions=p.positions * np.float64(factor), uvs=p.uvs * np.float64(factor))
+            for p in parts
+        )
+    return mesh if parts is mesh.parts else Mesh(mesh.name, parts, notes)
 
 
-def _scale(raw: list[RawPart]) -> tuple[float, str | None]:
-    """Return the factor to metres, and a note where the size in the file cannot be one in metres."""
+def _points(raw: list[RawPart]) -> NDArray[np.float64]:
     points = np.concatenate([one.positions for one in raw])
-    points = points[(np.abs(points) < 1e12).all(axis=1)]
+    return np.asarray(points[(np.abs(points) < 1e12).all(axis=1)])
+
+
+def _scale(raw: list[RawPart], metres: float) -> tuple[float, str | None]:
+    """Return the factor to metres, and a note where the size in the file cannot be one in units of ``metres``."""
+    points = _points(raw)
     if not len(points):
-        return 1.0, None
-    size = float(np.ptp(points, axis=0).max())
+        return metres, None
+    size = float(np.ptp(points, axis=0).max()) * metres
     if size == 0.0 or _SMALLEST_M <= size <= _LARGEST_M:
-        return 1.0, None
+        return metres, None
     written = f"{size:.3g} m across as written, which no object is"
     if _LARGEST_M < size <= _LARGEST_M * 1000.0:
-        return 0.001, f"{written}; taken as millimetres"
+        return 0.001 * metres, f"{written}; taken as millimetres"
     factor = 10.0 ** -round(math.log10(size))
     if not 0.3 <= size * factor <= 3.2:
         factor = 1.0 / size
-    return factor, f"{written}; scaled by {factor:g}"
+    return factor * metres, f"{written}; scaled by {factor:g}"

@@ -26,19 +26,6 @@ def one_line(error: pytest.ExceptionInfo[FileError]) -> str:
     return text
 
 
-def test_the_compressed_file_is_refused_with_the_reason(shared_data: Path) -> None:
-    with pytest.raises(FileError, match="meshopt compression") as error:
-        read_mesh(shared_data / "meshes" / "polyhaven_boombox_meshopt.glb")
-    one_line(error)
-
-
-def test_draco_is_refused_with_the_reason(tmp_path: Path) -> None:
-    file = tmp_path / "a.gltf"
-    file.write_text(json.dumps({"extensionsRequired": ["KHR_draco_mesh_compression"]}))
-    with pytest.raises(FileError, match="Draco compression"):
-        read_mesh(file)
-
-
 @pytest.mark.parametrize("name", ["CesiumMilkTruck.glb", "materialx_shaderball.glb"])
 @pytest.mark.parametrize("share", [0.0001, 0.01, 0.5, 0.999])
 def test_truncated_binary_gltf(shared_data: Path, tmp_path: Path, name: str, share: float) -> None:

@@ -10,8 +10,8 @@ import pytest
 import trimesh
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.meshes.gltf import material_word
 from brdf_suite.files.meshes.reading import read_mesh
+from brdf_suite.surface.part_materials import named_material
 
 
 def ball_of_triangles() -> trimesh.Trimesh:
@@ -117,7 +117,8 @@ def test_a_size_that_no_object_has_is_scaled_and_said(
         ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n", "triangles"),
         ("a.stl", b"solid nothing\nendsolid\n", "no triangles|damaged"),
         ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 9\n", "damaged"),
-        ("a.txt", b"x", "ends? in one of"),
+        ("a.txt", b"x", "of no kind of mesh that can be read; export it as glTF"),
+        ("a.jt", b"Version 9.5 JT  DM 6.4.0.0", "a JT file, which cannot be read; export it as glTF"),
     ],
 )
 def test_what_is_no_mesh_is_refused_in_one_line(
@@ -167,7 +168,7 @@ def test_corners_that_are_not_finite_are_left_out_and_said(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("material", "part", "word"),
     [
-        ("", "", "paint"),
+        ("", "", None),
         ("Glass_Windscreen", "", "glass"),
         ("CarPaintMetallic", "", "paint"),
         ("metallic paint", "", "paint"),
@@ -175,14 +176,14 @@ def test_corners_that_are_not_finite_are_left_out_and_said(tmp_path: Path) -> No
         ("material_0", "FrontTyre", "rubber"),
         ("metallic_red", "body", "paint"),
         ("window_trim", "", "trim"),
-        ("HeadLight", "", "paint"),
+        ("HeadLight", "", None),
         ("Headlight", "", "lamp"),
         ("taillight", "", "tail_lamp"),
-        ("primer", "antibody", "paint"),
+        ("primer", "antibody", None),
     ],
 )
-def test_names_that_give_the_material(material: str, part: str, word: str) -> None:
-    assert material_word(material, part) == word
+def test_names_that_give_the_material(material: str, part: str, word: str | None) -> None:
+    assert named_material(material, part) == word
 
 
 @pytest.mark.parametrize("ending", ["glb", "obj", "stl", "ply"])
