@@ -52,6 +52,7 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
     "brdf_suite/fitting/lobes/highs_model.py": "highspy takes 20 ms, and a program may start without a fit",
     "brdf_suite/library/__init__.py": "numpy, where a notebook shows a value",
+    "brdf_suite/library/photographs.py": "Numba is optional, and help() looks at every name of the library",
     "brdf_suite/library/pictures.py": "Mitsuba is optional, and the ray tracer is not needed for other pictures",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/blocks.py": "concurrent.futures loads logging, and small calls need no threads",

@@ -127,7 +127,7 @@ units:
   exposure      EV: +1 doubles the light; rotation in degrees, counter-clockwise seen from above
   size          pixels, as WIDTHxHEIGHT; meshes in metres, texture coordinates in millimetres
 
-environment variables (`brdf-suite list variables`: what they are set to):
+environment variables:
 {}
 
 exit status:

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-from brdf_suite.acquisition.reconstruction.output import acquire as acquire_session
-from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import Acquired
-from brdf_suite.acquisition.simulator import SimulatorSettings
-from brdf_suite.acquisition.simulator import simulate as simulate_session
 from brdf_suite.errors import PathLike
 from brdf_suite.library.subjects import Subject, material_for
 from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.table import Acquired
 
 
 def acquire(
@@ -67,6 +65,10 @@ def acquire(
     Traceback (most recent call last):
     brdf_suite.errors.FileError: no such folder...
     """
+    from brdf_suite.acquisition.reconstruction.options import AcquireOptions
+    from brdf_suite.acquisition.reconstruction.output import acquire as acquire_session
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
     options = AcquireOptions(grazing_deg=grazing_deg, refine=refine, response="linear" if linear else "auto")
     return acquire_session(
         Acquisition.open(Path(folder), options), Path(path), progress, overwrite=overwrite, restart=restart
@@ -86,6 +88,8 @@ def simulate(
     progress: Progress | None = None,
 ) -> Path:
     """Photograph a sphere of a subject in a simulated rig: a session's folder, which :func:`acquire` takes.
+
+    It needs the extra ``acquisition``.
 
     Parameters
     ----------
@@ -110,6 +114,8 @@ def simulate(
     ------
     SuiteError
         As :func:`load`; a number is out of its range, or the folder holds something.
+    MissingExtraError
+        The extra is not installed; the message says how to install it.
 
     >>> import brdf_suite as bs, tempfile, pathlib
     >>> folder = pathlib.Path(tempfile.mkdtemp()) / "session"
@@ -117,6 +123,9 @@ def simulate(
     >>> (found / "session.json").is_file()
     True
     """
+    from brdf_suite.acquisition.simulator import SimulatorSettings
+    from brdf_suite.acquisition.simulator import simulate as simulate_session
+
     settings = SimulatorSettings(
         size=size, positions=positions, exposures=exposures, bit_depth=bits, noise=noise, seed=seed
     )

@@ -283,6 +283,49 @@ def test_a_command_line_does_what_people_expect(line: Line, run: Run, folder: Pa
     assert not (folder / "-").exists()
 
 
+CXF = {
+    "measure": "measure blue.cxf",
+    "check": "check blue.cxf",
+    "fit": "fit blue.cxf",
+    "compare": "compare blue.cxf copper",
+    "judge": "judge blue.cxf blue.cxf --tolerance 1",
+    "design start": "design start blue.cxf -o start.brdfpaint",
+    "design step": "design step blue.cxf lighter",
+    "design between": "design between blue.cxf copper -o middle.brdfpaint",
+    "design flakes": "design flakes blue.cxf --graininess 3 -o flakes.brdfpaint",
+    "render": f"render blue.cxf -o r.png {SMALL}",
+    "turntable": f"turntable blue.cxf -o frames --frames 2 {SMALL}",
+    "sheet": "sheet blue.cxf -o s.png --form chips --size 16x12",
+    "convert": "convert blue.cxf -o b.astm",
+    "export": "export blue.cxf -o e.csv",
+    "project pack": "project pack --paint blue.cxf -o p.brdfproject",
+    "palette convert": "palette convert blue.cxf -o p.gpl",
+    "palette info": "palette info blue.cxf",
+    "palette find": "palette find blue.cxf --in two.cxf",
+    "fit-cook-torrance": "fit-cook-torrance blue.cxf --lobes 1 --starts 1 --samples 300",
+    "factorize": "factorize blue.cxf -o f.brdftable --resolution 8 --pairs 500",
+    "acquire": "acquire session --simulate blue.cxf --positions 2 --exposures 2 --size 32x32",
+}
+"""A command line with a paint in CxF3, of each command that reads a paint."""
+_NOT_TRIED = {"open", "represent", "agreement"}  # windows, and what takes minutes; they read as the others do
+
+
+@pytest.mark.usefixtures("shared_cache")
+@pytest.mark.parametrize("words", CXF.values(), ids=CXF)
+def test_cxf3_is_read_by_every_command_that_reads_a_paint(words: str, run: Run, folder: Path) -> None:
+    status, _, err = run(words, None)
+    assert status == 0, err
+
+
+def test_cxf3_is_tried_with_every_command_that_reads_a_paint() -> None:
+    reading = {
+        " ".join(path[1:])
+        for path, one in parsers(parser(COMMANDS))
+        if any("PAINT" in str(action.metavar) for action in one._actions)
+    }
+    assert reading == set(CXF) | _NOT_TRIED
+
+
 def test_there_are_as_many_lines_as_wanted() -> None:
     assert len({(line.words, line.stdin) for line in LINES}) >= 60
 

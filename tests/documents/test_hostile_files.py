@@ -47,7 +47,7 @@ def refused(tmp_path: Path, content: bytes | str) -> DocumentError:
         (("format",), "brdfview", "format", 'expected "brdfpaint"'),
         (("version",), 7, "version", "newer than this program"),
         (("version",), 0, "version", "whole number"),
-        (("version",), 1.0, "version", "whole number"),
+        (("version",), 1.5, "version", "whole number"),
         (("version",), True, "version", "whole number"),
         (("version",), "1", "version", "the text '1'"),
         (("kind",), "measured", "kind", "aspecular"),

@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 
 import brdf_suite as bs
+from brdf_suite.acquisition.reconstruction.table import Acquired
 from brdf_suite.lighting.filter.face_array import FaceArray
 
 SIGNATURES = Path(__file__).with_name("signatures.txt")
@@ -65,7 +66,7 @@ def _results() -> dict[str, type]:
         kind
         for one in functions
         if inspect.isfunction(one)
-        for kind in _classes_in(typing.get_type_hints(one)["return"])
+        for kind in _classes_in(typing.get_type_hints(one, None, {"Acquired": Acquired})["return"])
     }
     found.add(FaceArray)  # the maps of what prefilter returns
     return {kind.__name__: kind for kind in found if kind not in (bs.Material, bs.Palette)}
@@ -105,6 +106,17 @@ def test_importing_loads_neither_numpy_nor_any_room() -> None:
     loaded = set(in_a_fresh_process("import sys, brdf_suite; print(*sys.modules)").split()) - before
     assert {name for name in loaded if name.startswith("brdf_suite")} == {"brdf_suite", "brdf_suite.release"}
     assert not loaded & {"numpy", "scipy", "PIL", "importlib.metadata"}
+
+
+def test_help_shows_every_name_where_no_extra_is_installed() -> None:
+    hidden = (
+        "import sys; sys.modules |= dict.fromkeys(('numba', 'cv2', 'rawpy', 'mitsuba', 'imageio_ffmpeg'))"
+    )
+    text = in_a_fresh_process(
+        f"{hidden}; import pydoc, brdf_suite; print(pydoc.plaintext.document(brdf_suite))"
+    )
+    assert [name for name in bs.__all__ if name not in text] == []
+    assert "Reconstruct a table of half-angle bins from photographs" in text
 
 
 def test_a_name_loads_its_own_room_alone() -> None:
