@@ -34,7 +34,7 @@ from fuzz_measured import TooLong, mutate, options, reported
 from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.kinds import OUTSIDE, kind_of
 from brdf_suite.files.meshes.outside import child, worker
-from brdf_suite.files.meshes.outside.values import Found, Refused
+from brdf_suite.files.meshes.outside.values import ReadMesh, Refused
 from brdf_suite.files.meshes.reading import read_mesh
 
 SECONDS = 10.0
@@ -50,7 +50,7 @@ def run_here(path: Any, library: str, file: str, given: dict[str, Any]) -> Any:
         with np.errstate(all="ignore"):
             found = read(Path(file), given)
     except Refused as refusal:
-        found = Found([], refused=str(refusal))
+        found = ReadMesh([], refused=str(refusal))
     answer = Path(file).with_suffix(".answer")
     worker._write(answer, found)
     content = answer.read_bytes()

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused, named
+from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused, named
 
 assimp_py = import_library("assimp")
 
@@ -38,7 +38,7 @@ _BASE = (
 )
 
 
-def read(file: Path, options: dict[str, Any]) -> Found:
+def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the triangles of all nodes; ``kind`` is the ending that the content asks for."""
     kind = options["kind"]
     flags = _BASE | (assimp_py.Process_GlobalScale if kind == "fbx" else 0)
@@ -48,7 +48,7 @@ def read(file: Path, options: dict[str, Any]) -> Found:
         reason = str(error).partition("': ")[2][:160].rstrip(". ") or "no reason is given"
         raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
     names = _names(file, kind)
-    parts: list[FoundPart] = []
+    parts: list[ReadPart] = []
     waiting = [(scene.root_node, np.eye(4))]
     while waiting:
         node, above = waiting.pop()
@@ -61,11 +61,11 @@ def read(file: Path, options: dict[str, Any]) -> Found:
         waiting += [(child, matrix) for child in node.children]
     if kind == "3mf":
         unit = _3MF_UNIT.search(_3mf_model(file))
-        return Found(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
-    return Found(parts, "y", _METRES.get(kind))
+        return ReadMesh(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
+    return ReadMesh(parts, "y", _METRES.get(kind))
 
 
-def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> FoundPart | None:
+def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> ReadPart | None:
     if mesh.num_faces == 0 or mesh.num_indices != 3 * mesh.num_faces:
         return None
     positions = np.asarray(mesh.vertices, np.float64).reshape(-1, 3)
@@ -81,8 +81,9 @@ def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> Fou
     if np.linalg.det(turn) < 0.0:
         triangles = triangles[:, ::-1]
     arrays["triangles"] = triangles
-    look = _look(scene.materials[mesh.material_index], linear)
-    return FoundPart(arrays, {"name": node or str(mesh.name), **look})
+    known = 0 <= mesh.material_index < len(scene.materials)
+    look = _look(scene.materials[mesh.material_index], linear) if known else {}
+    return ReadPart(arrays, {"name": node or str(mesh.name), **look})
 
 
 def _look(material: dict[str, Any], linear: bool) -> dict[str, Any]:

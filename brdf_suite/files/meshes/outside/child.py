@@ -35,7 +35,7 @@ _NO_PART = "its answer is damaged"
 
 
 @dataclass(frozen=True)
-class Library:
+class OutsideLibrary:
     """What reads a kind of file: the module to import, and what it is needed for."""
 
     module: str
@@ -43,10 +43,10 @@ class Library:
 
 
 LIBRARIES = {
-    "draco": Library("DracoPy", "a mesh with Draco compression"),
-    "usd": Library("pxr", "a USD file"),
-    "assimp": Library("assimp_py", "a file of this kind (FBX, Collada, 3MF, X3D, AC3D, 3DS)"),
-    "step": Library("cascadio", "a file of CAD surfaces (STEP, IGES)"),
+    "draco": OutsideLibrary("DracoPy", "a mesh with Draco compression"),
+    "usd": OutsideLibrary("pxr", "a USD file"),
+    "assimp": OutsideLibrary("assimp_py", "a file of this kind (FBX, Collada, 3MF, X3D, AC3D, 3DS)"),
+    "step": OutsideLibrary("cascadio", "a file of CAD surfaces (STEP, IGES)"),
 }
 _INSTEAD = "glTF, OBJ, STL and PLY need nothing more"
 

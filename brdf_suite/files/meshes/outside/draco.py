@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused
 
 DracoPy = import_library("draco")
 
 
-def read(file: Path, options: dict[str, Any]) -> Found:
+def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return a part for each chunk: its faces, and each attribute by the number that glTF refers to."""
     content, at, parts = file.read_bytes(), 0, []
     for length in options["lengths"]:
@@ -29,5 +29,5 @@ def read(file: Path, options: dict[str, Any]) -> Found:
         for attribute in mesh.attributes:
             values = np.asarray(attribute["data"])
             arrays[f"attribute {attribute['unique_id']}"] = values.reshape(len(mesh.points), -1)
-        parts.append(FoundPart(arrays))
-    return Found(parts)
+        parts.append(ReadPart(arrays))
+    return ReadMesh(parts)

@@ -15,7 +15,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.glb import split_glb
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused
+from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused
 
 cascadio = import_library("step")
 
@@ -23,7 +23,7 @@ _ANGLE = 0.35
 """Radians between neighbouring triangles of a curved surface."""
 
 
-def read(file: Path, options: dict[str, Any]) -> Found:
+def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the parts; ``tessellation_mm`` is the largest distance of a triangle from its surface."""
     converted = cascadio.load(
         file.read_bytes(),
@@ -46,5 +46,5 @@ def read(file: Path, options: dict[str, Any]) -> Found:
             arrays["normals"] = part.normals.astype(np.float32)
         look = part.look
         fields = {"name": part.name, "material": look.name, "colour": look.colour, "passing": look.passing}
-        found.append(FoundPart(arrays, fields))
-    return Found(found, up="z", metres=1.0)
+        found.append(ReadPart(arrays, fields))
+    return ReadMesh(found, up="z", metres=1.0)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
-from brdf_suite.files.meshes.outside.values import Found, FoundPart, Refused, named
+from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused, named
 
 import_library("usd")
 Tf, Usd, UsdGeom, UsdShade = (import_module(f"pxr.{name}") for name in ("Tf", "Usd", "UsdGeom", "UsdShade"))
@@ -28,9 +28,9 @@ _BASE_INPUTS = {
 }
 
 
-def read(file: Path, options: dict[str, Any]) -> Found:
+def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the meshes of the stage at the time that it starts with."""
-    parts: list[FoundPart] = []
+    parts: list[ReadPart] = []
     try:
         stage = Usd.Stage.Open(str(named(file, options["kind"], "usd")))
         matrices = UsdGeom.XformCache()
@@ -41,7 +41,7 @@ def read(file: Path, options: dict[str, Any]) -> Found:
     except (Tf.ErrorException, RuntimeError, ValueError, TypeError, OverflowError) as error:
         raise Refused("damaged, or refers to files that are not there") from error
     up = "z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "y"
-    return Found(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
+    return ReadMesh(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
 
 
 def _is_drawn(prim: Any) -> bool:
@@ -52,7 +52,7 @@ def _is_drawn(prim: Any) -> bool:
     )
 
 
-def _parts(mesh: Any, matrix: Any) -> Iterator[FoundPart]:
+def _parts(mesh: Any, matrix: Any) -> Iterator[ReadPart]:
     """Yield the mesh, ``matrix`` its rows of OpenUSD (4, 4): a row vector comes before it."""
     points = _array(mesh.GetPointsAttr(), 3)
     counts = np.asarray(mesh.GetFaceVertexCountsAttr().Get() or (), np.int64)
@@ -91,7 +91,7 @@ def _parts(mesh: Any, matrix: Any) -> Iterator[FoundPart]:
         prim = mesh.GetPrim() if number < 0 else subsets[number].GetPrim()
         if len(of_it):
             title = name if number < 0 else f"{name}_{prim.GetName()}"
-            yield FoundPart({**arrays, "triangles": of_it}, {"name": title, **_look(prim, mesh)})
+            yield ReadPart({**arrays, "triangles": of_it}, {"name": title, **_look(prim, mesh)})
 
 
 def fans(counts: Any) -> tuple[Any, Any]:

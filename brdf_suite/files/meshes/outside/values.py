@@ -18,7 +18,7 @@ class Refused(Exception):  # noqa: N818 - a refusal in words, which the user rea
 
 
 @dataclass(frozen=True, eq=False)
-class FoundPart:
+class ReadPart:
     """``arrays``: positions (n, 3), triangles (k, 3), where there are any normals (n, 3) and uvs (n, 2).
 
     ``fields``: name, and of its material: material (its name), colour (linear, 3), metallic, roughness, passing.
@@ -29,10 +29,10 @@ class FoundPart:
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class ReadMesh:
     """Parts, the axis that points up and the metres of a unit; or why there are none."""
 
-    parts: list[FoundPart]
+    parts: list[ReadPart]
     up: str | None = None
     metres: float | None = None
     refused: str = ""

@@ -19,7 +19,7 @@ import numpy as np
 
 from brdf_suite.errors import ExtraError
 from brdf_suite.files.meshes.outside.child import HEADER_BYTES
-from brdf_suite.files.meshes.outside.values import Found, Refused
+from brdf_suite.files.meshes.outside.values import ReadMesh, Refused
 
 _READERS = {
     "draco": "brdf_suite.files.meshes.outside.draco",
@@ -37,12 +37,12 @@ def main(arguments: list[str]) -> int:
     _limit()
     np.seterr(all="ignore")  # what is not finite is left out, and said, by the parent
     try:
-        read: Callable[[Path, dict[str, Any]], Found] = importlib.import_module(_READERS[library]).read
+        read: Callable[[Path, dict[str, Any]], ReadMesh] = importlib.import_module(_READERS[library]).read
         found = read(Path(file), json.loads(options))
     except Refused as refusal:
-        found = Found([], refused=str(refusal))
+        found = ReadMesh([], refused=str(refusal))
     except ExtraError as error:
-        found = Found([], refused=error.reason)
+        found = ReadMesh([], refused=error.reason)
     _write(Path(answer), found)
     return 0
 
@@ -60,7 +60,7 @@ def _limit() -> None:
                 resource.setrlimit(what, (most, most))
 
 
-def _write(answer: Path, found: Found) -> None:
+def _write(answer: Path, found: ReadMesh) -> None:
     described, content = [], []
     for part in found.parts:
         arrays: dict[str, Any] = {}
