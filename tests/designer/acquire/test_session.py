@@ -129,33 +129,61 @@ def test_open_folder_asks_for_a_folder_and_keeps_the_assistant_in_front(
     assert assistant.window.session.picture.isVisible()
 
 
-def test_a_simulated_session_is_made_once_and_opened(assistant, qtbot, monkeypatch):
-    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
-    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
-    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
-    start = assistant.window.session.start
-    with qtbot.waitSignal(assistant.bench.opened):
-        QTest.mouseClick(start.sample, Qt.MouseButton.LeftButton)
+@pytest.fixture
+def small_sample(monkeypatch):
+    """The simulated session with so few photographs that its steps take moments."""
+    for name, number in (("_SAMPLE_POSITIONS", 16), ("_SAMPLE_EXPOSURES", 6), ("_SAMPLE_PX", 96)):
+        monkeypatch.setattr(session_control, name, number)
+
+
+def test_a_simulated_session_is_made_once_and_opened(assistant, qtbot, small_sample):
+    with qtbot.waitSignal(assistant.bench.opened, timeout=60_000):
+        assistant.sessions.open_sample()
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     made = assistant.bench.folder
-    assert len(assistant.bench.session.positions) == 4
+    assert len(assistant.bench.session.positions) == 16
     written = (made / "session.json").stat().st_mtime_ns
     assistant.bench.open(None, None)
-    assert start.isVisible()
+    assert assistant.window.session.start.isVisible()
     with qtbot.waitSignal(assistant.bench.opened):
-        start.sample.click()
+        assistant.sessions.open_sample()
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     assert (made / "session.json").stat().st_mtime_ns == written
+    assert not assistant.bench.results
 
 
-def test_a_simulation_that_was_stopped_is_made_anew(assistant, qtbot, monkeypatch):
+def test_trying_it_takes_all_steps_and_ends_where_the_paint_is_opened(assistant, qtbot, small_sample):
+    window = assistant.window
+    QTest.mouseClick(window.session.start.sample, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "fit" in assistant.bench.results or bool(shown_keys(assistant)), timeout=120_000)
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert not assistant.window.messages.shown()
+    assert window.step == "fit"
+    assert window.focusWidget() is window.fit.open
+    place = window.fit.open.mapTo(window.fit.side.viewport(), window.fit.open.rect().center())
+    assert window.fit.side.viewport().rect().contains(place)
+    # Where all is there it leads to the same place, and works nothing out again.
+    window.show_page("session")
+    window.all.click()
+    assert assistant.bench.is_quiet
+    assert window.step == "fit"
+
+
+def test_trying_it_ends_where_it_is_stopped(assistant, qtbot, small_sample):
+    QTest.mouseClick(assistant.window.session.start.sample, Qt.MouseButton.LeftButton)
+    assistant.bench.cancel("make")
+    assistant.bench.cancel("open")
+    with qtbot.waitSignal(assistant.bench.opened, timeout=60_000):
+        assistant.sessions.open_sample()
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert assistant.window.step == "session"
+
+
+def test_a_simulation_that_was_stopped_is_made_anew(assistant, qtbot, small_sample):
     folder = state_folder("acquire") / "sample_session"
     folder.mkdir()
     (folder / "half.png").write_bytes(b"half")
-    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
-    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
-    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
-    with qtbot.waitSignal(assistant.bench.opened):
+    with qtbot.waitSignal(assistant.bench.opened, timeout=60_000):
         assistant.sessions.open_sample()
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     assert not (folder / "half.png").exists()
