@@ -92,7 +92,7 @@ class Walk:
         control = self.control("HandoverControl")
         self.choose("File ▸ Export…")
         control.section.choose(name)
-        control.section.format_chosen.emit(name)
+        control.section.formats_chosen.emit()
         self.see(self.window.section("handover"))
         self.dialogs.path = self.folder / file
         self.wait(control.section.export.isEnabled)

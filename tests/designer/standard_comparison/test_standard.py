@@ -81,7 +81,9 @@ def test_a_loaded_standard_leads_to_the_reading_that_is_farthest_from_it(
     assert plane.standard.text() == ""
 
 
-def test_a_standard_that_comes_late_leaves_the_keyboard_where_it_is(program, control, qtbot, tmp_path) -> None:
+def test_a_standard_that_comes_late_leaves_the_keyboard_where_it_is(
+    program, control, qtbot, tmp_path
+) -> None:
     save_paint(program.session.paint, tmp_path / "standard.brdfpaint")
     darker_at_flop(program, 3.0)
     plane, name = program.window.editors.plane, program.window.texts.daily.findChild(QLineEdit)

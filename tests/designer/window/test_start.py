@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import json
 import os
 import subprocess
@@ -46,9 +45,7 @@ def test_new_paint_is_begun_and_the_other_beginnings_are_commands(program, start
 
 def test_who_begins_something_is_not_led_through_the_window(program, qtbot):
     program.window.start.show()
-    qtbot.mouseClick(
-        program.window.start.page.findChild(QToolButton, "start_New"), Qt.MouseButton.LeftButton
-    )
+    qtbot.mouseClick(program.window.start.page.findChild(QToolButton, "start_New"), Qt.MouseButton.LeftButton)
     assert program.documents.front.title == "Untitled"
     assert program.window.start.tour is None
 

@@ -75,7 +75,10 @@ def test_it_is_shown_at_start_until_that_is_unticked(page, qtbot):
 
 
 def test_a_language_asks_for_a_start_in_it_and_the_one_in_use_for_nothing(page, qtbot):
-    assert {code: button.text() for code, button in page.languages.items()} == {"en": "English", "de": "Deutsch"}
+    assert {code: button.text() for code, button in page.languages.items()} == {
+        "en": "English",
+        "de": "Deutsch",
+    }
     assert page.languages["en"].isChecked()
     with qtbot.assertNotEmitted(page.language_chosen):
         qtbot.mouseClick(page.languages["en"], Qt.MouseButton.LeftButton)
