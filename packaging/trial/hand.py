@@ -23,6 +23,7 @@ from PySide6.QtCore import (
     QObject,
     QPoint,
     QPointF,
+    QRect,
     Qt,
     Signal,
 )
@@ -232,8 +233,15 @@ class Hand:
         self._do(pick)
         self.wait(lambda: box.currentText() == text, 20.0)
 
-    def row(self, find: Callable[[], QAbstractItemView], text: str, *, ctrl: bool = False) -> None:
-        """Press a row or a tile of a view."""
+    def row(
+        self,
+        find: Callable[[], QAbstractItemView],
+        text: str,
+        *,
+        ctrl: bool = False,
+        where: Callable[[QRect], QPoint] = QRect.center,
+    ) -> None:
+        """Press a row or a tile of a view; ``where`` of its box, in the middle where not said otherwise."""
         view = self._visible(find, text)
 
         def place() -> QPoint:
@@ -244,7 +252,7 @@ class Hand:
                     index = model.index(number, 0, parent)
                     if str(index.data() or "").partition("\n")[0] == text:
                         view.scrollTo(index)
-                        return view.visualRect(index).center()
+                        return where(view.visualRect(index))
                     pending.append(index)
             raise MissingError(f"There is no row {text!r}.")
 

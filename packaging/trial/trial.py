@@ -48,6 +48,8 @@ def drive(options: argparse.Namespace) -> int:
     program.start_when_painted()
     program.window.show()
     program.window.activateWindow()
+    if part.at_start_page:
+        program.window.start.show()
     hand = Hand()
     found: dict[str, Any] = {"problem": ""}
 

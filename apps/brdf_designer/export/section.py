@@ -106,7 +106,7 @@ class HandoverSection(QWidget):
         self.compared.setEnabled(reports and has_standard)
 
     def show_formats(self, found: Sequence[FormatState] | None) -> None:
-        """Show what the ticked formats hold and lose; ``None`` while that is found out, nothing can be exported then."""
+        """Show what the ticked formats hold and lose; ``None`` while that is found out: nothing is exported then."""
         if found is None:
             self.losses.setText(tr("Determining losses…"))
         elif not found:

@@ -105,8 +105,9 @@ class StartControl(QObject):
         self.lay_over()
 
     def _leave(self, act: Callable[[], object]) -> None:
-        """Put the page away, and act."""
+        """Put the page away, and act in the window, which has the keyboard then."""
         self.hide()
+        self._window.activateWindow()
         act()
 
     def _open_paint(self, name: str) -> None:

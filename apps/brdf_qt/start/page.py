@@ -161,7 +161,7 @@ class StartWindow(QWidget):
 
     def _begin(self) -> list[QWidget]:
         rows = (
-            ("New", "file-plus", tr("New Paint"), tr("Begin with a solid grey paint")),
+            ("New", "file-plus", tr("New Paint"), tr("Begin with a grey metallic paint")),
             (
                 "new_from_measurement",
                 "folder-open",
