@@ -56,7 +56,7 @@ def drive(options: argparse.Namespace) -> int:
     def work() -> None:
         begun = time.monotonic()
         try:
-            hand.wait(lambda: program.is_idle)
+            hand.wait(lambda: program.is_idle, _PATIENCE_S / 2)
             begun = time.monotonic()
             part.do(hand, program, options.folder)
         except Exception as error:  # noqa: BLE001 - a task that cannot be done is a result
