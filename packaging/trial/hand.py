@@ -40,6 +40,7 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
     QLineEdit,
+    QMainWindow,
     QMenu,
     QMenuBar,
     QRadioButton,
@@ -272,6 +273,8 @@ class Hand:
 
     def type(self, *texts: str) -> None:
         """Type into the field with the focus; Tab follows each text."""
+        if self.ask(_activate_main):
+            self.wait(lambda: QApplication.activeWindow() is not None, 5.0)
         for text in texts:
             self.count.keys += len(text) + 1
             self._do(partial(_type, text))
@@ -369,6 +372,11 @@ def _activate(window: QWidget) -> bool:
         return False
     window.activateWindow()
     return True
+
+
+def _activate_main() -> bool:
+    """Give the program's window the keys where none has them; True where it was needed."""
+    return any(_activate(one) for one in _widgets(QMainWindow) if one.isVisible())
 
 
 def _rows(model: QAbstractItemModel) -> list[QModelIndex]:

@@ -120,7 +120,7 @@ def see_lights(hand: Hand, program: Any) -> list[str]:
 
     control = program.feature(PictureControl)
     hand.press("Three Lights")
-    hand.wait(lambda: control.lights.is_on and control.is_idle)
+    hand.wait(lambda: control.lights.is_on and control.is_idle, 400.0)
     return hand.ask(lambda: [control.view.environment, *(pane.light for pane in control.lights.panes)])
 
 

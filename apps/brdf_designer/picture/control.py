@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.gl.gestures import CameraGestures
@@ -147,6 +148,7 @@ class PictureControl(Feature, QObject):
         loader.failed.connect(lambda kind, _key, error: self._report(kind, error))
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
+        self._three_lights.setEnabled(True)
         self._show(self._asked or loader.first)
         self._load(_FORM, self.view.surface)
         self._load(_LIGHT, self.view.environment)
@@ -271,10 +273,15 @@ class PictureControl(Feature, QObject):
             drawer.pace.end_frame(milliseconds)
 
     def _new_surface(self) -> GlSurface:
+        return self._surface_of(self._contents, self._take_drawer, self._draw_later)
+
+    def _surface_of(
+        self, contents: PictureContents, made: Callable[[PictureDrawer], None], better: Callable[[], None]
+    ) -> GlSurface:
         # Deferred: it brings moderngl, which only a screen with OpenGL needs.
         from brdf_designer.picture.surface import make_surface
 
-        return make_surface(self._contents, lambda: self.panel.grey(), self._take_drawer, self._draw_later)
+        return make_surface(contents, lambda: self.panel.grey(), made, better)
 
     def _take_drawer(self, drawer: PictureDrawer) -> None:
         self._drawer = drawer
@@ -282,7 +289,7 @@ class PictureControl(Feature, QObject):
     # Three lights.
 
     def _add_three_lights(self) -> None:
-        action = self._window.add_command(
+        action = self._three_lights = self._window.add_command(
             "view",
             mark("Three L&ights"),
             "three_lights",
@@ -292,7 +299,7 @@ class PictureControl(Feature, QObject):
             tip=mark("The paint in three lights at once: studio, street and sun"),
             checked=False,
         )
-        action.setEnabled(self.panel.surface is not None)
+        action.setEnabled(False)  # until there is a picture
         self._window.stage.add_button(tr("Three Lights"), action)
 
     def _set_three_lights(self, on: bool) -> None:
@@ -300,7 +307,8 @@ class PictureControl(Feature, QObject):
         self._draw_later()
 
     def _make_pane(self) -> LightPane:
-        pane = LightPane(self.panel.grey)
+        assert self._loader is not None
+        pane = LightPane(self._surface_of, self._loader)
         pane.canvas_made.connect(self._listen)
         self._listen(pane.surface.canvas)
         job = f"{_LIGHT} {id(pane)}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
@@ -18,12 +18,19 @@ from brdf_designer.picture.contents import PictureContents
 from brdf_suite.documents.view import View
 
 if TYPE_CHECKING:
-    from brdf_designer.picture.drawer import Grey, PictureDrawer
+    from brdf_qt.gl.surface import GlSurface
+
+    from brdf_designer.picture.drawer import PictureDrawer
+    from brdf_designer.picture.scene import PictureScene
     from brdf_suite.fitting.lobes.basis import LobeBasis
     from brdf_suite.pipeline.scene import PreparedEnvironment
 
 LIGHTS = ("photo_studio", "street", "sunny")
 """Indoors, outdoors without sun, and in the sun: a paint that holds in these holds. The two beside are of these."""
+MakeSurface: TypeAlias = (
+    "Callable[[PictureContents, Callable[[PictureDrawer], None], Callable[[], None]], GlSurface]"
+)
+"""Makes the widget that draws contents; called are the others with its drawer, and where it would draw better."""
 _ENVIRONMENT = "environment"
 _MARGIN = 8
 _CLOSING_MS = 60_000
@@ -57,7 +64,7 @@ class LightName(PlainLabel):
 
 
 class LightPane(QWidget):
-    """One picture beside the first, in a light of its own.
+    """One picture beside the first, in a light of its own; ``loader`` is that of the first.
 
     Signals: ``moved(fraction, light)`` while that is prepared and ``ended()`` after it, ``failed(error)``;
     ``canvas_made(canvas)`` for each widget that has the mouse.
@@ -68,24 +75,20 @@ class LightPane(QWidget):
     failed = Signal(object)
     canvas_made = Signal(QWidget)
 
-    def __init__(self, grey: Callable[[], Grey]) -> None:
+    def __init__(self, make_surface: MakeSurface, loader: PictureScene) -> None:
         super().__init__()
-        # Deferred: they bring files, filters and moderngl, which only a picture needs.
-        from brdf_designer.picture.scene import PictureScene
-        from brdf_designer.picture.surface import make_surface
-
         self.light = ""
         """The light that is shown, or on its way."""
         self._contents, self._drawer, self._view = PictureContents(), None, View()
         self._is_loading = self._whole = False
         self._tasks = TaskRunner(self, threads=1)
-        self._loader = PictureScene(self._tasks, self)
+        self._loader = loader.another(self._tasks, self)
         self._loader.loaded.connect(lambda _kind, name, value: self._take(name, value))
         self._loader.partly_loaded.connect(self._take)
         self._loader.failed.connect(lambda _kind, _key, error: self.failed.emit(error))
         self._loader.moved.connect(lambda _kind, fraction, _what: self.moved.emit(fraction, self.light))
         self._loader.ended.connect(self._end)
-        self.surface = make_surface(self._contents, grey, self._take_drawer, self._draw)
+        self.surface = make_surface(self._contents, self._take_drawer, self._draw)
         self.surface.frame_drawn.connect(self._time)
         self.surface.canvas_changed.connect(self.canvas_made)
         described(self.surface, spoken=tr("The paint in another light"))

@@ -14,6 +14,7 @@ from brdf_qt.program.translation import decimal, moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
 
 from brdf_designer.documents.tabs import OpenDocument
 from brdf_designer.from_measurement.section import standard_patterns
@@ -103,17 +104,22 @@ class StandardControl(Feature, QObject):
 
     def ask_standard(self) -> None:
         """Ask for a file and load it."""
-        self._ask(self.load)
+        focused = self._window.focusWidget()
+        self._ask(lambda path: self.load(path, focused))
 
-    def load(self, name_or_path: str | Path) -> None:
-        """Load the standards in a file, or a shipped paint, beside the paint."""
+    def load(self, name_or_path: str | Path, focused: QWidget | None = None) -> None:
+        """Load the standards in a file, or a shipped paint, beside the paint.
+
+        ``focused`` had the keyboard when it was asked for: where it has it still, the reading that is farthest from
+        the standard gets it.
+        """
         path = Path(name_or_path)
         source = str(path.absolute()) if path.is_file() else ""
-        focused = self._window.focusWidget()
+        focused = focused or self._window.focusWidget()
 
         def take(found: tuple[Standard, ...]) -> None:
             self.set_standards(found, source=source)
-            if self._window.focusWidget() is focused:  # else the user is at something else by now
+            if focused in (None, self._window.focusWidget()):  # else the user is at something else by now
                 self._lead_to_worst()
 
         self._read(KEY, name_or_path, take)
