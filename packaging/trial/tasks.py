@@ -160,7 +160,7 @@ def match_standard(hand: Hand, program: Any, folder: Path) -> None:
     hand.wait(lambda: program.is_idle)
     control = standard_control(program)
     try:
-        hand.wait(lambda: str(control.section.verdict.text()).upper().startswith("PASS"), 20.0)
+        hand.wait(lambda: str(control.section.verdict.text()).upper().startswith("PASS"), 120.0)
     finally:
         note(folder, "verdict", hand.ask(lambda: str(control.section.verdict.text())))
 

@@ -28,7 +28,7 @@ PAGE = _HERE.parents[1] / "docs" / "development" / "usability.md"
 START, END = "<!--trial-->", "<!--/trial-->"
 SIZE = (1600, 1000)
 BOUND = 0.6
-_PATIENCE_S = 900
+_PATIENCE_S = 1500
 
 
 def drive(options: argparse.Namespace) -> int:
