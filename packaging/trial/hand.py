@@ -51,7 +51,7 @@ from shiboken6 import isValid
 
 Answer = TypeVar("Answer")
 SomeWidget = TypeVar("SomeWidget", bound=QWidget)
-PATIENCE_S = 300.0
+PATIENCE_S = 900.0
 _SIGN = 8
 _TURN_S = 0.05
 _POPUP_S = 0.6

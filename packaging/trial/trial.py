@@ -26,9 +26,9 @@ sys.path.insert(0, str(_HERE.parent / "screenshots"))
 COUNTS = _HERE / "counts.json"
 PAGE = _HERE.parents[1] / "docs" / "development" / "usability.md"
 START, END = "<!--trial-->", "<!--/trial-->"
-SIZE = (1600, 1000)
+SIZE = (1280, 720)
 BOUND = 0.6
-_PATIENCE_S = 1500
+_PATIENCE_S = 3000
 
 
 def drive(options: argparse.Namespace) -> int:
