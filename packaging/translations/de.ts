@@ -1824,6 +1824,10 @@
         <translation>Bericht, PDF</translation>
     </message>
     <message>
+        <source>More formats</source>
+        <translation>Weitere Formate</translation>
+    </message>
+    <message>
         <source>Tick the formats to export.</source>
         <translation>Die Formate ankreuzen, die exportiert werden sollen.</translation>
     </message>

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
@@ -25,6 +26,8 @@ TITLES = {
     "pdf": mark("Report, PDF"),
 }
 REPORTS = ("html", "pdf")
+DAILY = ("cxf", "csv", "html", "pdf")
+"""For instruments, tables and people; the others, for renderers and programs, are in a fold."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +87,12 @@ class HandoverSection(QWidget):
         tip = tr("Export the current paint to a file of each format that is ticked")
         self.export = button(tr("Export…"), tip, self.export_requested.emit)
         ticks = QWidget()
-        fill_column(ticks, *self.formats.values(), spacing=2)
+        daily = [box for name, box in self.formats.items() if name in DAILY]
+        self.rest = Section(tr("More formats"), "more_formats", is_open=False)
+        for name, box in self.formats.items():
+            if name not in DAILY:
+                self.rest.add(box)
+        fill_column(ticks, *daily, self.rest, spacing=2)
         fill_column(self, ticks, self.pictures, self.compared, self.export, self.holds, self.losses)
         self.show_options(has_standard=False)
         self.export.setEnabled(False)
@@ -95,9 +103,11 @@ class HandoverSection(QWidget):
         return tuple(name for name, box in self.formats.items() if box.isChecked())
 
     def choose(self, *names: str) -> None:
-        """Show these formats as ticked, without an intent."""
+        """Show these formats as ticked, without an intent; none of them stays hidden."""
         for name, box in self.formats.items():
             box.setChecked(name in names)
+        if not set(names) <= set(DAILY):
+            self.rest.set_open(True)
 
     def show_options(self, *, has_standard: bool) -> None:
         """Offer what belongs to the formats: pictures and standard to reports alone. Their places stay."""

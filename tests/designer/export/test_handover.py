@@ -11,7 +11,7 @@ import pytest
 from brdf_designer.assembly import Designer
 from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.export.process import Request, run_export, tolerance_words
-from brdf_designer.export.section import TITLES
+from brdf_designer.export.section import DAILY, TITLES
 from brdf_designer.standard_comparison.control import StandardControl
 from PySide6.QtCore import QPoint, Qt
 
@@ -91,8 +91,11 @@ def test_several_formats_go_to_one_folder_beside_what_is_there(
     qtbot, designer, dialogs, control, tmp_path: Path
 ) -> None:
     section = control.section
+    section.rest.set_open(False)
     section.choose("csv")
     section.formats_chosen.emit()
+    assert not section.formats["json"].isVisibleTo(section)
+    section.rest.header.click()
     qtbot.mouseClick(section.formats["json"], Qt.MouseButton.LeftButton, pos=QPoint(8, 10))
     assert section.chosen == ("csv", "json")
     qtbot.waitUntil(section.export.isEnabled)
@@ -178,7 +181,7 @@ def test_the_command_brings_its_tab_to_the_front_with_the_whole_section_in_sight
     def in_sight() -> bool:
         return all(
             view.rect().contains(part.mapTo(view, part.rect().center()))
-            for part in (*control.section.formats.values(), export)
+            for part in (*map(control.section.formats.get, DAILY), export)
         )
 
     qtbot.waitUntil(in_sight)
