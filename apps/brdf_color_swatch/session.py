@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.settings import settings
@@ -229,6 +230,12 @@ class PaletteSession(QObject):
     def show_new(self, palette: Palette, *, clean: bool = True) -> None:
         """Show a palette that has no file yet; one that is not ``clean`` has something to be saved."""
         self.show_scope(Scope(self.library.add_palette(palette, clean=clean)))
+
+    def show_new_in(self, path: Path, palette: Palette) -> None:
+        """Show a new palette and save it to a file; where that cannot be written, it is still to be saved."""
+        key = self.library.add_palette(palette, clean=False)
+        self.show_scope(Scope(key))
+        self.library.save_to(key, path)
 
     def _refuse(self, key: str) -> None:
         item = self.library.item(key)

@@ -42,7 +42,7 @@ from brdf_designer.texture.control import TextureControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow
-from brdf_suite.documents.paint import Paint, solid_paint
+from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import (
     PAINT_ENDING,
     load_paint,
@@ -55,6 +55,10 @@ from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 
 FIRST_PAINT = "blue"
+NEW_READINGS = tuple(
+    Measurement(45.0, angle, (lightness, 0.0, 0.0))
+    for angle, lightness in ((15.0, 75.0), (45.0, 50.0), (110.0, 30.0))
+)
 PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     ColourCommands,
     ReachControl,
@@ -80,8 +84,8 @@ Parts are made before the window is shown. What costs time at a start belongs in
 
 
 def new_paint() -> Paint:
-    """Return what New opens: a solid mid grey under a glossy coat."""
-    return solid_paint("Untitled", (50.0, 0.0, 0.0))
+    """Return what New opens: a grey metallic with flakes under a glossy coat, since most paints made here have both."""
+    return Paint("Untitled", NEW_READINGS, Gloss(90.0), flakes=Flakes())
 
 
 def paint_format() -> DocumentFormat[Paint]:

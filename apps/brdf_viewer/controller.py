@@ -223,7 +223,7 @@ class ViewerController(Program):
         self.picture_finished.connect(lambda: self.reached.emit("finished"))
         self.failed.connect(self._end_start)
         self.picture_complete.connect(window.thumbnails.begin)
-        window.strip.second_taken.connect(lambda key: self.compare.choose(self.paint.name_of(key)))
+        window.strip.second_taken.connect(lambda key: self.compare.toggle(self.paint.name_of(key)))
         environment, commands = window.environment, window.commands
         for field, signal in (
             ("rotation_deg", environment.rotation.edited),

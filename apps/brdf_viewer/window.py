@@ -122,7 +122,7 @@ class ViewerWindow(SuiteWindow):
         for chooser in (self.paint.chooser, self.compare.chooser, self.relief.paint):
             chooser.list.set_thumbnails(self.paint_thumbnails)
         self.environment.chooser.list.set_thumbnails(lights)
-        self.surface.chooser.list.set_thumbnails(forms)
+        self.surface.chooser.set_thumbnails(forms)
         self.strip = PaintStrip(self.paint.chooser.sources, second=True)
         self.add_strip(self.strip)
 

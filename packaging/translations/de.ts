@@ -408,6 +408,14 @@
         <translation>„Vergleichen“ beurteilt den Lack gegen einen Bezug. „Export“ daneben schreibt Dateien für Messgeräte und andere Programme sowie Berichte.</translation>
     </message>
     <message>
+        <source>Compare the paint with a paint, a palette, CxF3 or a measured BRDF in a file</source>
+        <translation>Den Lack mit einem Lack, einer Palette, CxF3 oder einer gemessenen BRDF aus einer Datei vergleichen</translation>
+    </message>
+    <message>
+        <source>Load Standard…</source>
+        <translation>Bezug laden …</translation>
+    </message>
+    <message>
         <source>Show or hide L*, C* and h over the aspecular angle</source>
         <translation>L*, C* und h über dem Aspekularwinkel ein- oder ausblenden</translation>
     </message>
@@ -1524,6 +1532,10 @@
         <translation>Lackleiste</translation>
     </message>
     <message>
+        <source>Three lights</source>
+        <translation>Drei Lichter</translation>
+    </message>
+    <message>
         <source>Colour map</source>
         <translation>Farbkarte</translation>
     </message>
@@ -1692,6 +1704,10 @@
         <translation>Den Lack für andere Programme oder als Bericht exportieren</translation>
     </message>
     <message>
+        <source>Export {count} Files to a Folder</source>
+        <translation>{count} Dateien in einen Ordner exportieren</translation>
+    </message>
+    <message>
         <source>Open a Folder of Photographs</source>
         <translation>Ordner mit Fotos öffnen</translation>
     </message>
@@ -1760,6 +1776,10 @@
         <translation>{name} wird exportiert</translation>
     </message>
     <message>
+        <source>Exported: {names}.</source>
+        <translation>Exportiert: {names}.</translation>
+    </message>
+    <message>
         <source>{name} exported.</source>
         <translation>{name} exportiert.</translation>
     </message>
@@ -1804,6 +1824,14 @@
         <translation>Bericht, PDF</translation>
     </message>
     <message>
+        <source>More formats</source>
+        <translation>Weitere Formate</translation>
+    </message>
+    <message>
+        <source>Tick the formats to export.</source>
+        <translation>Die Formate ankreuzen, die exportiert werden sollen.</translation>
+    </message>
+    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -1836,12 +1864,12 @@
         <translation>Abstände, Worte und Toleranzen des Abschnitts „Bezug“ in den Bericht aufnehmen</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exportieren …</translation>
+        <source>Export the current paint to a file of each format that is ticked</source>
+        <translation>Den aktuellen Lack in eine Datei jedes angekreuzten Formats exportieren</translation>
     </message>
     <message>
-        <source>Export the current paint to a file of this format</source>
-        <translation>Den jetzigen Lack in eine Datei dieses Formats exportieren</translation>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
     </message>
     <message>
         <source>Determining losses…</source>
@@ -2544,6 +2572,18 @@ angegeben {stated}</translation>
     <message>
         <source>The picture is unchanged.</source>
         <translation>Das Bild ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Three L&amp;ights</source>
+        <translation>Drei L&amp;ichter</translation>
+    </message>
+    <message>
+        <source>The paint in three lights at once: studio, street and sun</source>
+        <translation>Der Lack in drei Lichtern zugleich: Studio, Straße und Sonne</translation>
+    </message>
+    <message>
+        <source>Three Lights</source>
+        <translation>Drei Lichter</translation>
     </message>
     <message>
         <source>Rendering</source>
@@ -3394,8 +3434,8 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>S&amp;imulierte Aufnahme ausprobieren</translation>
     </message>
     <message>
-        <source>Open photographs of a simulated sphere; made once, in about ten seconds</source>
-        <translation>Fotos einer simulierten Kugel öffnen; einmal erzeugt, in etwa zehn Sekunden</translation>
+        <source>All steps with photographs of a simulated sphere; about half a minute</source>
+        <translation>Alle Schritte mit Fotos einer simulierten Kugel; etwa eine halbe Minute</translation>
     </message>
     <message>
         <source>Coverage over the half-vector angles: θh from the normal, θd between light and half vector. Hatched cells are filled from neighbours.</source>
@@ -3920,8 +3960,8 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Neuer Lack</translation>
     </message>
     <message>
-        <source>Begin with a solid grey paint</source>
-        <translation>Mit einem grauen Unilack beginnen</translation>
+        <source>Begin with a grey metallic paint</source>
+        <translation>Mit einem grauen Metallic-Lack beginnen</translation>
     </message>
     <message>
         <source>Open a Measurement…</source>
@@ -3970,6 +4010,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Learn</source>
         <translation>Kennenlernen</translation>
+    </message>
+    <message>
+        <source>Start again in {language}</source>
+        <translation>Neu starten in: {language}</translation>
     </message>
     <message>
         <source>Show at start</source>
@@ -6388,8 +6432,8 @@ Die Datei reparieren oder aus einer Sicherungskopie wiederherstellen, dann neu l
         <translation>Sichtbare oder ausgewählte Muster mit ihren Kennzahlen speichern oder drucken</translation>
     </message>
     <message>
-        <source>Sheets (*.pdf *.png)</source>
-        <translation>Bögen (*.pdf *.png)</translation>
+        <source>Folder of the Contact Sheet</source>
+        <translation>Ordner des Kontaktbogens</translation>
     </message>
     <message>
         <source>Print Contact Sheet</source>
@@ -6566,12 +6610,12 @@ Unten: {second}</translation>
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>New Palette from Se&amp;lection</source>
-        <translation>Neue Palette aus der Auswah&amp;l</translation>
+        <source>New Palette from Se&amp;lection…</source>
+        <translation>Neue Palette aus der Auswah&amp;l …</translation>
     </message>
     <message>
-        <source>Copy the selected swatches to a new palette</source>
-        <translation>Die ausgewählten Muster in eine neue Palette kopieren</translation>
+        <source>Copy the selected swatches to a new palette, in a file of its own</source>
+        <translation>Die ausgewählten Muster in eine neue Palette mit eigener Datei kopieren</translation>
     </message>
     <message>
         <source>Select &amp;All</source>
@@ -6612,6 +6656,10 @@ Unten: {second}</translation>
     <message>
         <source>Duplicate {what}</source>
         <translation>{what} duplizieren</translation>
+    </message>
+    <message>
+        <source>New palette</source>
+        <translation>Neue Palette</translation>
     </message>
     <message>
         <source>Delete {what}</source>
@@ -6930,6 +6978,14 @@ Unten: {second}</translation>
         <translation>Ausrichtung</translation>
     </message>
     <message>
+        <source>Name of the file: .pdf, or .png for a picture</source>
+        <translation>Name der Datei: .pdf, oder .png für ein Bild</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>Anderen Ordner wählen</translation>
+    </message>
+    <message>
         <source>Swatches</source>
         <translation>Muster</translation>
     </message>
@@ -6942,8 +6998,8 @@ Unten: {second}</translation>
         <translation>Nächste Seite</translation>
     </message>
     <message>
-        <source>Save…</source>
-        <translation>Speichern …</translation>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Print…</source>
@@ -6970,6 +7026,14 @@ Unten: {second}</translation>
         <translation>Seite {page} von {count}</translation>
     </message>
     <message>
+        <source>Give the file a name.</source>
+        <translation>Der Datei einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>{name} is there already and will be replaced.</source>
+        <translation>{name} gibt es schon und wird ersetzt.</translation>
+    </message>
+    <message>
         <source>Preparing pictures: {count} to go</source>
         <translation>Bilder werden vorbereitet: noch {count}</translation>
     </message>
@@ -6988,6 +7052,10 @@ Unten: {second}</translation>
     <message>
         <source>Close pane</source>
         <translation>Bereich schließen</translation>
+    </message>
+    <message>
+        <source>New Palette from Selection…</source>
+        <translation>Neue Palette aus der Auswahl …</translation>
     </message>
     <message>
         <source>List of swatches</source>
@@ -8122,16 +8190,16 @@ Ungespeicherte Änderungen.</translation>
         <translation>Klicken zeigt den Lack; ziehbar auf das Bild oder in eine Palette</translation>
     </message>
     <message>
+        <source>Compare with {name} (also Shift click)</source>
+        <translation>Mit {name} vergleichen (auch Umschalt-Klick)</translation>
+    </message>
+    <message>
+        <source>Click to show, its scales to compare; drag onto the picture or into a palette</source>
+        <translation>Klicken zeigt den Lack, seine Waage vergleicht; ziehbar auf das Bild oder in eine Palette</translation>
+    </message>
+    <message>
         <source>List the paints of a palette</source>
         <translation>Lacke einer Palette auflisten</translation>
-    </message>
-    <message>
-        <source>A click shows the paint</source>
-        <translation>Ein Klick zeigt den Lack</translation>
-    </message>
-    <message>
-        <source>A click compares with the paint; also Shift click</source>
-        <translation>Ein Klick vergleicht mit dem Lack; auch Umschalt-Klick</translation>
     </message>
     <message>
         <source>Colour space; the ICC profile is embedded in the file</source>
@@ -10210,8 +10278,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>Eine lackierte Kugel unter einer Lampe fotografieren, die sich um sie bewegt, mit mehreren Belichtungen je Position. Den Ordner der Fotos öffnen oder die Schritte mit simulierten Fotos ausprobieren.</translation>
     </message>
     <message>
-        <source>Simulate photographs of a blue metallic sphere and open them; made once, in about ten seconds</source>
-        <translation>Fotos einer blaumetallischen Kugel simulieren und öffnen; einmalig, in etwa zehn Sekunden</translation>
+        <source>Simulate photographs of a blue metallic sphere and take all steps with them; about half a minute</source>
+        <translation>Fotos einer blaumetallischen Kugel simulieren und alle Schritte mit ihnen ausführen; etwa eine halbe Minute</translation>
     </message>
     <message>
         <source>Try a Simulated Session</source>
@@ -10426,6 +10494,16 @@ Ungespeicherte Änderungen.</translation>
         <translation>Helligkeit der Ebene</translation>
     </message>
     <message>
+        <source>Standard:
+L* {lightness}
+C* {chroma}
+h {hue}°</source>
+        <translation>Bezug:
+L* {lightness}
+C* {chroma}
+h {hue}°</translation>
+    </message>
+    <message>
         <source>thin line: {screen}</source>
         <translation>dünne Linie: {screen}</translation>
     </message>
@@ -10440,6 +10518,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Chroma and hue at {angle}</source>
         <translation>Buntheit und Buntton bei {angle}</translation>
+    </message>
+    <message>
+        <source>The paint in another light</source>
+        <translation>Der Lack in einem anderen Licht</translation>
     </message>
 </context>
 </TS>

@@ -23,6 +23,7 @@ from PySide6.QtCore import (
     QObject,
     QPoint,
     QPointF,
+    QRect,
     Qt,
     Signal,
 )
@@ -39,6 +40,7 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
     QLineEdit,
+    QMainWindow,
     QMenu,
     QMenuBar,
     QRadioButton,
@@ -49,7 +51,7 @@ from shiboken6 import isValid
 
 Answer = TypeVar("Answer")
 SomeWidget = TypeVar("SomeWidget", bound=QWidget)
-PATIENCE_S = 120.0
+PATIENCE_S = 900.0
 _SIGN = 8
 _TURN_S = 0.05
 _POPUP_S = 0.6
@@ -232,8 +234,15 @@ class Hand:
         self._do(pick)
         self.wait(lambda: box.currentText() == text, 20.0)
 
-    def row(self, find: Callable[[], QAbstractItemView], text: str, *, ctrl: bool = False) -> None:
-        """Press a row or a tile of a view."""
+    def row(
+        self,
+        find: Callable[[], QAbstractItemView],
+        text: str,
+        *,
+        ctrl: bool = False,
+        where: Callable[[QRect], QPoint] = QRect.center,
+    ) -> None:
+        """Press a row or a tile of a view; ``where`` of its box, in the middle where not said otherwise."""
         view = self._visible(find, text)
 
         def place() -> QPoint:
@@ -244,7 +253,7 @@ class Hand:
                     index = model.index(number, 0, parent)
                     if str(index.data() or "").partition("\n")[0] == text:
                         view.scrollTo(index)
-                        return view.visualRect(index).center()
+                        return where(view.visualRect(index))
                     pending.append(index)
             raise MissingError(f"There is no row {text!r}.")
 
@@ -264,6 +273,8 @@ class Hand:
 
     def type(self, *texts: str) -> None:
         """Type into the field with the focus; Tab follows each text."""
+        if self.ask(_activate_main):
+            self.wait(lambda: QApplication.activeWindow() is not None, 5.0)
         for text in texts:
             self.count.keys += len(text) + 1
             self._do(partial(_type, text))
@@ -361,6 +372,11 @@ def _activate(window: QWidget) -> bool:
         return False
     window.activateWindow()
     return True
+
+
+def _activate_main() -> bool:
+    """Give the program's window the keys where none has them; True where it was needed."""
+    return any(_activate(one) for one in _widgets(QMainWindow) if one.isVisible())
 
 
 def _rows(model: QAbstractItemModel) -> list[QModelIndex]:

@@ -18,8 +18,7 @@ from typing import Any
 
 from hand import Hand, MissingError
 from PySide6.QtCore import QPoint
-from PySide6.QtWidgets import QAbstractItemView, QApplication, QCheckBox, QComboBox, QWidget
-from shiboken6 import isValid
+from PySide6.QtWidgets import QAbstractItemView, QCheckBox, QWidget
 
 from brdf_suite.documents.palette_store import load_palette
 from brdf_suite.documents.store import save_paint
@@ -39,11 +38,15 @@ LANGUAGE = "Deutsch"
 
 @dataclass(frozen=True)
 class Part:
-    """What is done in one run of a program, and the files it is started with, by their names in the folder."""
+    """What is done in one run of a program, and the files it is started with, by their names in the folder.
+
+    With ``at_start_page`` the program stands as a new user's start without a file leaves it: under its start page.
+    """
 
     program: str
     do: Callable[[Hand, Any, Path], None]
     files: tuple[str, ...] = ()
+    at_start_page: bool = False
 
 
 @dataclass(frozen=True)
@@ -111,30 +114,25 @@ def open_tab(hand: Hand, key: str) -> None:
     hand.press(f"tab_{key}")
 
 
-def see_lights(hand: Hand, program: Any, names: tuple[str, ...]) -> list[str]:
-    """Choose lights for the picture, one after the other; return all that were seen."""
+def see_lights(hand: Hand, program: Any) -> list[str]:
+    """Show the paint in three lights, and return those in which it is drawn."""
     from brdf_designer.picture.control import PictureControl
 
     control = program.feature(PictureControl)
-    seen = [hand.ask(lambda: control.view.environment)]
-    open_tab(hand, "light")
-    for name in names:
-        hand.press(name)
-        hand.wait(lambda: program.is_idle)
-        seen.append(hand.ask(lambda: control.view.environment))
-    return seen
+    hand.press("Three Lights")
+    hand.wait(lambda: control.lights.is_on and control.is_idle, 400.0)
+    return hand.ask(lambda: [control.view.environment, *(pane.light for pane in control.lights.panes)])
 
 
 # The tasks.
 
 
 def red_metallic(hand: Hand, program: Any, folder: Path) -> None:
-    """Type the readings into a new paint, switch its flakes on, and look at it in two more lights."""
-    hand.press("New")
+    """Begin a paint on the start page, type its readings, and look at it in three lights."""
+    hand.press("New Paint")
     hand.wait(lambda: program.documents.front.title == "Untitled")
     hand.type(*(f"{value:g}" for lab in RED.values() for value in lab))
-    hand.press("Visible flakes", QCheckBox)
-    seen = see_lights(hand, program, ("Street", "Sunny sky"))
+    seen = see_lights(hand, program)
     save_paint(hand.ask(lambda: program.store.value), folder / "red.brdfpaint")
     note(folder, "lights", "\n".join(dict.fromkeys(seen)))
 
@@ -153,17 +151,16 @@ def is_red_metallic(folder: Path) -> bool:
 
 
 def match_standard(hand: Hand, program: Any, folder: Path) -> None:
-    """Load the standard, read what differs, and set the lightness at the flop."""
-    hand.menu("Paint", "Load Standard")
+    """Load the standard, and type its lightness where the keyboard is led: at the reading farthest from it."""
+    hand.press("Load Standard")
     hand.file(folder / "standard.brdfpaint")
     hand.wait(lambda: standard_control(program).standard is not None and program.is_idle)
-    hand.press("plane_angle_2")
     lab = load_shipped_paint("blue").lab_at(FLOP)
     hand.type(f"{lab[0]:g}")
     hand.wait(lambda: program.is_idle)
     control = standard_control(program)
     try:
-        hand.wait(lambda: str(control.section.verdict.text()).upper().startswith("PASS"), 20.0)
+        hand.wait(lambda: str(control.section.verdict.text()).upper().startswith("PASS"), 120.0)
     finally:
         note(folder, "verdict", hand.ask(lambda: str(control.section.verdict.text())))
 
@@ -178,43 +175,13 @@ def standard_control(program: Any) -> Any:
 def two_tone(hand: Hand, program: Any, folder: Path) -> None:
     """Put the car up, and drop the second paint on a part of it with Ctrl, as the picture says during the drag."""
     open_tab(hand, "form")
-    tile(hand, lambda: _picture_box("Car"), "Car")
+    hand.row(lambda: program.window.surface.chooser.view, "Car")
     hand.wait(lambda: program.is_idle, 300.0)
     canvas = program.window.picture.canvas
     place = hand.ask(lambda: canvas.rect().center())
     hand.drop(lambda: program.window.strip.view, SECOND, lambda: canvas, place, ctrl=True)
     hand.wait(lambda: program.is_idle, 300.0)
     note(folder, "view", hand.ask(lambda: repr(program.state.view)))
-
-
-def tile(hand: Hand, find: Callable[[], Any], text: str) -> None:
-    """Open a field with pictures, and take one."""
-    from brdf_qt.choosing.picker import GridPopup
-
-    hand.click(find, f"pictures with {text}")
-    hand.row(lambda: _shown(program_popup(GridPopup)), text)
-
-
-def program_popup(kind: type[Any]) -> Any:
-    """Return the popup that is open."""
-    return next(
-        (one for one in QApplication.topLevelWidgets() if isinstance(one, kind) and one.isVisible()), None
-    )
-
-
-def _shown(popup: Any) -> QAbstractItemView | None:
-    return None if popup is None else popup.view
-
-
-def _picture_box(row: str) -> QComboBox | None:
-    return next(
-        (
-            one
-            for one in QApplication.allWidgets()
-            if isValid(one) and isinstance(one, QComboBox) and one.isVisible() and one.findText(row) >= 0
-        ),
-        None,
-    )
 
 
 def light_highlight(hand: Hand, program: Any, folder: Path) -> None:
@@ -228,26 +195,24 @@ def light_highlight(hand: Hand, program: Any, folder: Path) -> None:
 
 
 def compare_paints(hand: Hand, program: Any, folder: Path) -> None:
-    """Take a second paint from the strip; it is shown beside the first."""
-    hand.press("B")
-    hand.row(lambda: program.window.strip.view, SECOND)
+    """Press the mark that a paint of the strip has under the pointer; it is shown beside the first."""
+    view = program.window.strip.view
+    hand.row(lambda: view, SECOND, where=lambda tile: view.mark_box(tile).center())
     hand.wait(lambda: program.is_idle)
     note(folder, "compare", hand.ask(lambda: repr(program.state.view.compare)))
 
 
 def palette_and_sheet(hand: Hand, program: Any, folder: Path) -> None:
-    """Copy three sample paints into a new palette, save it, and its contact sheet."""
+    """Copy three sample paints into a new palette in a file of its own, and save its contact sheet."""
     hand.press("note_shipped")
     hand.wait(lambda: program.is_idle)
     for number, name in enumerate(PICKED):
         hand.row(lambda: _grid(program), name, ctrl=number > 0)
-    hand.menu("Edit", "New Palette from Selection")
-    hand.wait(lambda: program.is_idle)
-    hand.press("Save")
+    hand.press("New Palette from Selection")
     hand.file(folder / "spring.brdfpalette")
+    hand.wait(lambda: program.is_idle)
     hand.press("Contact Sheet")
     hand.press("sheet_save")
-    hand.file(folder / "spring.pdf")
     hand.wait(lambda: (folder / "spring.pdf").exists() and program.is_idle)
 
 
@@ -263,8 +228,8 @@ def has_palette(folder: Path) -> bool:
 
 
 def judge_measurement(hand: Hand, program: Any, folder: Path) -> None:
-    """Open a measured file as a design, and read how far it is from the original."""
-    hand.menu("File", "New from Measurement")
+    """Open a measured file on the start page as a design, and read how far it is from the original."""
+    hand.press("Open a Measurement")
     hand.file(folder / "measured.bsdf")
     hand.wait(lambda: program.window.section("measured").isVisible())
     hand.wait(lambda: program.is_idle)
@@ -276,48 +241,52 @@ def judge_measurement(hand: Hand, program: Any, folder: Path) -> None:
 
 
 def acquire(hand: Hand, program: Any, folder: Path) -> None:
-    """Open the session, run all steps, and take the paint."""
-    hand.menu("File", "Acquire")
-    hand.press("Try a Simulated Session")
+    """Try the simulated acquisition on the start page, and take the paint that it ends with."""
     from brdf_designer.acquire.control import AcquireControl
 
+    hand.press("Try a Simulated Acquisition")
+    hand.wait(lambda: program.feature(AcquireControl).assistant is not None)
     assistant = program.feature(AcquireControl).assistant
-    hand.wait(lambda: assistant.bench.session is not None and assistant.bench.is_quiet)
-    hand.press("Do All Steps")
     hand.wait(lambda: "fit" in assistant.bench.results or bool(assistant.window.messages.shown()), 400.0)
     said = hand.ask(lambda: "; ".join(one.what for one in assistant.window.messages.shown().values()))
     if said:
         raise MissingError(said)
-    hand.row(lambda: assistant.window.rail, "8  Fit")
+    hand.wait(lambda: assistant.bench.is_quiet)
     hand.press("Open as New Paint")
-    hand.wait(lambda: program.is_idle)
+    hand.wait(lambda: assistant.bench.is_quiet and program.is_idle)
     save_paint(hand.ask(lambda: program.store.value), folder / "acquired.brdfpaint")
 
 
 def hand_over(hand: Hand, program: Any, folder: Path) -> None:
-    """Export CxF3 and the report."""
+    """Tick the report beside CxF3, and export both to a folder."""
     from brdf_designer.export.control import HandoverControl
 
     open_tab(hand, "export")
     section = program.feature(HandoverControl).section
-    for title, file in (("CxF3, one specification per angle", "blue.cxf"), ("Report, PDF", "blue.pdf")):
-        if hand.ask(lambda: str(section.formats.currentText())) != title:
-            hand.choose(lambda: section.formats, title)
-        hand.wait(section.export.isEnabled)
-        hand.click(lambda: section.export, "Export…")
-        hand.file(folder / file)
-        hand.wait(lambda file=file: (folder / file).exists() and program.is_idle)
+    for name in ("cxf", "pdf"):
+        if not hand.ask(section.formats[name].isChecked):
+            hand.press(f"format_{name}", QCheckBox)
+    hand.wait(section.export.isEnabled)
+    hand.click(lambda: section.export, "Export…")
+    hand.file(folder)
+    hand.wait(lambda: len(exported(folder)) == 2 and program.is_idle)
+
+
+def exported(folder: Path) -> list[Path]:
+    """Return what a paint was exported to."""
+    return [file for file in folder.iterdir() if file.suffix in (".cxf", ".pdf")]
 
 
 def is_handed_over(folder: Path) -> bool:
     """Whether both files give the readings back."""
     wanted = load_shipped_paint("blue").measurements
-    for file in ("blue.cxf", "blue.pdf"):
-        (back,) = read_paints(folder / file).paints
+    files = exported(folder)
+    for file in files:
+        (back,) = read_paints(file).paints
         pairs = zip(wanted, back.measurements, strict=True)
         if max(abs(a - b) for one, other in pairs for a, b in zip(one.lab, other.lab, strict=True)) > 0.01:
             return False
-    return True
+    return sorted(file.suffix for file in files) == [".cxf", ".pdf"]
 
 
 def edit_and_die(hand: Hand, program: Any, folder: Path) -> None:
@@ -356,14 +325,17 @@ def is_typed(folder: Path) -> bool:
     } == RED
 
 
-def choose_german(hand: Hand, _program: Any, _folder: Path) -> None:
-    """Choose the language; it is that of the next start."""
-    hand.menu("View", "Language", LANGUAGE)
+def choose_german(hand: Hand, program: Any, _folder: Path) -> None:
+    """Choose the language on the start page; the program starts again in it, which is the next part."""
+    again: list[str] = []
+    program.window.start.again = again.append
+    hand.press(LANGUAGE)
+    hand.wait(lambda: bool(again))
 
 
 def save_in_german(hand: Hand, program: Any, folder: Path) -> None:
     """Make a paint and save it by the German words."""
-    hand.press("Neu")
+    hand.press("Neuer Lack")
     hand.wait(lambda: program.is_idle)
     hand.type(*(f"{value:g}".replace(".", ",") for lab in RED.values() for value in lab))
     hand.press("Speichern")
@@ -375,7 +347,7 @@ TASKS = (
     Task(
         "red_metallic",
         "Design a red metallic from nothing and see it in three lights",
-        (Part("Designer", red_metallic),),
+        (Part("Designer", red_metallic, at_start_page=True),),
         is_red_metallic,
     ),
     Task(
@@ -412,14 +384,14 @@ TASKS = (
     Task(
         "measurement",
         "Open a measurement and say how good the fit is",
-        (Part("Designer", judge_measurement),),
+        (Part("Designer", judge_measurement, at_start_page=True),),
         lambda folder: "ΔE00" in kept(folder, "summary"),
         measured_file,
     ),
     Task(
         "acquire",
         "Acquire from a sample session",
-        (Part("Designer", acquire),),
+        (Part("Designer", acquire, at_start_page=True),),
         lambda folder: (folder / "acquired.brdfpaint").exists(),
     ),
     Task("hand_over", "Hand over CxF3 and a report", (Part("Designer", hand_over),), is_handed_over),
@@ -429,11 +401,14 @@ TASKS = (
         (Part("Designer", edit_and_die), Part("Designer", recover)),
         lambda folder: kept(folder, "gloss") == "80.0",
     ),
-    Task("keyboard", "Do it all by keyboard", (Part("Designer", by_keyboard),), is_typed),
+    Task("keyboard", "Do it all by keyboard", (Part("Designer", by_keyboard, at_start_page=True),), is_typed),
     Task(
         "german",
         "Do it in German",
-        (Part("Designer", choose_german), Part("Designer", save_in_german)),
+        (
+            Part("Designer", choose_german, at_start_page=True),
+            Part("Designer", save_in_german, at_start_page=True),
+        ),
         is_typed,
     ),
 )

@@ -26,9 +26,9 @@ sys.path.insert(0, str(_HERE.parent / "screenshots"))
 COUNTS = _HERE / "counts.json"
 PAGE = _HERE.parents[1] / "docs" / "development" / "usability.md"
 START, END = "<!--trial-->", "<!--/trial-->"
-SIZE = (1600, 1000)
+SIZE = (1280, 720)
 BOUND = 0.6
-_PATIENCE_S = 900
+_PATIENCE_S = 3000
 
 
 def drive(options: argparse.Namespace) -> int:
@@ -48,13 +48,15 @@ def drive(options: argparse.Namespace) -> int:
     program.start_when_painted()
     program.window.show()
     program.window.activateWindow()
+    if part.at_start_page:
+        program.window.start.show()
     hand = Hand()
     found: dict[str, Any] = {"problem": ""}
 
     def work() -> None:
         begun = time.monotonic()
         try:
-            hand.wait(lambda: program.is_idle)
+            hand.wait(lambda: program.is_idle, _PATIENCE_S / 2)
             begun = time.monotonic()
             part.do(hand, program, options.folder)
         except Exception as error:  # noqa: BLE001 - a task that cannot be done is a result

@@ -9,6 +9,7 @@ import pytest
 from brdf_designer.assembly import Designer
 from brdf_designer.picture.control import PictureControl
 from brdf_designer.picture.pace import FAST_MS, FULL_REST_MS, REST_MS, PicturePace
+from brdf_designer.picture.three_lights import LIGHTS
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from brdf_qt.work import pictures
@@ -53,7 +54,11 @@ def shown(designer, qtbot) -> PictureControl:
 
 
 def pixels_of(shown) -> np.ndarray:
-    image = shown.panel.surface.grab_image().convertToFormat(QImage.Format.Format_RGB888)
+    return grab_of(shown.panel.surface)
+
+
+def grab_of(surface) -> np.ndarray:
+    image = surface.grab_image().convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
 
@@ -178,3 +183,42 @@ def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, 
     shown.panel.surface.frame_drawn.connect(lambda *_: frames.append(1))
     go_on.set()
     qtbot.waitUntil(lambda: len(frames) > 0)
+
+
+def test_three_lights_show_the_same_paint_and_follow_it(designer, shown, qtbot):
+    window, lights = designer.window, shown.lights
+    whole = shown.panel.surface.width()
+    button = next(one for one in window.stage.bar.findChildren(QToolButton) if one.text() == "Three Lights")
+    assert not lights.panes
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: shown.is_idle)
+    assert sorted([shown.view.environment, *(pane.light for pane in lights.panes)]) == sorted(LIGHTS)
+    assert shown.panel.surface.width() < 0.7 * whole
+    assert [pane.surface.failure for pane in lights.panes] == ["", ""]
+    before = [grab_of(pane.surface) for pane in lights.panes]
+    assert np.abs(before[0].mean((0, 1)) - before[1].mean((0, 1))).max() > 5.0
+
+    # Another paint is seen in all of them, and so is where it is seen from.
+    designer.open("red")
+    qtbot.waitUntil(lambda: shown.drawn is designer.session.fit and shown.is_idle)
+    red = [grab_of(pane.surface) for pane in lights.panes]
+    for one, other in zip(before, red, strict=True):
+        assert (other - one)[..., 0].max() > 40
+    lights.panes[0].surface.canvas.setFocus()
+    QTest.mousePress(lights.panes[0].surface.canvas, Qt.MouseButton.LeftButton, pos=QPoint(20, 20))
+    QTest.mouseMove(lights.panes[0].surface.canvas, QPoint(60, 20))
+    QTest.mouseRelease(lights.panes[0].surface.canvas, Qt.MouseButton.LeftButton, pos=QPoint(60, 20))
+    qtbot.waitUntil(lambda: shown.is_idle)
+    assert all(np.abs(grab_of(p.surface) - r).max() > 40 for p, r in zip(lights.panes, red, strict=True))
+
+    # The light of one of them becomes that of the first, and they take the others.
+    first, second = shown.view.environment, lights.panes[0].light
+    shown.choose_light(second)
+    qtbot.waitUntil(lambda: shown.view.environment == second and shown.is_idle)
+    assert first in [pane.light for pane in lights.panes]
+    assert sorted([second, *(pane.light for pane in lights.panes)]) == sorted(LIGHTS)
+
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: shown.is_idle)
+    assert shown.panel.surface.width() == whole
+    assert not any(pane.isVisible() for pane in lights.panes)

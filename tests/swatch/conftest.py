@@ -63,6 +63,13 @@ class ScriptedDialogs:
         self.asked.append(filters)
         return self.path
 
+    def folder_path(self, title: str, folder: Path) -> Path | None:
+        self.asked.append(title)
+        return self.path
+
+    def over(self, window: object) -> ScriptedDialogs:
+        return self
+
     def export_path(
         self, suggested: Path, choices: Sequence[Choice], chosen: Choice
     ) -> tuple[Path, Choice] | None:

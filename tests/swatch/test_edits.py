@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import load_palette
 
 
 def undo_text(program) -> str:
@@ -79,16 +80,36 @@ def test_copy_and_paste_cut_duplicate_and_delete(swatch, names, select, command)
     assert swatch.session.palette == before
 
 
-def test_a_new_palette_has_what_is_selected(swatch, names, select, command) -> None:
-    before = swatch.session.palette
+def test_a_new_palette_has_what_is_selected_in_a_file_of_its_own(
+    swatch, names, select, dialogs, tmp_path, qtbot
+) -> None:
+    before, button = swatch.session.palette, swatch.window.panes[0].new_palette
+    assert not button.isVisible()
     select(swatch, "Red", "Ice")
-    command(swatch, "new_from_selection")
+    dialogs.path = None
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert swatch.session.palette is before
+    dialogs.path = tmp_path / "Spring 2027"
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     assert sorted(names(swatch)) == ["Ice", "Red"]
-    assert swatch.session.palette is not before
-    assert swatch.session.item.path is None
-    assert not swatch.session.item.is_clean
-    swatch.session.set_selected(0, ())
+    assert swatch.session.palette.name == "Spring 2027"
+    assert swatch.session.item.path == tmp_path / "Spring 2027.brdfpalette"
+    assert swatch.session.item.is_clean
+    assert sorted(entry.name for entry in load_palette(swatch.session.item.path)) == ["Ice", "Red"]
+    swatch.window.panes[0].grid.clearSelection()
+    assert not button.isVisible()
     assert not swatch.window.command("new_from_selection").isEnabled()
+
+
+def test_a_new_palette_that_cannot_be_written_is_still_to_be_saved(
+    swatch, names, select, command, dialogs, tmp_path
+) -> None:
+    select(swatch, "Red")
+    dialogs.path = tmp_path / "no folder" / "spring.brdfpalette"
+    command(swatch, "new_from_selection")
+    assert names(swatch) == ["Red"]
+    assert not swatch.session.item.is_clean
+    assert "Cannot be written" in swatch.window.messages.shown()["save"].what
 
 
 def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:

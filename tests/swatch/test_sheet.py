@@ -117,24 +117,48 @@ def test_a_sheet_is_saved_as_it_was_chosen(
     monkeypatch.setattr(contact_sheet, "run_sheet", draw)
     command(swatch, "sheet")
     part.dialog.form.setCurrentIndex(part.dialog.form.findData("panel"))
-    dialogs.path = tmp_path / "spring.pdf"
-    part.dialog.save.click()
+    dialog = part.dialog
+    dialogs.path = tmp_path
+    dialog.folder_requested.emit()
+    dialog.file.selectAll()
+    QTest.keyClicks(dialog.file, "spring")
+    assert dialog.path == tmp_path / "spring.pdf"
+    dialog.save.click()
     qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
     (request,) = asked
-    assert (request.form, request.path, request.style) == ("panel", dialogs.path, part.dialog.style_)
+    assert (request.form, request.path, request.style) == ("panel", tmp_path / "spring.pdf", dialog.style_)
     assert sorted(names_of(request.palette)) == sorted(names_of(swatch.session.palette))
     assert not part.dialog.isVisible()
 
 
-def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(
-    swatch, part, dialogs, command, monkeypatch
+def test_a_file_that_is_there_is_replaced_only_by_a_button_that_says_so(
+    swatch, part, dialogs, command, tmp_path
 ) -> None:
-    swatch.session.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
-    suggested: list[Path] = []
-    monkeypatch.setattr(dialogs, "save_path", lambda path, _filters: suggested.append(path), raising=False)
+    (tmp_path / "spring.png").write_bytes(b"old")
     command(swatch, "sheet")
-    part.dialog.save.click()
-    assert suggested == [Path.home() / "Cars_Trucks.pdf"]
+    dialog = part.dialog
+    dialog.show_folder(tmp_path)
+    for name, word, names in (
+        ("summer.png", "Save", tmp_path / "summer.png"),
+        ("spring.png", "Replace", tmp_path / "spring.png"),
+        ("spring", "Save", tmp_path / "spring.pdf"),
+        ("", "Save", None),
+        ("..", "Save", None),
+        ("sub/spring.pdf", "Save", None),
+    ):
+        dialog.file.selectAll()
+        QTest.keyClick(dialog.file, Qt.Key.Key_Delete)
+        QTest.keyClicks(dialog.file, name)
+        assert dialog.path == names
+        assert dialog.save.text() == word
+        assert dialog.save.isEnabled() is (names is not None)
+        assert ("replaced" in dialog.note.text()) is (word == "Replace")
+
+
+def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(swatch, part, command) -> None:
+    swatch.session.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
+    command(swatch, "sheet")
+    assert part.dialog.path == Path.home() / "Cars_Trucks.pdf"
 
 
 def test_the_command_draws_what_the_window_asks_for(swatch, tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.choosing.picker import SourceChooser, SourceTiles
 from brdf_qt.choosing.sources import Source
 from brdf_qt.program.settings import settings
 from PySide6.QtCore import QCoreApplication, QEvent, QMetaMethod, QObject, SignalInstance
@@ -257,8 +257,8 @@ def _texts(menu: QMenu) -> list[str]:
     return [action.text() for action in menu.actions()]
 
 
-def _sources(chooser: SourceChooser) -> list[Source]:
-    every = [chooser.sources.source_at(row) for row in range(chooser.list.count())]
+def _sources(chooser: SourceChooser | SourceTiles) -> list[Source]:
+    every = [chooser.sources.source_at(row) for row in range(chooser.sources.rowCount())]
     return [source for source in every if source.title]
 
 

@@ -84,7 +84,7 @@ def test_the_panel_is_used_by_the_keyboard_alone(viewer, qtbot) -> None:
     for _ in range(12):
         QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
         reached.append(QApplication.focusWidget())
-    order = [window.surface.chooser.list, window.surface.ground, window.camera.frame]
+    order = [window.surface.chooser.view, window.surface.ground, window.camera.frame]
     places = [reached.index(widget) for widget in order]
     assert places == sorted(places)
     assert window.panel.pages["form"].more.header in reached

@@ -21,12 +21,14 @@ from brdf_color_swatch.editing.entry_edits import (
     with_date,
 )
 from brdf_color_swatch.editing.transfer import Carried, hexes_of, read_data
+from brdf_color_swatch.export.palette_export import suggested_file
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.errors import SuiteError
 
 
@@ -50,11 +52,11 @@ class EditCommands(SwatchFeature):
         ]
         self._new = add(
             "edit",
-            mark("New Palette from Se&lection"),
+            mark("New Palette from Se&lection…"),
             None,
             self.new_palette,
             "new_from_selection",
-            tip=mark("Copy the selected swatches to a new palette"),
+            tip=mark("Copy the selected swatches to a new palette, in a file of its own"),
         )
         edit.addSeparator()
         add("edit", mark("Select &All"), "select_all", lambda: self._pane.grid.selectAll(), "select_all")
@@ -87,8 +89,15 @@ class EditCommands(SwatchFeature):
             number = pane.number
             pane.model.renamed.connect(self._renamed)
             pane.menu_requested.connect(self._menu)
+            pane.action_requested.connect(lambda key, number=number: self._act(key, number))
             pane.model.mime_of = lambda ids, number=number: self._mime(number, ids)
         self._enable_always()
+
+    def _act(self, what: str, number: int) -> None:
+        """Do what the button over a pane offers for its selection."""
+        if what == "new_from_selection":
+            self._session.set_front(number)
+            self.new_palette()
 
     def copy(self) -> None:
         """Put what is selected on the clipboard: whole, and as text and colour for other programs."""
@@ -138,10 +147,18 @@ class EditCommands(SwatchFeature):
             edit_and_reveal(self._session, name, lambda old: edits.add_entries(old, copies, None, before))
 
     def new_palette(self) -> None:
-        """Show a new palette of what is selected, which has no file yet."""
+        """Ask for a file, and copy what is selected to a new palette there; it is called as the file is."""
         entries = self._session.selected_entries
-        if entries:
-            self._session.show_new(Palette(tr("Untitled"), tuple(entries)), clean=False)
+        if not entries:
+            return
+        library = self._session.library
+        suggested = suggested_file(self._session.item, tr("New palette"), PALETTE_ENDING)
+        filters = f"{tr('Palette')} (*{PALETTE_ENDING})"
+        path = library.dialogs.save_path(suggested, filters)
+        if path is not None:
+            path = path if path.suffix else path.with_name(path.name + PALETTE_ENDING)
+            palette = Palette(" ".join(path.stem.split()) or tr("New palette"), tuple(entries))
+            self._session.show_new_in(path.absolute(), palette)
 
     def delete(self) -> None:
         entries = self._session.selected_entries

@@ -17,7 +17,7 @@ from PySide6.QtGui import QPageLayout, QPageSize, QPainter
 from PySide6.QtPrintSupport import QPrintDialog, QPrinter
 
 from brdf_color_swatch.export.palette_export import suggested_file
-from brdf_color_swatch.export.sheet_dialog import SheetDialog, SheetSource
+from brdf_color_swatch.export.sheet_dialog import ENDINGS, SheetDialog, SheetSource
 from brdf_color_swatch.export.sheet_page import paint_page
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
@@ -91,6 +91,7 @@ class ContactSheets(SwatchFeature):
             self._dialog = SheetDialog(self._window.pictures, self._window)
             self._dialog.save_requested.connect(self.save)
             self._dialog.print_requested.connect(self.print)
+            self._dialog.folder_requested.connect(self.ask_folder)
         return self._dialog
 
     def open(self) -> None:
@@ -105,7 +106,19 @@ class ContactSheets(SwatchFeature):
         source = SheetSource(
             palette.name, shown.rows, tuple(shown.places), selected, grouped, session.look.booth
         )
-        self.dialog.open_for(source, session.look.form)
+        self.dialog.open_for(
+            source, session.look.form, suggested_file(session.item, palette.name, ENDINGS[0])
+        )
+
+    def ask_folder(self) -> None:
+        """Ask in which folder the sheet is saved."""
+        path = self.dialog.path
+        dialogs = self._session.library.dialogs.over(self.dialog)
+        folder = dialogs.folder_path(
+            tr("Folder of the Contact Sheet"), Path.home() if path is None else path.parent
+        )
+        if folder is not None:
+            self.dialog.show_folder(folder.absolute())
 
     def palette(self) -> Palette | None:
         """Return what the dialog has chosen, as a palette in that order."""
@@ -119,13 +132,9 @@ class ContactSheets(SwatchFeature):
         return Palette(name, tuple(entries), notes=palette.notes)
 
     def save(self) -> None:
-        """Ask for a file and write the sheet."""
-        chosen = self.palette()
-        if chosen is None:
-            return
-        suggested = suggested_file(self._session.item, chosen.name, ".pdf")
-        path = self._session.library.dialogs.save_path(suggested, tr("Sheets (*.pdf *.png)"))
-        if path is not None:
+        """Write the sheet to the file that the dialog names."""
+        chosen, path = self.palette(), self.dialog.path
+        if chosen is not None and path is not None:
             self.dialog.accept()
             form, style = self.dialog.form.currentData(), self.dialog.style_
             self._submit(SheetRequest(chosen, path.absolute(), self._session.look.booth, form, style))

@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from datetime import date
+from pathlib import Path
 
 from brdf_qt.fields.form import described, fill_column, fill_row, icon_button, row_of
-from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.names import title_of
 from brdf_qt.program.settings import settings
@@ -31,6 +32,7 @@ from brdf_color_swatch.grid.rows import Rows, group_title
 from brdf_suite.palettes.swatches.look import SwatchLook
 from brdf_suite.reports.contact_sheet.page_layout import FIELDS, CellText, PageLayout, PageStyle
 
+ENDINGS = (".pdf", ".png")
 _KEY = "sheet/choice"
 _OWNER = "sheet"
 _PICTURE_PX = 384
@@ -66,13 +68,16 @@ def _forms() -> dict[str, str]:
 
 
 class SheetDialog(QDialog):
-    """Asks how a contact sheet looks. Signals ``save_requested()`` and ``print_requested()``.
+    """Asks how a contact sheet looks, and where it is saved.
+
+    Signals: ``save_requested()``, ``print_requested()``, ``folder_requested()``.
 
     ``pictures`` draws the paints for the preview and for paper.
     """
 
     save_requested = Signal()
     print_requested = Signal()
+    folder_requested = Signal()
 
     def __init__(self, pictures: Pictures, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -110,6 +115,19 @@ class SheetDialog(QDialog):
             box.setChecked(True)
         form = QFormLayout()
         form.setLabelAlignment(Qt.AlignmentFlag.AlignRight)
+        self.file = described(
+            QLineEdit(),
+            name="sheet_file",
+            spoken=tr("File"),
+            tip=tr("Name of the file: .pdf, or .png for a picture"),
+        )
+        self.file.setMaxLength(200)
+        self._folder = Path.home()
+        self.folder = described(ElidedLabel(), name="sheet_folder", spoken=tr("Folder"))
+        self.folder.setMinimumWidth(120)
+        browse = icon_button("folder-open", tr("Choose another folder"), self.folder_requested.emit)
+        place = QWidget()
+        fill_row(place, self.folder, browse, spacing=4).setStretch(0, 1)
         form.addRow(tr("Title"), self.title)
         form.addRow(tr("Swatches"), self.shown)
         form.addRow("", self.selected)
@@ -119,11 +137,13 @@ class SheetDialog(QDialog):
         form.addRow(tr("Columns"), self.columns)
         for number, box in enumerate(self.fields.values()):
             form.addRow(tr("Show") if number == 0 else "", box)
+        form.addRow(tr("File"), self.file)
+        form.addRow(tr("Folder"), place)
         self.back = icon_button("caret-left", tr("Previous page"), lambda: self._turn(-1), flat=True)
         self.forward = icon_button("caret-right", tr("Next page"), lambda: self._turn(1), flat=True)
         self.count = PlainLabel(alignment=Qt.AlignmentFlag.AlignCenter)
         self.note = described(PlainLabel(wordWrap=True), name="sheet_note")
-        self.save = described(QPushButton(tr("Save…")), name="sheet_save")
+        self.save = described(QPushButton(tr("Save")), name="sheet_save")
         self.print = described(QPushButton(tr("Print…")), name="sheet_print")
         cancel = described(QPushButton(tr("Cancel")), name="sheet_cancel")
         self.save.setDefault(True)
@@ -142,14 +162,18 @@ class SheetDialog(QDialog):
         self.print.clicked.connect(self.print_requested)
         cancel.clicked.connect(self.reject)
         self.title.textEdited.connect(lambda _text: self._renew())
+        self.file.textEdited.connect(lambda _text: self._show_page())
         for button in (self.shown, self.selected, *self.fields.values()):
             button.toggled.connect(lambda _on: self._renew())
         for choice in (self.form, self.page, self.way):
             choice.currentIndexChanged.connect(lambda _place: self._renew())
         self.columns.valueChanged.connect(lambda _value: self._renew())
 
-    def open_for(self, source: SheetSource, form: str) -> None:
-        """Show the dialog for these swatches in a form; several that are selected are proposed, and said so."""
+    def open_for(self, source: SheetSource, form: str, path: Path) -> None:
+        """Show the dialog for these swatches in a form, to be saved to ``path``.
+
+        Several that are selected are proposed, and said so.
+        """
         self._source = None
         self._set("form", form)
         self.title.setText(source.title)
@@ -159,8 +183,26 @@ class SheetDialog(QDialog):
         (self.selected if len(source.selected) > 1 else self.shown).setChecked(True)
         self._source = source
         self._page = 0
+        self.file.setText(path.name)
+        self.show_folder(path.parent)
         self._renew()
         self.open()
+
+    def show_folder(self, folder: Path) -> None:
+        """Show in which folder the file is saved."""
+        self._folder = folder
+        self.folder.setText(str(folder))
+        self.folder.setToolTip(plain_tip(str(folder)))
+        self._show_page()
+
+    @property
+    def path(self) -> Path | None:
+        """The file that is named; None where no name is given, or one with a folder."""
+        name = self.file.text().strip()
+        if not name.strip(".") or Path(name).name != name:
+            return None
+        path = self._folder / name
+        return path if path.suffix.lower() in ENDINGS else path.with_name(f"{name}{ENDINGS[0]}")
 
     @property
     def style_(self) -> PageStyle:
@@ -241,9 +283,18 @@ class SheetDialog(QDialog):
         self.forward.setEnabled(self._page + 1 < pages)
         entries = [self._source.rows.entries[place] for place in self.places]
         waiting = sum(not self._pictures.is_settled(entry.content, self._look) for entry in entries)
-        self.note.setText(tr("Preparing pictures: {count} to go").format(count=waiting) if waiting else "")
+        path, words = self.path, []
+        replaces = path is not None and path.exists()
+        if path is None:
+            words.append(tr("Give the file a name."))
+        elif replaces:
+            words.append(tr("{name} is there already and will be replaced.").format(name=path.name))
+        if waiting:
+            words.append(tr("Preparing pictures: {count} to go").format(count=waiting))
+        self.note.setText("\n".join(words))
+        self.save.setText(tr("Replace") if replaces else tr("Save"))
         self.print.setEnabled(not waiting and bool(pages))
-        self.save.setEnabled(bool(pages))
+        self.save.setEnabled(bool(pages) and path is not None)
 
     def _release(self) -> None:
         """Give up the pictures that are still to come."""

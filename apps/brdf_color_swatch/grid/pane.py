@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, set_bold
+from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import (
     QEvent,
@@ -20,7 +21,14 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QColor, QDropEvent, QPainter
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleAnnouncementEvent,
+    QColor,
+    QDropEvent,
+    QPainter,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -32,6 +40,7 @@ from PySide6.QtWidgets import (
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableView,
+    QToolButton,
     QWidget,
 )
 
@@ -41,6 +50,8 @@ from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile
 
 _CHIP = 18
+_WITH_TEXT_PX = 420
+"""In a narrower pane the button for what is selected is its icon alone."""
 
 
 class _NameDelegate(QStyledItemDelegate):
@@ -245,10 +256,18 @@ class Pane(QFrame):
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
         self._close = icon_button("x", tr("Close pane"), self.close_requested.emit, flat=True)
-        row = row_of(
-            self._mark, self._title, self._count, self._close, grows=self._title, margins=(8, 2, 8, 2)
+        tip = tr("Copy the selected swatches to a new palette, in a file of its own")
+        self.new_palette = described(
+            QToolButton(), name="new_from_selection", spoken=tr("New Palette from Selection…"), tip=tip
         )
-        self.head.setLayout(row)
+        self.new_palette.setText(tr("New Palette from Selection…"))
+        self.new_palette.setIcon(icon("file-plus"))
+        self.new_palette.setAutoRaise(True)
+        self.new_palette.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.new_palette.clicked.connect(lambda: self.action_requested.emit("new_from_selection"))
+        self.new_palette.hide()
+        parts = (self._mark, self._title, self.new_palette, self._count, self._close)
+        self.head.setLayout(row_of(*parts, grows=self._title, margins=(8, 2, 8, 2)))
         for widget in (self.head, self._mark, self._title, self._count):
             widget.installEventFilter(self)
 
@@ -303,7 +322,16 @@ class Pane(QFrame):
         if self.grid.hasFocus() and QAccessible.isActive():
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        styles = Qt.ToolButtonStyle
+        narrow = self.width() < _WITH_TEXT_PX
+        self.new_palette.setToolButtonStyle(
+            styles.ToolButtonIconOnly if narrow else styles.ToolButtonTextBesideIcon
+        )
+
     def _report_selected(self) -> None:
+        self.new_palette.setVisible(bool(self.grid.selected_rows()))
         if not self._quiet:
             self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
 

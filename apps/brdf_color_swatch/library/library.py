@@ -304,6 +304,11 @@ class Library(QObject):
         item = self._items.get(key)
         return item is not None and item.palette is not None and item.palette.files.save_as()
 
+    def save_to(self, key: str, path: Path) -> bool:
+        """Save a palette to a file; True where it is saved."""
+        item = self._items.get(key)
+        return item is not None and item.palette is not None and item.palette.files.save_to(path)
+
     def close(self, key: str) -> bool:
         """Ask about unsaved work, and take a palette out of the library; its file stays. True where it went."""
         item = self._items.get(key)

@@ -9,7 +9,7 @@ from brdf_designer.acquire.fit.control import FitControl
 from brdf_designer.acquire.mask.control import MaskControl
 from brdf_designer.acquire.reconstruction.control import ReconstructionController
 from brdf_designer.acquire.reconstruction.session import ReconstructionSession, no_session
-from brdf_designer.acquire.session.control import SessionControl
+from brdf_designer.acquire.session.control import SessionControl, sample_folder
 from brdf_designer.acquire.window import AcquireWindow
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
@@ -31,6 +31,9 @@ class Assistant(QObject):
         self.reconstruction = ReconstructionController(self.bench, dialogs)
         self.fit = FitControl(self.bench, self.window.fit, paint_session, dialogs)
         self._chain: list[str] = []
+        self._tries = False
+        """Whether the steps begin by themselves once the simulated photographs are open."""
+        self.window.session.sample_requested.connect(self.try_sample)
         self.window.all_requested.connect(self.do_all)
         self.window.undo_requested.connect(lambda: self._step(back=True))
         self.window.redo_requested.connect(lambda: self._step(back=False))
@@ -43,7 +46,15 @@ class Assistant(QObject):
             self.bench.say(no_session())
             return
         self._chain = [key for key in CHAIN if key not in self.bench.results]
-        self._next()
+        if self._chain:
+            self._next()
+        else:
+            self._offer()
+
+    def try_sample(self) -> None:
+        """Open photographs of a simulated rig and do every step with them; it ends with the paint that is offered."""
+        self._tries = True
+        self.sessions.open_sample()
 
     def write_pending(self) -> None:
         """Write what was typed or painted and is not yet written."""
@@ -70,12 +81,25 @@ class Assistant(QObject):
             "fit": self.fit.find,
         }[key]()
 
+    def _offer(self) -> None:
+        """Show what came of the steps, with the keyboard where it is opened as a paint."""
+        page = self.window.fit
+        self.window.show_page("fit")
+        if page.open.isEnabled():
+            page.open.setFocus()
+            page.side.bring_in_sight(page.result)
+
     def _ended(self, key: str, done: bool) -> None:
-        if key not in CHAIN:
-            return
-        if done:
+        if key in ("make", "open"):
+            begins = self._tries and done and key == "open"
+            self._tries = self._tries and done and not begins
+            if begins and self.bench.folder == sample_folder():
+                self.do_all()
+        elif key in CHAIN and done and key == "fit" and not self._chain:
+            self._offer()
+        elif key in CHAIN and done:
             self._next()
-        else:
+        elif key in CHAIN:
             self._chain = []
 
     def _step(self, *, back: bool) -> None:

@@ -37,12 +37,12 @@ class AcquireControl(Feature, QObject):
             None,
             self.open_sample,
             "acquire_sample",
-            tip=mark("Open photographs of a simulated sphere; made once, in about ten seconds"),
+            tip=mark("All steps with photographs of a simulated sphere; about half a minute"),
         )
 
     def open_sample(self) -> None:
-        """Show the assistant with photographs of a simulated rig."""
-        self.open().sessions.open_sample()
+        """Show the assistant, which takes all steps with photographs of a simulated rig."""
+        self.open().try_sample()
 
     def open(self) -> Assistant:
         """Show the assistant."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from brdf_qt.fields.choice_button import ChoiceButton
@@ -11,7 +12,7 @@ from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip, set_small
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.monitor_profile import monitor_of
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap, QShowEvent
@@ -76,8 +77,10 @@ class PlaneEditor(QWidget):
         self.buttons: dict[int, ChoiceButton] = {}
         self._group = QButtonGroup(self)
         self._chips: dict[int, tuple[int, int, int]] = {}
-        self.values, self.legend = PlainLabel(), PlainLabel()
-        set_small(self.legend)
+        self.values, self.legend, self.standard = PlainLabel(), PlainLabel(), PlainLabel()
+        self._standards: Mapping[int, Lab] = {}
+        for words in (self.legend, self.standard):
+            set_small(words)
         self.values.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         grid, row = slider_grid(), ROWS["lab"][0]
         self.slider, self.field = ColourSlider(""), NumberField("")
@@ -89,7 +92,7 @@ class PlaneEditor(QWidget):
         described(self.slider, name="plane_lightness", spoken=tr("Lightness of the plane"))
         add_slider_row(grid, 0, session, label, self.slider, self.field, self._edit_lightness)
         beside = QWidget()
-        fill_column(beside, self.angles, self.values, None, spacing=8)
+        fill_column(beside, self.angles, self.values, self.standard, None, spacing=8)
         top = row_of(self.view, beside, grows=beside, spacing=8)
         fill_column(self, top, grid, self.legend, spacing=4, margins=(0, 0, 0, 4))
         self._later = make_timer(self, self._draw, _PAUSE_MS)
@@ -114,8 +117,8 @@ class PlaneEditor(QWidget):
             self._show()
             self.index_chosen.emit(index)
 
-    def _take(self, index: int) -> None:
-        """Edit the reading whose button was pressed; its L* can be typed at once."""
+    def take(self, index: int) -> None:
+        """Edit a reading, as one whose button was pressed; its L* can be typed at once."""
         self.choose(index)
         self.field.setFocus(Qt.FocusReason.TabFocusReason)
 
@@ -135,6 +138,22 @@ class PlaneEditor(QWidget):
         if box != self._box:
             self._box = box
             self._show()
+
+    def show_standard(self, labs: Mapping[int, Lab]) -> None:
+        """Show the L*a*b* of a standard by its readings beside those that are edited; none where there is none."""
+        self._standards = labs
+        self._show_target()
+
+    def _show_target(self) -> None:
+        lab = self._standards.get(self.index)
+        text = ""
+        if lab is not None:
+            chroma, hue = (one_decimal(float(value)) for value in lab_to_lch(lab)[1:])
+            text = tr("Standard:\nL* {lightness}\nC* {chroma}\nh {hue}°").format(
+                lightness=decimal(f"{lab[0]:.2f}"), chroma=chroma, hue=hue
+            )
+        if text != self.standard.text():
+            self.standard.setText(text)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -167,6 +186,7 @@ class PlaneEditor(QWidget):
         lightness, a, b = self._now().lab
         self.slider.set_amount(lightness)
         self.field.set_value(lightness)
+        self._show_target()
         if (a, b) != self._tracked:
             self._tracked = (a, b)
             lab = np.array([[lightness, a, b]])
@@ -230,7 +250,7 @@ class PlaneEditor(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         set_small(button)
-        button.clicked.connect(lambda: self._take(index))
+        button.clicked.connect(lambda: self.take(index))
         self._group.addButton(button)
         self._angles_box.addWidget(button)
         self.buttons[index] = button

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import Cancelled, SuiteError
-from brdf_suite.progress import Progress
+from brdf_suite.progress import Progress, subrange
 
 _LETTERS = {"difference": "E", "lightness": "L", "chroma": "C", "hue": "H"}
 
@@ -57,6 +58,36 @@ def run_export(request: Request, progress: Progress) -> tuple[str, ...]:
         except SuiteError as error:
             raise SuiteError(f"The paint could not be exported: {error}") from error
         return tuple(str(note) for note in done["notes"])
+
+
+@dataclass(frozen=True)
+class Written:
+    """What became of a file: the notes about it, or the error because of which it was not written."""
+
+    path: Path
+    notes: tuple[str, ...] = ()
+    error: Exception | None = None
+
+
+def run_exports(requests: Sequence[Request], progress: Progress) -> tuple[Written, ...]:
+    """Write one file after the other; one that cannot be written does not hold up the others.
+
+    Raises
+    ------
+    Cancelled
+        The progress callback asked for it; files that are whole already stay.
+    """
+    done: list[Written] = []
+    for request in requests:
+        part = subrange(progress, len(done) / len(requests), (len(done) + 1) / len(requests))
+        assert part is not None
+        try:
+            done.append(Written(request.path, run_export(request, part)))
+        except Cancelled:
+            raise
+        except SuiteError as error:
+            done.append(Written(request.path, error=error))
+    return tuple(done)
 
 
 def tolerance_words(tolerances: Tolerances | None, paint: Paint) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.gl.gestures import CameraGestures
@@ -20,6 +21,7 @@ from brdf_designer.picture.contents import PictureContents, remember
 from brdf_designer.picture.pace import PicturePace
 from brdf_designer.picture.pages import ViewPages
 from brdf_designer.picture.panel import PicturePanel
+from brdf_designer.picture.three_lights import LightPane, ThreeLights
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.view import Camera, View
@@ -68,8 +70,10 @@ class PictureControl(Feature, QObject):
         self.pace = PicturePace()
         self.panel = PicturePanel(self._new_surface)
         self.pages = ViewPages(self)
+        self.lights = ThreeLights(self._make_pane, self._show_panes)
         self._add_pages()
         window.stage.set_picture(self.panel)
+        self._add_three_lights()
         self._drawing = make_timer(self, self._draw)
         self._resting = make_timer(self, self._rest, _MOVED_MS)
         surface = self.panel.surface
@@ -89,6 +93,7 @@ class PictureControl(Feature, QObject):
         if self._loader is not None:
             self._loader.stop()
             remember(self.view)
+        self.lights.close()
         self._tasks.stop(_CLOSING_MS)
         self._drawing.stop()
         self._resting.stop()
@@ -108,7 +113,7 @@ class PictureControl(Feature, QObject):
             return True
         settled = not self._drawing.isActive() and not self._resting.isActive() and not self._plan
         shown = self._drawer is not None and self._drawer.shows(self._contents)
-        return settled and shown and not self._pending and self._whole
+        return settled and shown and not self._pending and self._whole and self.lights.is_idle
 
     def choose_light(self, name: str) -> None:
         """Show the paint in another light; the old picture stays until it is there."""
@@ -143,6 +148,7 @@ class PictureControl(Feature, QObject):
         loader.failed.connect(lambda kind, _key, error: self._report(kind, error))
         loader.moved.connect(self._moved)
         loader.ended.connect(self._ended)
+        self._three_lights.setEnabled(True)
         self._show(self._asked or loader.first)
         self._load(_FORM, self.view.surface)
         self._load(_LIGHT, self.view.environment)
@@ -241,6 +247,7 @@ class PictureControl(Feature, QObject):
             else:
                 self._drawer.pace.rest()
         surface.set_view(self.view)
+        self._follow(coarse=coarse)
         if self._plan:
             self._drawing.start(self._plan[0][0] - waited)
 
@@ -266,13 +273,58 @@ class PictureControl(Feature, QObject):
             drawer.pace.end_frame(milliseconds)
 
     def _new_surface(self) -> GlSurface:
+        return self._surface_of(self._contents, self._take_drawer, self._draw_later)
+
+    def _surface_of(
+        self, contents: PictureContents, made: Callable[[PictureDrawer], None], better: Callable[[], None]
+    ) -> GlSurface:
         # Deferred: it brings moderngl, which only a screen with OpenGL needs.
         from brdf_designer.picture.surface import make_surface
 
-        return make_surface(self._contents, lambda: self.panel.grey(), self._take_drawer, self._draw_later)
+        return make_surface(contents, lambda: self.panel.grey(), made, better)
 
     def _take_drawer(self, drawer: PictureDrawer) -> None:
         self._drawer = drawer
+
+    # Three lights.
+
+    def _add_three_lights(self) -> None:
+        action = self._three_lights = self._window.add_command(
+            "view",
+            mark("Three L&ights"),
+            "three_lights",
+            self._set_three_lights,
+            "three_lights",
+            icon="sun-horizon",
+            tip=mark("The paint in three lights at once: studio, street and sun"),
+            checked=False,
+        )
+        action.setEnabled(False)  # until there is a picture
+        self._window.stage.add_button(tr("Three Lights"), action)
+
+    def _set_three_lights(self, on: bool) -> None:
+        self.lights.set_on(on)
+        self._draw_later()
+
+    def _make_pane(self) -> LightPane:
+        assert self._loader is not None
+        pane = LightPane(self._surface_of, self._loader)
+        pane.canvas_made.connect(self._listen)
+        self._listen(pane.surface.canvas)
+        job = f"{_LIGHT} {id(pane)}"
+        text = tr(_WORK[_LIGHT])
+        pane.moved.connect(
+            lambda share, name: self._window.progress.set_job(job, share, text.format(name=title_of(name)))
+        )
+        pane.ended.connect(lambda: self._window.progress.end_job(job))
+        pane.failed.connect(lambda error: self._report(_LIGHT, error))
+        return pane
+
+    def _show_panes(self, panes: tuple[LightPane, ...]) -> None:
+        self.panel.show_beside(panes, self.view.environment)
+
+    def _follow(self, *, coarse: bool) -> None:
+        self.lights.follow(self.view, self._contents, self._session.fitting.basis, coarse=coarse)
 
     # The view: by the tabs Light and Form, and by hand.
 
@@ -316,6 +368,7 @@ class PictureControl(Feature, QObject):
         """Take a view and show it in the tabs."""
         self.view = view
         self.pages.show_view(view)
+        self.panel.show_light(view.environment)
 
     def _move(self, view: View) -> None:
         """Draw another view at once, coarser where a whole frame takes long, and whole when the hand rests."""
@@ -325,9 +378,11 @@ class PictureControl(Feature, QObject):
             return
         self._drawer.pace.move()
         surface.set_view(view)
+        self._follow(coarse=True)
         self._resting.start()
 
     def _rest(self) -> None:
+        self.lights.rest()
         surface = self.panel.surface
         if surface is not None and self._drawer is not None and self._drawer.pace.rest():
             surface.redraw()

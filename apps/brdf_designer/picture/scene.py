@@ -27,6 +27,10 @@ class PictureScene(SceneLoader):
         last = recall()
         self.first: View = default_view() if last is None else _afresh(last)
 
+    def another(self, runner: TaskRunner, parent: QObject) -> PictureScene:
+        """Return one that loads for another picture."""
+        return PictureScene(runner, parent)
+
     @staticmethod
     def in_light(view: View, name: str) -> View:
         """Return a view in a light, with that light's own background and exposure."""

@@ -14,6 +14,7 @@ from brdf_qt.program.translation import decimal, moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
 
 from brdf_designer.documents.tabs import OpenDocument
 from brdf_designer.from_measurement.section import standard_patterns
@@ -55,7 +56,8 @@ class StandardControl(Feature, QObject):
         self._add_commands()
         section = self.section
         section.take_requested.connect(self.take_present)
-        section.load_requested.connect(self.ask_standard)
+        for asked in (section.load_requested, window.load_standard.clicked):
+            asked.connect(lambda *_: self.ask_standard())
         section.known_list_requested.connect(self._show_known)
         section.known_requested.connect(self.load_known)
         section.swap_requested.connect(self.swap)
@@ -102,13 +104,36 @@ class StandardControl(Feature, QObject):
 
     def ask_standard(self) -> None:
         """Ask for a file and load it."""
-        self._ask(self.load)
+        focused = self._window.focusWidget()
+        self._ask(lambda path: self.load(path, focused))
 
-    def load(self, name_or_path: str | Path) -> None:
-        """Load the standards in a file, or a shipped paint, beside the paint."""
+    def load(self, name_or_path: str | Path, focused: QWidget | None = None) -> None:
+        """Load the standards in a file, or a shipped paint, beside the paint.
+
+        ``focused`` had the keyboard when it was asked for: where it has it still, the reading that is farthest from
+        the standard gets it.
+        """
         path = Path(name_or_path)
         source = str(path.absolute()) if path.is_file() else ""
-        self._read(KEY, name_or_path, lambda found: self.set_standards(found, source=source))
+        focused = focused or self._window.focusWidget()
+
+        def take(found: tuple[Standard, ...]) -> None:
+            self.set_standards(found, source=source)
+            if focused in (None, self._window.focusWidget()):  # else the user is at something else by now
+                self._lead_to_worst()
+
+        self._read(KEY, name_or_path, take)
+
+    def _lead_to_worst(self) -> None:
+        """Let the reading be edited at once that is farthest from the standard, where there is a difference."""
+        standard = self.standard
+        if standard is None:
+            return
+        rows = self.report(self._session.paint, standard).rows
+        judged = ((row.verdict.difference, n) for n, row in enumerate(rows) if row.verdict is not None)
+        difference, worst = max(judged, default=(0.0, 0))
+        if difference > 0.0:
+            self._window.edit_reading(worst)
 
     def load_known(self, key: str) -> None:
         """Take an open tab's paint as it is now, or a shipped one, by its key in the menu of Load."""
@@ -176,13 +201,14 @@ class StandardControl(Feature, QObject):
             action.setEnabled(standard is not None)
         if standard is None:
             if self._shown:
-                self._window.patches.show_standard(None)
+                self._window.show_standard(None, {})
                 self._shown = False
             self.section.show_state(None)
             return
         report = self.report(paint, standard)
         state = state_of(standard, paint, report)
-        self._window.patches.show_standard(state.patches)
+        labs = {n: row.standard for n, row in enumerate(report.rows) if row.standard is not None}
+        self._window.show_standard(state.patches, labs)
         self._shown = True
         if self.host.is_open:
             self.section.show_state(state)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from brdf_qt.fields.focus_order import order_focus
-from brdf_qt.fields.form import fill_column
+from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.icons import icon
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.start.tour import TourStep
@@ -16,8 +17,8 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.window.stage import Drawer, Edge, Stage
 from brdf_qt.window.tab_panel import standard_tabs
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
@@ -28,11 +29,12 @@ from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs_bar import DocumentTabs
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
+from brdf_designer.standard_comparison.state import StandardPatch
 from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
-from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.paint import Lab, Paint
 
 TABS = standard_tabs(
     paint=mark("Colours, gloss and flakes of the paint"),
@@ -157,6 +159,16 @@ class DesignerWindow(SuiteWindow):
         self.model.show_notices(state.notices)
         self.paint_status.show_fit(state)
 
+    def show_standard(self, patches: Sequence[StandardPatch] | None, labs: Mapping[int, Lab]) -> None:
+        """Show a standard in the patches, in their order, and its L*a*b* by the readings; ``None``: there is none."""
+        self.patches.show_standard(patches)
+        self.editors.plane.show_standard(labs)
+
+    def edit_reading(self, index: int) -> None:
+        """Let the L* of a reading be typed at once, where the colours are what is seen of the panel."""
+        if self.editors.plane.isVisible():
+            self.editors.plane.take(index)
+
     def show_given(self, state: FitState) -> None:
         """Show what a fit gives at the readings in the patches alone."""
         assert self._colours is not None
@@ -206,12 +218,20 @@ class DesignerWindow(SuiteWindow):
     # How it is built.
 
     def _build_centre(self) -> None:
-        centre, below = QWidget(), QWidget()
+        centre, below, right = QWidget(), QWidget(), QWidget()
+        tip = tr("Compare the paint with a paint, a palette, CxF3 or a measured BRDF in a file")
+        self.load_standard = described(QToolButton(), name="load_standard", tip=tip)
+        self.load_standard.setText(tr("Load Standard…"))
+        self.load_standard.setIcon(icon("scales"))
+        self.load_standard.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.load_standard.setAutoRaise(True)
+        self.load_standard.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        fill_column(right, self.strip, row_of(None, self.load_standard), grows=self.strip, spacing=0)
         row = QHBoxLayout(below)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(8)
         row.addWidget(self.patches, 3)
-        row.addWidget(self.strip, 2)
+        row.addWidget(right, 2)
         below.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         fill_column(centre, self.tabs, self.stage, below, grows=self.stage, spacing=6, margins=(8, 2, 0, 4))
         self.set_centre(centre)
@@ -308,7 +328,8 @@ class DesignerWindow(SuiteWindow):
 
     def order_focus(self) -> None:
         """Let Tab go through the window as seen: tabs, picture and drawers, colours, then the tabs at the right."""
-        order_focus([self.tabs, self.stage, self.patches, self.strip, *self.panel.focus_parts()])
+        parts = [self.tabs, self.stage, self.patches, self.strip, self.load_standard]
+        order_focus([*parts, *self.panel.focus_parts()])
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

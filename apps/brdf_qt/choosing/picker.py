@@ -168,3 +168,35 @@ class SourceChooser(QWidget):
     def rename(self, key: str, title: str) -> None:
         """Give an entry another title; nothing where there is none."""
         self.sources.rename(key, title)
+
+
+class SourceTiles(QWidget):
+    """A few entries as tiles, to be taken by one click; as :class:`SourceChooser` otherwise. Its room is two rows."""
+
+    chosen = Signal(str)
+    browse_requested = Signal()
+
+    def __init__(self, owner: str, browse_tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.sources = SourceModel(self)
+        self.view = ThumbnailView(FilteredSources(self.sources, self), owner, wraps=True)
+        self.view.setDragEnabled(False)
+        self.view.setFixedHeight(2 * self.view.tile.height() + 2 * self.view.frameWidth() + 2)
+        self.view.taken.connect(lambda key, _shifted: self.chosen.emit(key))
+        self.button = icon_button("folder-open", browse_tip, self.browse_requested.emit)
+        fill_row(self, self.view, self.button, spacing=4).setAlignment(self.button, Qt.AlignmentFlag.AlignTop)
+        self.setFocusProxy(self.view)
+
+    def set_thumbnails(self, thumbnails: Thumbnails) -> None:
+        """Show pictures from here."""
+        self.sources.set_thumbnails(thumbnails)
+
+    def set_sources(self, shipped: Iterable[Source], files: Iterable[Source]) -> None:
+        """Show these tiles: shipped things, then files."""
+        self.sources.set_sources([*shipped, *(replace(source, group="recent") for source in files)])
+
+    def show_source(self, key: str, title: str) -> None:
+        """Show ``key`` as the present choice, without a signal; added to the tiles where it is not among them."""
+        if self.sources.row_of(key) < 0 and title:
+            self.sources.add(Source(key, title, "recent"))
+        self.sources.set_present(key)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_qt.choosing.filter_fields import GROUPS, filter_fields
 from brdf_qt.choosing.sources import FilteredSources, SourceModel
 from brdf_qt.choosing.view import ThumbnailView
-from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, fill_column, fill_row, icon_button, row_of
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
@@ -17,9 +16,9 @@ _FIELDS_WIDTH = 176
 
 
 class PaintStrip(QWidget):
-    """The paints of ``model``. With ``second`` there is a switch between the paints A and B of a comparison.
+    """The paints of ``model``. With ``second`` each has a mark that compares the paint on show with it.
 
-    Signals: ``taken(key)``, ``second_taken(key)`` for paint B: with Shift, or while B is switched on;
+    Signals: ``taken(key)``, ``second_taken(key)`` for the paint to compare with: by its mark, or with Shift;
     ``palette_requested()``, the user wants the paints of a palette file.
     """
 
@@ -32,7 +31,11 @@ class PaintStrip(QWidget):
         self.setObjectName("paint_strip")
         self.sources = FilteredSources(model, self)
         self.view = described(ThumbnailView(self.sources, "strip", wraps=False), spoken=tr("Paints"))
+        self._compares = second
         tip = tr("Click to show; drag onto the picture or into a palette")
+        if second:
+            self.view.mark_tip = tr("Compare with {name} (also Shift click)")
+            tip = tr("Click to show, its scales to compare; drag onto the picture or into a palette")
         self.view.setAccessibleDescription(tip)
         self.view.setToolTip(plain_tip(tip))
         self.search, self.origin = filter_fields(self.sources, tuple(GROUPS))
@@ -41,21 +44,9 @@ class PaintStrip(QWidget):
         self.browse = icon_button(
             "folder-open", tr("List the paints of a palette"), self.palette_requested.emit
         )
-        self.switch: dict[str, ChoiceButton] = {}
-        group = QButtonGroup(self)
-        tips = {
-            "A": tr("A click shows the paint"),
-            "B": tr("A click compares with the paint; also Shift click"),
-        }
-        for name in tips if second else ():
-            button = self.switch[name] = described(ChoiceButton(name), spoken=name, tip=tips[name])
-            button.setFixedWidth(button.fontMetrics().height() + 12)
-            group.addButton(button)
-        if second:
-            self.switch["A"].setChecked(True)
         fields = QWidget()
         fields.setFixedWidth(_FIELDS_WIDTH)
-        inside = row_of(self.origin, *self.switch.values(), self.browse, grows=self.origin, spacing=4)
+        inside = row_of(self.origin, self.browse, grows=self.origin, spacing=4)
         fill_column(fields, None, self.search, inside, None, spacing=4)
         row = fill_row(self, fields, self.view)
         row.setStretch(0, 0)
@@ -70,7 +61,7 @@ class PaintStrip(QWidget):
         self.sources.set_group(group)
 
     def _take(self, key: str, shifted: bool) -> None:
-        to_second = bool(self.switch) and (shifted or self.switch["B"].isChecked())
+        to_second = self._compares and shifted
         (self.second_taken if to_second else self.taken).emit(key)
 
     def _take_first(self) -> None:

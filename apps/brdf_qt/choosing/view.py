@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QHelpEvent,
     QHideEvent,
     QKeyEvent,
+    QMouseEvent,
     QPainter,
     QPaintEvent,
     QPalette,
@@ -22,17 +24,21 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
+    QToolTip,
     QWidget,
 )
 
 from brdf_qt.choosing.sources import KEY_ROLE, FilteredSources
-from brdf_qt.fields.labels import set_small
+from brdf_qt.fields.labels import plain_tip, set_small
+from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 
 PICTURE = 64
 """Width and height of a picture, points."""
 _PAD = 4
+_MARK = 20
+"""Width and height of the mark at a tile's upper right, points."""
 _SOON_MS = 30
 """After the last step of a scroll; what only flies by is not drawn."""
 _TAKE_KEYS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
@@ -70,15 +76,38 @@ class _Tile(QStyledItemDelegate):
         metrics = self._view.fontMetrics()
         name = metrics.elidedText(str(index.data())[:200], Qt.TextElideMode.ElideRight, line.width())
         painter.drawText(line, Qt.AlignmentFlag.AlignCenter, name)
+        hovered = bool(state & QStyle.StateFlag.State_MouseOver)
+        self._paint_mark(painter, box, index, wanted=hovered, present=present)
         if self._view.hasFocus() and index == self._view.currentIndex():
             painter.setPen(QPen(palette.color(role.HighlightedText if present else role.Highlight), 2))
             painter.drawRect(box.adjusted(1, 1, -1, -1))
+
+    def _paint_mark(
+        self,
+        painter: QPainter,
+        box: QRect,
+        index: QModelIndex | QPersistentModelIndex,
+        *,
+        wanted: bool,
+        present: bool,
+    ) -> None:
+        """Draw the mark of comparing: under the pointer, and where that is done already."""
+        view = self._view
+        is_second = bool(view.second) and index.data(KEY_ROLE) == view.second
+        focused = view.hasFocus() and index == view.currentIndex()
+        if not view.mark_tip or not (is_second or ((wanted or focused) and not present)):
+            return
+        palette, role, place = view.palette(), QPalette.ColorRole, view.mark_box(box)
+        painter.fillRect(place, palette.color(role.Highlight if is_second else role.Button))
+        painter.setPen(palette.color(role.Mid))
+        painter.drawRect(place.adjusted(0, 0, -1, -1))
+        icon("scales").paint(painter, place.adjusted(2, 2, -2, -2))
 
 
 class ThumbnailView(QListView):
     """Shows ``sources``, in one row or, with ``wraps``, as a grid; a click or Enter takes one.
 
-    Signals: ``taken(key, shifted)``, with whether Shift was held.
+    Signals: ``taken(key, shifted)``, with whether Shift was held, or the mark of the tile was met.
     """
 
     taken = Signal(str, bool)
@@ -98,6 +127,11 @@ class ThumbnailView(QListView):
         self.setUniformItemSizes(True)
         self.setGridSize(self.tile)
         self.setItemDelegate(_Tile(self))
+        self.mark_tip = ""
+        """What the mark at a tile's upper right does, "{name}" in it; without it the tiles have none."""
+        self.second = ""
+        """The key of the entry that the present one is compared with; its mark stays."""
+        self._pressed_at = QPoint()
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
@@ -120,7 +154,11 @@ class ThumbnailView(QListView):
         for changed in (sources.modelReset, sources.layoutChanged, sources.rowsInserted, sources.rowsRemoved):
             changed.connect(self._later)
         sources.model.present_changed.connect(self.show_present)
-        self.clicked.connect(lambda index: self._take(index, shifted=_shift_held()))
+        self.clicked.connect(
+            lambda index: self._take(
+                index, shifted=_shift_held() or self._meets_mark(index, self._pressed_at)
+            )
+        )
 
     def show_present(self, key: str) -> None:
         """Bring the present entry in sight."""
@@ -129,6 +167,35 @@ class ThumbnailView(QListView):
             self.setCurrentIndex(self.sources.index(row, 0))
             self.scrollTo(self.currentIndex())
         self.viewport().update()
+
+    def show_second(self, key: str) -> None:
+        """Mark the entry that the present one is compared with; an empty key marks none."""
+        if key != self.second:
+            self.second = key
+            self.viewport().update()
+
+    @staticmethod
+    def mark_box(tile: QRect) -> QRect:
+        """Return where the mark of a tile is."""
+        return QRect(tile.right() - _MARK - 1, tile.top() + 2, _MARK, _MARK)
+
+    def _meets_mark(self, index: QModelIndex, place: QPoint) -> bool:
+        if not self.mark_tip or not index.isValid() or index.data(KEY_ROLE) == self.sources.model.present:
+            return False
+        return self.mark_box(self.visualRect(index)).contains(place)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._pressed_at = event.position().toPoint()
+        super().mousePressEvent(event)
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent):
+            index = self.indexAt(event.pos())
+            if self._meets_mark(index, event.pos()):
+                tip = plain_tip(self.mark_tip.format(name=index.data()))
+                QToolTip.showText(event.globalPos(), tip, self, self.mark_box(self.visualRect(index)))
+                return True
+        return super().viewportEvent(event)
 
     def go_in(self) -> None:
         """Take the keyboard, on an entry."""

@@ -115,7 +115,7 @@ class DocumentFiles(QObject, Generic[T]):
             answer = self.dialogs.changed_file(path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()
-        return self._write(path)
+        return self.save_to(path)
 
     def save_as(self) -> bool:
         """Ask for a file and write the document to it; True where it was written."""
@@ -128,7 +128,7 @@ class DocumentFiles(QObject, Generic[T]):
             return False
         if not path.suffix:
             path = path.with_name(path.name + self.format.ending)
-        return self._write(path.absolute())
+        return self.save_to(path.absolute())
 
     def may_discard(self) -> bool:
         """Ask about unsaved changes where there are any; True where the document may be given up."""
@@ -151,7 +151,8 @@ class DocumentFiles(QObject, Generic[T]):
         RecentFiles().clear()
         self.recent_changed.emit()
 
-    def _write(self, path: Path) -> bool:
+    def save_to(self, path: Path) -> bool:
+        """Write the document to a file, which is its own from then on; True where it was written."""
         try:
             self.format.save(self.store.value, path)
         except SuiteError as error:

@@ -41,6 +41,14 @@ def start_member(role: str, place: QRect | None = None, *arguments: str) -> bool
     return started
 
 
+def start_again(name: str) -> bool:
+    """Start the program of this name once more, with its start page; False where it cannot be."""
+    package = next(one.package for one in MEMBERS.values() if one.name == name)
+    program, *given = child_command(package, "--start-page")
+    started, _ = QProcess.startDetached(program, given)
+    return started
+
+
 def connected_words(roles: Iterable[str]) -> str:
     """Return how a status bar names the programs that are on the link."""
     names = ", ".join(MEMBERS[role].name if role in MEMBERS else role for role in roles)

@@ -103,6 +103,12 @@ def remember(code: str) -> None:
     settings(SHARED).setValue(_KEY, code)
 
 
+def language_in_use(app: QCoreApplication | None) -> str:
+    """Return the code of the language that ``app`` shows."""
+    code = app.property(_KEY) if app is not None else None
+    return SOURCE if code is None else str(code)
+
+
 def install(app: QCoreApplication, code: str | None = None) -> str:
     """Install the translators of ``code`` (default: what was chosen) for ``app``; return the code taken.
 

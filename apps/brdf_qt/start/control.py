@@ -10,6 +10,8 @@ from PySide6.QtCore import QObject, QRect, Signal
 from PySide6.QtWidgets import QMainWindow
 
 from brdf_qt.program.settings import settings
+from brdf_qt.program.suite import start_again
+from brdf_qt.program.translation import chosen, remember
 from brdf_qt.start.page import StartWindow
 from brdf_qt.start.tour import Tour, TourStep
 
@@ -34,11 +36,14 @@ class StartControl(QObject):
         self._window, self._program, self._steps = window, program, tour
         self.page: StartWindow | None = None
         self.tour: Tour | None = None
+        self.again: Callable[[str], object] = start_again
+        """Starts the program of a name once more, after this one has closed."""
 
     def take(self, page: StartWindow) -> None:
         """Take a page that was shown before the window; what was chosen there meanwhile is done by its owner."""
         self.page = page
-        page.paint_chosen.connect(lambda name: self._leave(partial(self.paint_requested.emit, name)))
+        page.paint_chosen.connect(self._open_paint)
+        page.language_chosen.connect(self.choose_language)
         page.file_chosen.connect(lambda path: self._leave(partial(self.file_requested.emit, path)))
         page.command_chosen.connect(self._command)
 
@@ -88,9 +93,25 @@ class StartControl(QObject):
         else:
             self._leave(partial(self.command_requested.emit, key))
 
+    def choose_language(self, code: str) -> None:
+        """Close the window, which asks about unsaved work, and start again in a language; else all stays as it is."""
+        before = chosen()
+        remember(code)
+        self.hide()  # the window is the last one then, and the program ends with it
+        if self._window.close():
+            self.again(self._program)
+            return
+        remember(before)
+        self.lay_over()
+
     def _leave(self, act: Callable[[], object]) -> None:
-        """Put the page away and act; after the first time the tour begins."""
+        """Put the page away, and act in the window, which has the keyboard then."""
         self.hide()
+        self._window.activateWindow()
         act()
+
+    def _open_paint(self, name: str) -> None:
+        """Open a paint; who does so for the first time is led through the window. Other beginnings have a task."""
+        self._leave(partial(self.paint_requested.emit, name))
         if self._steps() and not settings().value(_SEEN, False, type=bool):
             self.start_tour()

@@ -12,7 +12,8 @@ from PySide6.QtCore import QEventLoop, QObject, Signal
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program.application import process_age_s
-from brdf_qt.program.translation import tr
+from brdf_qt.program.suite import start_again
+from brdf_qt.program.translation import remember, tr
 from brdf_qt.start.control import StartControl
 from brdf_qt.start.page import StartWindow
 
@@ -33,11 +34,15 @@ class Launch(QObject):
         self._waiting: Callable[[], object] | None = None
         self._error: Exception | None = None
         self._quits = self._has_window = False
+        self._loop = QEventLoop()
+        self.again: Callable[[str], object] = start_again
+        """Starts the program of a name once more."""
         page = self.page
         page.painted.connect(lambda: setattr(self, "shown_s", round(process_age_s(), 3)))
         page.paint_chosen.connect(lambda name: self._wait(partial(page.paint_chosen.emit, name)))
         page.file_chosen.connect(lambda path: self._wait(partial(page.file_chosen.emit, path)))
         page.command_chosen.connect(lambda key: self._wait(partial(page.command_chosen.emit, key)))
+        page.language_chosen.connect(self._choose_language)
 
     def load(self, module: str, make: Callable[[], T]) -> T | None:
         """Show the page, import ``module`` on a thread, and return what ``make`` makes; None where the user has quit.
@@ -46,7 +51,7 @@ class Launch(QObject):
         """
         self._app.setQuitOnLastWindowClosed(False)
         self._app.aboutToQuit.connect(self._quit)
-        loop = QEventLoop()
+        loop = self._loop
         self.page.painted.connect(loop.quit)
         self.page.show_loading(tr("Loading {program}…").format(program=self._name))
         self.page.show()
@@ -80,6 +85,15 @@ class Launch(QObject):
     def _wait(self, choice: Callable[[], object]) -> None:
         if not self._has_window:
             self._waiting = choice
+
+    def _choose_language(self, code: str) -> None:
+        """End before there is a window, and start again in a language; once there is one, that is its own affair."""
+        if not self._has_window:
+            remember(code)
+            self._quits = True
+            self.page.hide()
+            self._loop.quit()
+            self.again(self._name)
 
     def _quit(self) -> None:
         self._quits = True

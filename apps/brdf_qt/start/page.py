@@ -7,10 +7,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPalette, QShowEvent
+from PySide6.QtGui import QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPalette, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
+    QApplication,
+    QButtonGroup,
     QCheckBox,
     QFrame,
+    QHBoxLayout,
     QListWidget,
     QListWidgetItem,
     QProgressBar,
@@ -22,12 +25,14 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_qt.documents.recent_files import RecentFiles, recent_projects
+from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold, set_small
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import SHARED, settings
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import SYSTEM, language_in_use, language_names, tr
 from brdf_qt.start.gallery import Gallery
+from brdf_qt.window.shortcuts import SHORTCUTS
 
 _SHOW = "start/show"
 _SIZE = QSize(1140, 752)
@@ -37,6 +42,8 @@ _MOST_RECENT = 8
 _HEAD = 1.5
 """Size of the page's title over the usual one."""
 _PATH = Qt.ItemDataRole.UserRole
+_KEYS = {"New": "new", "new_from_measurement": "new_from_measurement"}
+"""What begins here by the name of its keys in the table of shortcuts."""
 
 
 def is_wanted() -> bool:
@@ -71,12 +78,15 @@ class StartWindow(QWidget):
     command_chosen(key)
         A command of the program is to be done: ``New``, ``new_from_measurement``, ``acquire_sample``,
         ``open_project``, ``manual`` or ``tour``.
+    language_chosen(code)
+        The program is to start again in a language (ISO 639 code), which is not the one in use.
     """
 
     painted = Signal()
     paint_chosen = Signal(str)
     file_chosen = Signal(Path)
     command_chosen = Signal(str)
+    language_chosen = Signal(str)
 
     def __init__(self, program: str, parent: QWidget | None = None) -> None:
         super().__init__(parent, Qt.WindowType.Window)
@@ -105,7 +115,9 @@ class StartWindow(QWidget):
         right = QWidget()
         fill_column(right, _heading(tr("Begin with a paint")), scroll, grows=scroll, spacing=8)
         middle = row_of(side, right, grows=right, spacing=24)
-        fill_column(self, head, middle, self._foot(), spacing=14, margins=(24, 18, 16, 14)).setStretch(1, 1)
+        top = row_of(head, None, self._languages())
+        fill_column(self, top, middle, self._foot(), spacing=14, margins=(24, 18, 16, 14)).setStretch(1, 1)
+        self._add_keys()
         self.gallery.tiles[next(iter(self.gallery.tiles))].setFocus()
 
     def show_loading(self, what: str) -> None:
@@ -124,6 +136,7 @@ class StartWindow(QWidget):
         self._nothing.setVisible(not self.recent.count())
         self.recent.setVisible(bool(self.recent.count()))
         self.wanted.setChecked(is_wanted())
+        self.languages[language_in_use(QApplication.instance())].setChecked(True)
 
     def showEvent(self, event: QShowEvent) -> None:
         self.refresh()
@@ -148,7 +161,7 @@ class StartWindow(QWidget):
 
     def _begin(self) -> list[QWidget]:
         rows = (
-            ("New", "file-plus", tr("New Paint"), tr("Begin with a solid grey paint")),
+            ("New", "file-plus", tr("New Paint"), tr("Begin with a grey metallic paint")),
             (
                 "new_from_measurement",
                 "folder-open",
@@ -187,6 +200,32 @@ class StartWindow(QWidget):
         tour = self._button("tour", "map-trifold", tr("Tour"), tr("Three steps through the window"))
         manual = self._button("manual", "book-open", tr("Manual"), tr("All documents, without a network"))
         return [_gap(), _heading(tr("Learn")), tour, manual]
+
+    def _languages(self) -> QHBoxLayout:
+        """Return a button for each language, in its own words: who reads another one finds it there."""
+        self.languages: dict[str, ChoiceButton] = {}
+        group = QButtonGroup(self)
+        for code, name in language_names().items():
+            if code == SYSTEM:
+                continue
+            button = described(ChoiceButton(name), name=f"start_language_{code}", spoken=name)
+            button.setToolTip(plain_tip(tr("Start again in {language}").format(language=name)))
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            button.setChecked(code == language_in_use(QApplication.instance()))
+            button.clicked.connect(lambda _=False, code=code: self._choose_language(code))
+            group.addButton(button)
+            self.languages[code] = button
+        return row_of(*self.languages.values(), spacing=4)
+
+    def _choose_language(self, code: str) -> None:
+        if code != language_in_use(QApplication.instance()):
+            self.language_chosen.emit(code)
+
+    def _add_keys(self) -> None:
+        """Give what begins here the keys that it has in the window."""
+        for key, shortcut in _KEYS.items():
+            press = QShortcut(QKeySequence(SHORTCUTS[shortcut].keys[0]), self)
+            press.activated.connect(lambda key=key: self.command_chosen.emit(key))
 
     def _foot(self) -> QWidget:
         self.wanted = described(QCheckBox(tr("Show at start")), name="start_wanted")

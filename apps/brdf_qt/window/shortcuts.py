@@ -90,6 +90,7 @@ SHORTCUTS = _table(
     ("curves", mark("Curves"), "F7"),
     ("lobes", mark("Lobes"), "Shift+F7"),
     ("factors", mark("Factors"), "F8"),
+    ("three_lights", mark("Three lights"), "Shift+F8"),
     ("map", mark("Colour map"), "F9"),
     ("real_time", mark("Render in real time"), "Ctrl+Alt+1"),
     ("ray_traced", mark("Render by ray tracing"), "Ctrl+Alt+2"),

@@ -123,6 +123,14 @@ class Stage(QWidget):
         action.setChecked(drawer.is_open)
         action.toggled.connect(drawer.set_open)
         drawer.toggled.connect(action.setChecked)
+        self._add_button(title, action, len(self.drawers) - 1)
+        return drawer
+
+    def add_button(self, title: str, action: QAction) -> None:
+        """Add a button for ``action`` at the end of the bar, behind those of the drawers."""
+        self._add_button(title, action, self._row.count())
+
+    def _add_button(self, title: str, action: QAction, place: int) -> None:
         button = described(QToolButton(), spoken=title)
         button.setDefaultAction(action)
         button.setText(title)
@@ -130,10 +138,9 @@ class Stage(QWidget):
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         # The text of the action has the letter of a menu.
         action.changed.connect(lambda: button.setText(title))
-        self._row.addWidget(button)
+        self._row.insertWidget(place, button)
         self.bar.show()
         self.place()
-        return drawer
 
     def place(self) -> None:
         """Put picture, bar and drawers where they belong."""

@@ -88,6 +88,14 @@ class CompareControl(ViewerFeature):
         mode = self._state.view.compare.mode
         self._change(paint=key or None, mode="side" if mode == "off" else mode)
 
+    def toggle(self, key: str) -> None:
+        """Take a paint as B; the one that is compared already ends the comparison."""
+        second, mode = self._state.second, self._state.view.compare.mode
+        if second is not None and second.key == key and mode != "off":
+            self.set_mode("off")
+        else:
+            self.choose(key)
+
     def freeze(self) -> None:
         """Keep the paint on show, as it is now, as B."""
         state = self._state
@@ -238,6 +246,7 @@ class CompareControl(ViewerFeature):
         if second is not None or compare.mode == "off":
             window.messages.dismiss(_OFFER)
         shown = compare.mode if second is not None else "off"
+        window.strip.view.show_second(second.key if second is not None and shown != "off" else "")
         self._set_blinking(shown == "blink", compare.rate_hz)
         divider = compare.divider if shown == "swipe" else None
         self._gesture.set_divider(divider)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from brdf_qt.choosing.picker import SourceChooser
+from brdf_qt.choosing.picker import SourceTiles
 from brdf_qt.fields.choices import ChoiceBox, note
-from brdf_qt.fields.form import Form, fill_column
+from brdf_qt.fields.form import Form, described, fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
@@ -151,7 +151,7 @@ class SurfaceSection(Section):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Surface"), "surface", parent)
         self.daily = Form()
-        self.chooser = SourceChooser(tr("Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)"))
+        self.chooser = SourceTiles("forms", tr("Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)"))
         self.facts = note(lines=2)
         self.occlusion = self._check("occlusion", tr("Occlusion"))
         self.occlusion.setToolTip(tr("Darkens recesses; computed once per surface in the background"))
@@ -169,7 +169,8 @@ class SurfaceSection(Section):
         self.recentre = self._check("recentre", tr("Centre on ground"))
         self.normals = self._list("normals", NORMALS_TITLES)
         self.flip_normals = self._check("flip_normals", tr("Flip normals"))
-        self.daily.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
+        described(self.chooser.view, spoken=tr("Form"), tip=tr("Surface to which the paint is applied"))
+        self.daily.add_wide(self.chooser)
         self.daily.add_row("", self.ground)
         form = self.add(Form())
         form.add_wide(self.parts, self.facts)

@@ -129,36 +129,59 @@ def test_open_folder_asks_for_a_folder_and_keeps_the_assistant_in_front(
     assert assistant.window.session.picture.isVisible()
 
 
+@pytest.fixture
+def sample(simulated) -> Path:
+    """Photographs that lie where those of the simulated rig are kept."""
+    return Path(shutil.copytree(simulated, state_folder("acquire") / "sample_session"))
+
+
 def test_a_simulated_session_is_made_once_and_opened(assistant, qtbot, monkeypatch):
-    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
-    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
-    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
-    start = assistant.window.session.start
-    with qtbot.waitSignal(assistant.bench.opened):
-        QTest.mouseClick(start.sample, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
-    made = assistant.bench.folder
-    assert len(assistant.bench.session.positions) == 4
-    written = (made / "session.json").stat().st_mtime_ns
-    assistant.bench.open(None, None)
-    assert start.isVisible()
-    with qtbot.waitSignal(assistant.bench.opened):
-        start.sample.click()
-    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
-    assert (made / "session.json").stat().st_mtime_ns == written
-
-
-def test_a_simulation_that_was_stopped_is_made_anew(assistant, qtbot, monkeypatch):
-    folder = state_folder("acquire") / "sample_session"
-    folder.mkdir()
-    (folder / "half.png").write_bytes(b"half")
-    monkeypatch.setattr(session_control, "_SAMPLE_POSITIONS", 4)
-    monkeypatch.setattr(session_control, "_SAMPLE_EXPOSURES", 3)
-    monkeypatch.setattr(session_control, "_SAMPLE_PX", 64)
+    for name, number in (("_SAMPLE_POSITIONS", 4), ("_SAMPLE_EXPOSURES", 3), ("_SAMPLE_PX", 64)):
+        monkeypatch.setattr(session_control, name, number)
+    half = state_folder("acquire") / "sample_session"
+    half.mkdir()
+    (half / "half.png").write_bytes(b"half")  # of one that was stopped
     with qtbot.waitSignal(assistant.bench.opened):
         assistant.sessions.open_sample()
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
-    assert not (folder / "half.png").exists()
+    made = assistant.bench.folder
+    assert not (made / "half.png").exists()
+    assert len(assistant.bench.session.positions) == 4
+    written = (made / "session.json").stat().st_mtime_ns
+    assistant.bench.open(None, None)
+    assert assistant.window.session.start.isVisible()
+    with qtbot.waitSignal(assistant.bench.opened):
+        assistant.sessions.open_sample()
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert (made / "session.json").stat().st_mtime_ns == written
+    assert not assistant.bench.results
+
+
+def test_trying_it_takes_all_steps_and_ends_where_the_paint_is_opened(assistant, sample, qtbot):
+    window = assistant.window
+    QTest.mouseClick(window.session.start.sample, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: "fit" in assistant.bench.results or bool(window.messages.shown()))
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert not window.messages.shown()
+    assert window.step == "fit"
+    assert window.focusWidget() is window.fit.open
+    place = window.fit.open.mapTo(window.fit.side.viewport(), window.fit.open.rect().center())
+    assert window.fit.side.viewport().rect().contains(place)
+    # Where all is there it leads to the same place, and works nothing out again.
+    window.show_page("session")
+    window.all.click()
+    assert assistant.bench.is_quiet
+    assert window.step == "fit"
+
+
+def test_trying_it_ends_where_it_is_stopped(assistant, sample, qtbot):
+    QTest.mouseClick(assistant.window.session.start.sample, Qt.MouseButton.LeftButton)
+    assistant.bench.cancel("open")
+    with qtbot.waitSignal(assistant.bench.opened):
+        assistant.sessions.open_sample()
+    qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+    assert assistant.window.step == "session"
+    assert not assistant.bench.results
 
 
 @pytest.mark.parametrize("size", [(280, 220), (900, 500)])

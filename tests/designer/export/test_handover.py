@@ -11,8 +11,9 @@ import pytest
 from brdf_designer.assembly import Designer
 from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.export.process import Request, run_export, tolerance_words
-from brdf_designer.export.section import TITLES
+from brdf_designer.export.section import DAILY, TITLES
 from brdf_designer.standard_comparison.control import StandardControl
+from PySide6.QtCore import QPoint, Qt
 
 from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Gloss
@@ -54,7 +55,7 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     assert designer.window.section(KEY).is_open
     assert control.section.losses.text().startswith("Losses:")
     control.section.choose("csv")
-    control.section.format_chosen.emit("csv")
+    control.section.formats_chosen.emit()
     qtbot.waitUntil(lambda: control.section.losses.text() == "No losses.")
     dialogs.path = tmp_path / "blue.csv"
     control.section.export.click()
@@ -70,8 +71,8 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     paint = designer.session.paint
     designer.window.findChild(StandardControl).set_standards([standard_of(replace(paint, name="the aim"))])
     control.section.choose("html")
-    control.section.format_chosen.emit("html")
-    qtbot.waitUntil(lambda: control.section.compared.isVisibleTo(control.section))
+    control.section.formats_chosen.emit()
+    qtbot.waitUntil(control.section.compared.isEnabled)
     control.section.pictures.setChecked(False)
     designer.window.dismiss_message(KEY)
     control.export(tmp_path / "blue.html")
@@ -81,9 +82,47 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     # A paint that cannot be: formats of how it reflects are refused before there is a file.
     designer.session.set_paint(replace(paint, gloss=Gloss(150.0)), "Gloss")
     control.section.choose("gltf")
-    control.section.format_chosen.emit("gltf")
+    control.section.formats_chosen.emit()
     qtbot.waitUntil(lambda: "150 GU" in control.section.losses.text())
     assert not control.section.export.isEnabled()
+
+
+def test_several_formats_go_to_one_folder_beside_what_is_there(
+    qtbot, designer, dialogs, control, tmp_path: Path
+) -> None:
+    section = control.section
+    section.rest.set_open(False)
+    section.choose("csv")
+    section.formats_chosen.emit()
+    assert not section.formats["json"].isVisibleTo(section)
+    section.rest.header.click()
+    qtbot.mouseClick(section.formats["json"], Qt.MouseButton.LeftButton, pos=QPoint(8, 10))
+    assert section.chosen == ("csv", "json")
+    qtbot.waitUntil(section.export.isEnabled)
+    assert section.losses.text().count("No losses.") == 2
+    assert section.losses.text().startswith(section.formats["csv"].text())
+    (tmp_path / "Blue.csv").write_text("old")
+    dialogs.path = tmp_path
+    section.export.click()
+    qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
+    assert (tmp_path / "Blue.csv").read_text() == "old"
+    for ending in (".csv", ".json"):
+        assert read_paints(tmp_path / f"Blue 2{ending}").paints == (designer.session.paint,)
+    shown = designer.window.messages.shown()[KEY]
+    assert (shown.what, shown.where) == ("Blue 2.csv, Blue 2.json exported.", str(tmp_path))
+    # What can be written is, where another cannot.
+    designer.window.dismiss_message(KEY)
+    control.export(tmp_path / "again.csv", tmp_path / "no folder" / "again.json")
+    qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
+    assert (tmp_path / "again.csv").exists()
+    shown = designer.window.messages.shown()[KEY]
+    assert "cannot be written" in shown.what
+    assert "again.csv" in shown.todo
+    section.choose()
+    section.formats_chosen.emit()
+    qtbot.waitUntil(lambda: section.losses.text() == "Tick the formats to export.")
+    assert not section.export.isEnabled()
+    section.choose("cxf")
 
 
 def test_a_cancelled_export_leaves_the_old_file(designer, tmp_path: Path) -> None:
@@ -142,7 +181,7 @@ def test_the_command_brings_its_tab_to_the_front_with_the_whole_section_in_sight
     def in_sight() -> bool:
         return all(
             view.rect().contains(part.mapTo(view, part.rect().center()))
-            for part in (control.section.formats, export)
+            for part in (*map(control.section.formats.get, DAILY), export)
         )
 
     qtbot.waitUntil(in_sight)

@@ -6,7 +6,6 @@ import dataclasses
 
 import numpy as np
 import pytest
-from brdf_designer.assembly import new_paint
 from brdf_designer.colour.display import component_tracks, lab_to_codes
 from brdf_designer.colour.patches import lab_text
 from brdf_designer.session.state import colours_of, curves_of
@@ -58,7 +57,7 @@ def test_a_track_at_its_own_value_is_the_colour_itself():
 
 
 def test_flop_of_a_solid_is_zero_and_needs_its_angles():
-    paint = new_paint()
+    paint = solid_paint("x", (50.0, 0.0, 0.0))
     assert colours_of(paint).flop.value == 0.0
     items = tuple(
         dataclasses.replace(m, aspecular_deg=25.0) if m.aspecular_deg == 15.0 else m

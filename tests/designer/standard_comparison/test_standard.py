@@ -8,7 +8,9 @@ import pytest
 from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.standard_comparison.settings import ToleranceSettings, load, save
 from brdf_designer.standard_comparison.state import MARKED, state_of
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QLineEdit
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000, delta_e_cmc
 from brdf_suite.appearance.difference.tolerance import Limits
@@ -27,6 +29,11 @@ def control(program) -> StandardControl:
     control = program.feature(StandardControl)
     control.judge_by(load())
     return control
+
+
+@pytest.fixture
+def dialogs_of_module(fresh):
+    return fresh[1]
 
 
 def click(button) -> None:
@@ -50,6 +57,42 @@ def entry(control, text: str) -> QAction:
 
 def column(table, number: int) -> list[str]:
     return [table.item(row, number).text() for row in range(table.rowCount())]
+
+
+def test_a_loaded_standard_leads_to_the_reading_that_is_farthest_from_it(
+    program, control, dialogs_of_module, qtbot, tmp_path
+) -> None:
+    window, plane = program.window, program.window.editors.plane
+    save_paint(program.session.paint, tmp_path / "standard.brdfpaint")
+    darker_at_flop(program, 3.0)
+    dialogs_of_module.path = tmp_path / "standard.brdfpaint"
+    assert window.load_standard.isVisible()
+    assert plane.index != 2
+    qtbot.mouseClick(window.load_standard, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: control.standard is not None)
+    assert plane.index == 2
+    field = window.focusWidget()
+    assert plane.field is field or plane.field.isAncestorOf(field)
+    assert plane.standard.text().splitlines()[1] == "L* 9.00"
+    qtbot.keyClicks(field, "9")
+    qtbot.keyClick(field, Qt.Key.Key_Tab)
+    assert control.section.verdict.text().upper().startswith("PASS")
+    control.remove()
+    assert plane.standard.text() == ""
+
+
+def test_a_standard_that_comes_late_leaves_the_keyboard_where_it_is(
+    program, control, qtbot, tmp_path
+) -> None:
+    save_paint(program.session.paint, tmp_path / "standard.brdfpaint")
+    darker_at_flop(program, 3.0)
+    plane, name = program.window.editors.plane, program.window.texts.daily.findChild(QLineEdit)
+    before = plane.index
+    control.load(tmp_path / "standard.brdfpaint")
+    name.setFocus()
+    qtbot.waitUntil(lambda: control.standard is not None)
+    assert program.window.focusWidget() is name
+    assert plane.index == before
 
 
 def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(program, control) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from brdf_designer.export.control import HandoverControl
 from brdf_designer.standard_comparison.control import StandardControl
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -67,10 +68,10 @@ def test_from_an_empty_start_to_the_hand_over(started, tmp_path, qtbot) -> None:
     assert control.section.sentence.text() == "darker at 110°; slightly more flop"
     dialogs.path = tmp_path / "blue.cxf"
     press(Qt.Key.Key_E, CONTROL)
-    write("CxF3")
+    assert QApplication.focusWidget().text().startswith("CxF3")
+    section = designer.feature(HandoverControl).section
+    qtbot.waitUntil(section.export.isEnabled)  # what is lost is read first
     tab_to("Export…")
-    export = QApplication.focusWidget()
-    qtbot.waitUntil(export.isEnabled)
     press(Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: "handover" in designer.window.messages.shown())
     (back,) = read_paints(dialogs.path).paints

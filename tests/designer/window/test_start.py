@@ -8,11 +8,14 @@ import subprocess
 import sys
 
 import pytest
+from brdf_designer.session.edits import SetField
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import chosen
 from brdf_qt.start.launch import Launch
+from brdf_qt.window.dialogs import Answer
 from brdf_qt.window.message_bar import Message
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtWidgets import QApplication, QPushButton, QToolButton
 
 
 @pytest.fixture
@@ -38,6 +41,43 @@ def test_new_paint_is_begun_and_the_other_beginnings_are_commands(program, start
     assert len(program.documents.row) == count + 1
     for key in ("new_from_measurement", "acquire_sample", "open_project", "manual", "tour"):
         assert program.window.command(key).isEnabled()
+
+
+def test_who_begins_something_is_not_led_through_the_window(program, qtbot):
+    program.window.start.show()
+    qtbot.mouseClick(program.window.start.page.findChild(QToolButton, "start_New"), Qt.MouseButton.LeftButton)
+    assert program.documents.front.title == "Untitled"
+    assert program.window.start.tour is None
+
+
+def test_a_language_starts_the_program_again_unless_its_window_stays(own_designer, dialogs, qtbot):
+    again = []
+    start = own_designer.window.start
+    start.again = again.append
+    start.show()
+    own_designer.session.edit(SetField("name", "Changed"))
+    qtbot.mouseClick(start.page.languages["de"], Qt.MouseButton.LeftButton)
+    assert dialogs.asked
+    assert not again
+    assert chosen() == "system"
+    assert start.page.isVisible()
+    assert start.page.languages["en"].isChecked()
+    dialogs.answer = Answer.DISCARD
+    qtbot.mouseClick(start.page.languages["de"], Qt.MouseButton.LeftButton)
+    assert again == ["Designer"]
+    assert chosen() == "de"
+    assert not start.page.isVisible()
+
+
+def test_a_language_chosen_before_there_is_a_window_makes_none(qtbot):
+    again = []
+    launch = Launch(QApplication.instance(), "Designer")
+    qtbot.addWidget(launch.page)
+    launch.again = again.append
+    launch.page.painted.connect(lambda: QTimer.singleShot(0, lambda: launch.page.languages["de"].click()))
+    assert launch.load("brdf_designer.assembly", lambda: "made") is None
+    assert again == ["Designer"]
+    assert chosen() == "de"
 
 
 def test_edits_go_on_while_the_page_is_shown(program, start, qtbot):

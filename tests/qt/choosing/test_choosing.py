@@ -18,6 +18,7 @@ from brdf_qt.work.pictures import Pictures
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from brdf_suite.documents.paint import Paint, solid_paint
@@ -146,14 +147,15 @@ def test_the_strip_is_used_by_mouse_and_keys(qtbot, pictures) -> None:
     strip.second_taken.connect(lambda key: taken.append(("B", key)))
     qtbot.waitExposed(strip)
 
-    def click(row: int, held: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
-        place = strip.view.visualRect(strip.sources.index(row, 0)).center()
-        QTest.mouseClick(strip.view.viewport(), Qt.MouseButton.LeftButton, held, place)
+    def click(row: int, *, on_mark: bool = False) -> None:
+        box = strip.view.visualRect(strip.sources.index(row, 0))
+        place = strip.view.mark_box(box).center() if on_mark else box.center()
+        QTest.mouseClick(strip.view.viewport(), Qt.MouseButton.LeftButton, pos=place)
 
     click(1)
-    QTest.mouseClick(strip.switch["B"], Qt.MouseButton.LeftButton)
-    click(0)
-    QTest.mouseClick(strip.switch["A"], Qt.MouseButton.LeftButton)
+    model.set_present("red")
+    click(0, on_mark=True)
+    click(1, on_mark=True)  # that of the paint on show has none
     strip.search.setFocus()
     QTest.keyClicks(strip.search, "red")
     assert titles(strip.sources) == ["Red", "Dark red"]
@@ -163,7 +165,31 @@ def test_the_strip_is_used_by_mouse_and_keys(qtbot, pictures) -> None:
     QTest.keyClick(strip.view, Qt.Key.Key_Return)
     QTest.keyClick(strip.view, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
     QTest.keyClick(strip.search, Qt.Key.Key_Return)
-    assert taken == [("A", "red"), ("B", "blue"), ("A", "dark"), ("B", "dark"), ("A", "red")]
+    assert taken == [("A", "red"), ("B", "blue"), ("A", "red"), ("A", "dark"), ("B", "dark"), ("A", "red")]
+
+
+def test_the_mark_of_comparing_is_seen_under_the_pointer_and_where_it_is_done(qtbot, pictures) -> None:
+    model = model_of(Source("blue", "Blue"), Source("red", "Red"))
+    strip = PaintStrip(model, second=True)
+    qtbot.addWidget(strip)
+    strip.resize(700, strip.sizeHint().height())
+    strip.show()
+    qtbot.waitExposed(strip)
+    view = strip.view
+    box = view.visualRect(strip.sources.index(1, 0))
+
+    def mark() -> QImage:
+        return view.viewport().grab(view.mark_box(box)).toImage()
+
+    plain = mark()
+    QTest.mouseMove(view.viewport(), box.center())
+    qtbot.waitUntil(lambda: mark() != plain)
+    QTest.mouseMove(view.viewport(), QPoint(300, 10))
+    qtbot.waitUntil(lambda: mark() == plain)
+    view.show_second("red")
+    assert mark() != plain
+    view.show_second("")
+    assert mark() == plain
 
 
 def test_what_is_dragged_is_what_color_swatch_reads(tmp_path: Path, pictures) -> None:

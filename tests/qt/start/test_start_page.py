@@ -11,6 +11,8 @@ from brdf_qt.start.gallery import Gallery, gallery
 from brdf_qt.start.page import StartWindow, is_wanted
 from PIL import Image
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
 from brdf_suite.pipeline.material import paint_titles
@@ -70,6 +72,26 @@ def test_it_is_shown_at_start_until_that_is_unticked(page, qtbot):
     assert page.wanted.isChecked()
     page.wanted.click()
     assert not is_wanted()
+
+
+def test_a_language_asks_for_a_start_in_it_and_the_one_in_use_for_nothing(page, qtbot):
+    assert {code: button.text() for code, button in page.languages.items()} == {
+        "en": "English",
+        "de": "Deutsch",
+    }
+    assert page.languages["en"].isChecked()
+    with qtbot.assertNotEmitted(page.language_chosen):
+        qtbot.mouseClick(page.languages["en"], Qt.MouseButton.LeftButton)
+    with qtbot.waitSignal(page.language_chosen) as asked:
+        qtbot.mouseClick(page.languages["de"], Qt.MouseButton.LeftButton)
+    assert asked.args == ["de"]
+
+
+def test_it_has_the_keys_of_the_window(page, qtbot):
+    for keys, key in (("Ctrl+N", "New"), ("Ctrl+Shift+N", "new_from_measurement")):
+        with qtbot.waitSignal(page.command_chosen) as asked:
+            QTest.keySequence(page, QKeySequence(keys))
+        assert asked.args == [key]
 
 
 def test_escape_puts_it_away(page, qtbot):

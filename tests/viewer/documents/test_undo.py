@@ -202,7 +202,7 @@ def test_an_environment_and_a_surface_are_brought_back(viewer, lights, qtbot) ->
     commands.redo.trigger()
     viewer.wait_idle()
     assert (viewer.state.environment.key, viewer.state.surface.key) == (str(lights["bright"]), "panel")
-    assert viewer.window.surface.chooser.list.currentData() == "panel"
+    assert viewer.window.surface.chooser.sources.present == "panel"
 
 
 def test_an_environment_that_is_gone_is_reported_and_the_view_names_what_is_drawn(

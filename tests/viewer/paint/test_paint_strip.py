@@ -13,11 +13,14 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 
 
-def click(viewer, key: str, held: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+def click(
+    viewer, key: str, held: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier, *, on_mark: bool = False
+) -> None:
     strip = viewer.window.strip
     index = strip.sources.index(strip.sources.row_of(key), 0)
     strip.view.scrollTo(index)
-    place = strip.view.visualRect(index).center()
+    box = strip.view.visualRect(index)
+    place = strip.view.mark_box(box).center() if on_mark else box.center()
     QTest.mouseClick(strip.view.viewport(), Qt.MouseButton.LeftButton, held, place)
 
 
@@ -32,6 +35,17 @@ def test_a_click_shows_a_paint_and_shift_click_compares(viewer) -> None:
     )
     assert viewer.state.paint_key == "candy_red"
     assert viewer.state.view.compare.mode == "side"
+
+
+def test_the_mark_of_a_paint_compares_with_it_and_again_ends_that(viewer) -> None:
+    click(viewer, "candy_red")
+    click(viewer, "silver_metallic", on_mark=True)
+    viewer.qtbot.waitUntil(lambda: viewer.window.strip.view.second == "silver_metallic")
+    assert viewer.state.paint_key == "candy_red"
+    assert viewer.state.view.compare.mode == "side"
+    click(viewer, "silver_metallic", on_mark=True)
+    assert viewer.state.view.compare.mode == "off"
+    assert viewer.window.strip.view.second == ""
 
 
 def test_a_swatch_of_the_open_palette_is_compared_by_its_name(viewer, tmp_path: Path) -> None:

@@ -69,12 +69,17 @@ def test_the_list_goes_back_to_an_earlier_file(viewer, lights) -> None:
 
 
 def test_shipped_environments_and_surfaces_are_in_the_lists(viewer) -> None:
-    environments, surfaces = viewer.window.environment.chooser.list, viewer.window.surface.chooser.list
+    environments, forms = viewer.window.environment.chooser.list, viewer.window.surface.chooser
     assert {environments.findText(t) for t in ("Light booth", "Sunny sky", "Overcast sky")}.isdisjoint({-1})
-    assert {surfaces.findText(t) for t in ("Speed form", "Sphere", "Curved panel", "Car")}.isdisjoint({-1})
+    rows = range(forms.sources.rowCount())
+    titles = {forms.sources.source_at(row).title for row in rows}
+    assert titles >= {"Speed form", "Sphere", "Curved panel", "Car"}
     first = viewer.pixels()
-    choose(viewer.window.surface.chooser, "panel")
+    viewer.window.panel.show_page("form")
+    place = forms.view.visualRect(forms.view.sources.index(forms.sources.row_of("panel"), 0)).center()
+    QTest.mouseClick(forms.view.viewport(), Qt.MouseButton.LeftButton, pos=place)
     viewer.wait_idle()
+    assert forms.sources.present == "panel"
     assert viewer.view.surface == "panel"
     assert np.abs(viewer.pixels().astype(int) - first).max() > 20
     assert "triangles" in viewer.window.surface.facts.text()

@@ -96,7 +96,7 @@ class FitPage(AcquirePage):
         tip = tr("Save the lobes as a .brdfpaint file for Viewer")
         self.save = button(tr("Save Paint…"), tip, self.save_requested.emit)
         self.kept = wrapped()
-        self.add_part("result", tr("Result"), self.open, self.save, self.kept)
+        self.result = self.add_part("result", tr("Result"), self.open, self.save, self.kept)
         self.show_fit(None)
 
     @property

@@ -44,7 +44,6 @@ class SessionControl(QObject):
         self._pause = make_timer(self, self.write_pending, _PAUSE_MS)
         page.open_requested.connect(self.ask)
         page.template_requested.connect(self.ask_new)
-        page.sample_requested.connect(self.open_sample)
         page.check_requested.connect(self.check)
         page.number_edited.connect(self._edited)
         bench.window.folder_dropped.connect(lambda name: self.open(Path(name)))
@@ -67,7 +66,7 @@ class SessionControl(QObject):
 
     def open_sample(self) -> None:
         """Open photographs of a simulated rig; they are made where they are not there yet."""
-        folder = state_folder("acquire") / _SAMPLE
+        folder = sample_folder()
         if (folder / SESSION_FILE).is_file():
             self.open(folder)
             return
@@ -197,6 +196,11 @@ class SessionControl(QObject):
             return self._bench.folder
         kept = Path(str(settings().value(_LAST, "", type=str)) or Path.home())
         return kept if kept.is_dir() else Path.home()
+
+
+def sample_folder() -> Path:
+    """Return where the photographs of the simulated rig are kept."""
+    return state_folder("acquire") / _SAMPLE
 
 
 def apply_edit(session: Session, values: dict[str, float]) -> Session:

@@ -136,7 +136,7 @@ class StartPage(QWidget):
         tip = tr("Create a folder with a session.json template for new photographs")
         self.new = described(QPushButton(tr("New Folder…")), name="start_new", tip=tip)
         tip = tr(
-            "Simulate photographs of a blue metallic sphere and open them; made once, in about ten seconds"
+            "Simulate photographs of a blue metallic sphere and take all steps with them; about half a minute"
         )
         self.sample = described(QPushButton(tr("Try a Simulated Session")), name="start_sample", tip=tip)
         self.open.setDefault(True)
