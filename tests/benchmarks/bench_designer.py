@@ -38,6 +38,7 @@ BOUNDS = {
         "slider event until strip, curves and the fit figures in the status bar are also painted, median",
     ),
     "followed_p99_ms": ("", None, "ms", "the same, 99th percentile"),
+    "followed_cpu_median_ms": ("", None, "ms", "its processor time on the window's thread, median"),
     "values_median_ms": ("", None, "ms", "the part until all values are set, before painting"),
     "idle_median_ms": ("", None, "ms", "one piece of the idle work"),
     "idle_max_ms": ("", None, "ms", "the longest piece: the delay of an event at that moment"),
@@ -58,8 +59,8 @@ def run(progress=None):
         [sys.executable, str(script)], capture_output=True, text=True, check=True, timeout=300
     )
     times = json.loads(done.stdout.splitlines()[-1])
-    names = ("update", "cpu", "values", "followed")
-    update, cpu, values, followed = (times[name][_WARM_UP:] for name in names)
+    names = ("update", "cpu", "values", "followed", "followed_cpu")
+    update, cpu, values, followed, followed_cpu = (times[name][_WARM_UP:] for name in names)
     return {
         "picture_share": times["picture_share"],
         "update_median_ms": median(update),
@@ -68,6 +69,7 @@ def run(progress=None):
         "update_cpu_p99_ms": float(np.percentile(cpu, 99)),
         "followed_median_ms": median(followed),
         "followed_p99_ms": float(np.percentile(followed, 99)),
+        "followed_cpu_median_ms": median(followed_cpu),
         "values_median_ms": median(values),
         "idle_median_ms": median(times["idle"]),
         "idle_max_ms": max(times["idle"]),

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Literal
 
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
+from brdf_qt.fields.labels import ElidedLabel, plain_tip, set_bold
 from brdf_qt.fields.marks import SIZE, Mark
 from brdf_qt.program.translation import tr
 
@@ -80,11 +80,9 @@ class StatusCell(ElidedLabel):
         least = self._character * _FEWEST_CHARACTERS + SIZE
         return QSize(min(hint.width(), least), hint.height()) if self._elastic else hint
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        if self._elastic:
-            super().paintEvent(event)
-        else:
-            PlainLabel.paintEvent(self, event)
+    @property
+    def shown_text(self) -> str:
+        return super().shown_text if self._elastic else self.text()
 
 
 class StatusLine(QStatusBar):

@@ -37,7 +37,8 @@ def drag() -> dict[str, list[float] | float]:
     """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
 
     ``followed`` is the time from the event until strip, curves and status bar are set and painted too. ``cpu`` is
-    the processor's time of each update on the thread of the window, which other programs do not lengthen.
+    the processor's time of each update on the thread of the window, which other programs hardly lengthen, and
+    ``followed_cpu`` that of all of ``followed``.
     """
     from brdf_designer.assembly import Designer
     from brdf_designer.session.paint_session import IdleWork
@@ -69,7 +70,7 @@ def drag() -> dict[str, list[float] | float]:
     slider = designer.window.editors.plane.slider
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
-    values, update, cpu, followed = [], [], [], []
+    values, update, cpu, followed, followed_cpu = [], [], [], [], []
     before = slider.amount()
     for step in range(STEPS):
         # To and fro, a pixel a step, and never twice the same place in a row.
@@ -97,6 +98,7 @@ def drag() -> dict[str, list[float] | float]:
             app.processEvents()
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
         followed.append(1e3 * (perf_counter() - began))
+        followed_cpu.append(1e3 * (thread_time() - began_cpu))
         assert slider.amount() != before or step == 0
         before = slider.amount()
         _let_run(app, BETWEEN_S)
@@ -104,7 +106,7 @@ def drag() -> dict[str, list[float] | float]:
     assert designer.store.stack.count() == 1
     designer.close()
     times = {"values": values, "update": update, "cpu": cpu, "followed": followed, "idle": idle}
-    return {**times, "picture_share": share}
+    return {**times, "followed_cpu": followed_cpu, "picture_share": share}
 
 
 def picture_share(window: DesignerWindow) -> float:
