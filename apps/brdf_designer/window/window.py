@@ -136,9 +136,10 @@ class DesignerWindow(SuiteWindow):
             part = section.part_of(colours.paint)
             if before is None or before is colours.paint or section.part_of(before) != part:
                 section.show_paint(colours.paint)
+                if section is self.model:
+                    self._show_model()
         self.plot.show_colours(colours)
         self.paint_status.show_colours(colours)
-        self._show_model()
         if self.reading_menus.show_angles(colours.angles):
             # Fields have come or gone with the angles.
             QTimer.singleShot(0, self, self.order_focus)
