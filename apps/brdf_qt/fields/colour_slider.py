@@ -173,6 +173,11 @@ class ColourSlider(QAbstractSlider):
         painter.setPen(QPen(QColor(90, 90, 90), 1))
         painter.drawLine(QPointF(x, handle.top() + 4), QPointF(x, handle.bottom() - 4))
 
+    def sliderChange(self, change: QAbstractSlider.SliderChange) -> None:
+        """Draw nothing anew for a value: who changes it knows which part to draw."""
+        if change != QAbstractSlider.SliderChange.SliderValueChange:
+            super().sliderChange(change)
+
     def _on_changed(self, value: int) -> None:
         self._burst.touch()
         self._amount = round(self._low + value * self._step, 9)
