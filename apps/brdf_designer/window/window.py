@@ -16,7 +16,8 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.window.stage import Drawer, Edge, Stage
 from brdf_qt.window.tab_panel import standard_tabs
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
@@ -63,6 +64,7 @@ class DesignerWindow(SuiteWindow):
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
         self.stage = Stage()
+        self._ordering = make_timer(self, self.order_focus)
 
     def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
         """Make what edits the paint of ``session``, and the menus with the names of the ``shipped`` paints."""
@@ -141,8 +143,7 @@ class DesignerWindow(SuiteWindow):
         self.plot.show_colours(colours)
         self.paint_status.show_colours(colours)
         if self.reading_menus.show_angles(colours.angles):
-            # Fields have come or gone with the angles.
-            QTimer.singleShot(0, self, self.order_focus)
+            self._order_focus_later()
 
     def _show_model(self) -> None:
         self.paint_status.show_model(self.model.rule.currentText(), changed=self.model.has_changed)
@@ -226,7 +227,7 @@ class DesignerWindow(SuiteWindow):
         self.plot.drag_started.connect(session.begin_gesture)
         self.plot.edited.connect(self.editors.edit_in_lch)
         # New buttons are the last of the window until they are put in order.
-        self.editors.plane.angles_made.connect(lambda: QTimer.singleShot(0, self, self.order_focus))
+        self.editors.plane.angles_made.connect(self._order_focus_later)
         self.plot.drag_finished.connect(session.end_gesture)
         self.coat, self.flakes = CoatSection(session), FlakesSection(session)
         self.model, self.texts = ModelSection(session), TextSection(session)
@@ -310,6 +311,11 @@ class DesignerWindow(SuiteWindow):
     def order_focus(self) -> None:
         """Let Tab go through the window as seen: tabs, picture and drawers, colours, then the tabs at the right."""
         order_focus([self.tabs, self.stage, self.patches, self.strip, *self.panel.focus_parts()])
+
+    def _order_focus_later(self) -> None:
+        """Order the fields that have come with the angles; those of the start are ordered once it is painted."""
+        if self.isVisible() and not self._ordering.isActive():
+            self._ordering.start()
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

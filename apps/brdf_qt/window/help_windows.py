@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from importlib.metadata import version
-
 from PySide6.QtCore import Qt, qVersion
 from PySide6.QtGui import QKeySequence, QPalette
 from PySide6.QtWidgets import (
@@ -17,6 +15,7 @@ from PySide6.QtWidgets import (
     QTreeWidgetItem,
 )
 
+import brdf_suite
 from brdf_qt.fields.form import fill_column
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.command_palette import commands
@@ -101,7 +100,7 @@ class AboutWindow(QDialog):
             "real environment."
         )
         licence = tr("Apache License 2.0. Qt {version} under the LGPL.").format(version=qVersion())
-        text = QLabel(f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3><p>{what}</p><p>{licence}</p>")
+        text = QLabel(f"<h3>BRDF Suite {program} {brdf_suite.__version__}</h3><p>{what}</p><p>{licence}</p>")
         text.setTextFormat(Qt.TextFormat.RichText)
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         fill_column(self, text).setContentsMargins(24, 16, 24, 16)
