@@ -1,4 +1,4 @@
-"""Time from a slider's mouse event to painted numbers and patches in Designer.
+"""Time from a slider's mouse event to painted numbers and target colours in Designer, and to what the fit gives.
 
 A drag of 600 steps in the real window with all parts, in a separate process on Qt's offscreen platform. The first 30
 steps, which fill caches, are excluded. Slow work runs at idle; its longest pieces are listed.
@@ -26,7 +26,7 @@ BOUNDS = {
         "<=",
         5.0,
         "ms",
-        "slider event to painted numbers and patches, median of a drag",
+        "slider event to painted numbers and target colours, median of a drag",
     ),
     "update_p99_ms": ("<=", 12.0, "ms", "the same, 99th percentile"),
     "update_cpu_median_ms": ("", None, "ms", "its processor time on the window's thread, median"),
@@ -35,7 +35,7 @@ BOUNDS = {
         "",
         None,
         "ms",
-        "slider event until strip, curves and the fit figures in the status bar are also painted, median",
+        "slider event until strip, curves and what the fit gives in patches and status bar are also painted, median",
     ),
     "followed_p99_ms": ("", None, "ms", "the same, 99th percentile"),
     "followed_cpu_median_ms": ("", None, "ms", "its processor time on the window's thread, median"),
@@ -44,7 +44,7 @@ BOUNDS = {
     "idle_max_ms": ("", None, "ms", "the longest piece: the delay of an event at that moment"),
 }
 NOTES = {
-    "update_median_ms": "strip and curves follow in the next turn of the event loop: followed_median_ms",
+    "update_median_ms": "the fit, strip and curves follow in the next turn of the event loop: followed_median_ms",
     "update_p99_ms": "without drawing the picture, which this platform cannot; a slow frame waits for a rest",
 }
 _WARM_UP = 30

@@ -36,7 +36,7 @@ def main() -> None:
 def drag() -> dict[str, list[float] | float]:
     """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
 
-    ``followed`` is the time from the event until strip, curves and status bar are set and painted too. ``cpu`` is
+    ``followed`` is the time from the event until the fit, strip, curves and status bar are painted too. ``cpu`` is
     the processor's time of each update on the thread of the window, which other programs hardly lengthen, and
     ``followed_cpu`` that of all of ``followed``.
     """
@@ -87,13 +87,13 @@ def drag() -> dict[str, list[float] | float]:
         began, began_cpu = perf_counter(), thread_time()
         QApplication.sendEvent(slider, event)
         set_at = perf_counter()
-        # What has changed is painted: numbers, tracks and patches.
+        # What has changed is painted: numbers, tracks, and the target colours of the patches.
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
         ended, ended_cpu = perf_counter(), thread_time()
         values.append(1e3 * (set_at - began))
         update.append(1e3 * (ended - began))
         cpu.append(1e3 * (ended_cpu - began_cpu))
-        # Strip, curves and what the status bar says of the fit come in the next turn of the event loop.
+        # The fit, with strip, curves and what patches and status bar say of it, comes in the next turn of the loop.
         while not designer.controller.is_idle:
             app.processEvents()
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
