@@ -39,5 +39,21 @@ def test_a_picture_is_rendered_without_qt() -> None:
     assert "moderngl" in loaded
 
 
+SLOW_STARTS = {
+    "pyqtgraph",
+    "OpenGL",
+    "scipy.special",
+    "scipy.ndimage",
+    "numpy.ma",
+    "importlib.metadata",
+    "xml.sax",
+}
+
+
+@pytest.mark.parametrize("program", ["brdf_designer", "brdf_lobe_visualizer"])
+def test_the_first_painted_window_waits_for_nothing_that_it_does_not_show(program: str) -> None:
+    assert not modules_after(f"import {program}.assembly") & (SLOW_STARTS | HEAVY)
+
+
 def test_the_command_helps_without_the_core() -> None:
     assert not modules_after("from brdf_suite.cli.main import parser; parser()") & (QT | HEAVY | {"numpy"})

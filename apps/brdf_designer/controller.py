@@ -25,7 +25,7 @@ class Controller(QObject):
         self._view, self._session, self._documents = view, session, session.documents
         self._refused = False
         # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
-        # once for all the edits of one turn.
+        # once for all the edits of one turn; in a gesture so does the fit.
         self._later = make_timer(self, self._show_curves)
         self._uncurved: LobeFit | None = None
         session.document_switched.connect(self._switch)
@@ -44,7 +44,7 @@ class Controller(QObject):
     @property
     def is_idle(self) -> bool:
         """Whether strip and curves are of the paint that the numbers are of, or of the last one that can be."""
-        return self._uncurved is None
+        return self._uncurved is None and not self._session.is_fitting
 
     def start(self) -> None:
         """Show everything for the first time."""
@@ -94,7 +94,9 @@ class Controller(QObject):
         self._view.dismiss_message("fit")
         self._view.show_fit(fit_state_of(fit))
         self._uncurved = fit
-        if not self._later.isActive():
+        if self._session.in_gesture:
+            self._show_curves()
+        elif not self._later.isActive():
             self._later.start()
 
     def _show_preview(self, fit: LobeFit | None) -> None:

@@ -10,8 +10,6 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
-from brdf_suite.files.cxf import is_cxf, read_cxf
-from brdf_suite.files.exports import FORMATS
 from brdf_suite.paint_design.measured_start import estimated_gloss
 from brdf_suite.paint_design.standard import Standard, standard_of
 from brdf_suite.pipeline.material import Material, is_file, load_document, load_material, material_of
@@ -82,6 +80,11 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
             head = stream.read(_HEAD)
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    from brdf_suite.files.cxf import (
+        is_cxf,
+    )  # with the readers 60 ms, which Designer's start does not wait for
+    from brdf_suite.files.exports import FORMATS
+
     if is_cxf(head):
         return _of_cxf(path)
     for known in FORMATS:
@@ -91,6 +94,8 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
 
 
 def _of_cxf(path: Path) -> tuple[Standard, ...]:
+    from brdf_suite.files.cxf import read_cxf
+
     file = read_cxf(path)
     found: list[Standard] = []
     refused = [*file.refused]

@@ -23,6 +23,13 @@ BOUNDS = {
         "ms",
         "click on a paint of the start page to its first picture, 1280 x 720, after the start, median of 3",
     ),
+    "viewer_strip_picture_ms": (
+        "<=",
+        1500.0,
+        "ms",
+        "Viewer: click on a paint of the paint strip to its first picture, 1280 x 720, after the start, median of 3",
+    ),
+    "designer_strip_picture_ms": ("<=", 1500.0, "ms", "Designer: the same"),
     "designer_ready_s": ("<=", 2.0, "s", "Designer: process start to a usable window, median of 5"),
     "lobes_ready_s": ("<=", 2.0, "s", "Lobe Visualizer: the same"),
 }
@@ -36,20 +43,23 @@ def run(progress=None):
     report(progress, 0.0, "starting with the start page")
     found = {"start_page_ms": 1e3 * _seconds("brdf_designer", "start_page_s", "--start-page")}
     report(progress, 0.2, "opening paints of the start page")
-    found["gallery_picture_ms"] = _gallery_picture_ms()
+    found["gallery_picture_ms"] = _picture_ms("gallery_click.py")
+    report(progress, 0.3, "choosing paints of the paint strip")
+    found["viewer_strip_picture_ms"] = _picture_ms("strip_click.py", "viewer")
+    found["designer_strip_picture_ms"] = _picture_ms("strip_click.py", "designer")
     for place, (figure, package) in enumerate(PROGRAMS.items()):
         report(progress, 0.4 + 0.6 * place / len(PROGRAMS), f"starting {package}")
         found[figure] = _seconds(package, "ready_s")
     return found
 
 
-def _gallery_picture_ms():
+def _picture_ms(script, *arguments):
     screenshots = load_module(Path(__file__).parents[2] / "packaging" / "screenshots" / "screenshots.py")
-    script = Path(__file__).parent / "parts" / "start" / "gallery_click.py"
+    path = Path(__file__).parent / "parts" / "start" / script
     with screenshots.virtual_screen() as display:
         environment = {**os.environ, "DISPLAY": display, "QT_QPA_PLATFORM": "xcb"}
         done = subprocess.run(
-            [sys.executable, str(script)],
+            [sys.executable, str(path), *arguments],
             env=environment,
             capture_output=True,
             text=True,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import Future
 from dataclasses import replace
+from time import sleep
 from unittest.mock import create_autospec
 
 import numpy as np
@@ -13,7 +14,7 @@ from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import SetField, SetLab, SetNumber
-from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.session.paint_session import LONGEST_UNFITTED_S, PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import PaintStatus
 from brdf_designer.window.window import DesignerWindow
@@ -156,6 +157,57 @@ def test_an_edit_of_another_field_ends_the_gesture(parts):
         "Change Gloss 20°",
         "Change L* at 15°",
     ]
+
+
+def test_in_a_gesture_the_fit_follows_once_for_all_edits_of_a_turn(parts, qtbot):
+    fits = []
+    parts.session.fit_changed.connect(lambda fit: fits.append(fit.paint))
+    parts.session.begin_gesture()
+    for lightness in (30.0, 31.0, 32.0):
+        parts.session.edit(SetLab(1, 0, lightness))
+        # The numbers are there at once.
+        assert parts.view.show_colours.call_args.args[0].paint is parts.store.value
+    assert (fits, parts.session.is_fitting, parts.controller.is_idle) == ([], True, False)
+    parts.view.show_fit.assert_not_called()
+    qtbot.waitUntil(lambda: parts.controller.is_idle)
+    assert fits == [parts.store.value]
+    assert parts.store.value.measurements[1].lab[0] == 32.0
+    # Nothing is left to a further turn: with the fit, what lies between the angles is shown.
+    parts.view.show_fit.assert_called_once()
+    parts.view.show_curves.assert_called_once()
+
+
+def test_a_fit_that_is_asked_for_in_a_gesture_is_of_the_paint_as_it_is(parts):
+    parts.session.begin_gesture()
+    parts.session.edit(SetLab(1, 0, 30.0))
+    assert parts.session.fit.paint is parts.store.value
+    assert not parts.session.is_fitting
+    parts.session.edit(SetLab(1, 0, 31.0))
+    ended = []
+    parts.session.gesture_ended.connect(lambda: ended.append(parts.session.is_fitting))
+    parts.session.end_gesture()
+    assert ended == [False]
+    assert parts.view.show_fit.call_count == 2
+    assert parts.session.fit.paint.measurements[1].lab[0] == 31.0
+
+
+def test_edits_that_leave_no_turn_to_the_fit_do_not_starve_it(parts):
+    parts.session.begin_gesture()
+    parts.session.edit(SetLab(1, 0, 30.0))
+    parts.view.show_fit.assert_not_called()
+    sleep(2.0 * LONGEST_UNFITTED_S)
+    parts.session.edit(SetLab(1, 0, 31.0))
+    parts.view.show_fit.assert_called_once()
+    assert not parts.session.is_fitting
+
+
+def test_a_paint_that_cannot_be_is_refused_in_a_gesture_too(parts, qtbot):
+    parts.session.begin_gesture()
+    parts.session.edit(SetNumber("gloss.gu_20", 199.0))
+    qtbot.waitUntil(lambda: parts.view.mark_fit_stale.called)
+    assert parts.session.fit is None
+    parts.session.edit(SetNumber("gloss.gu_20", 88.0))
+    assert parts.session.fit is not None
 
 
 def test_a_refused_value_is_reported_and_the_field_shows_the_document_again(parts):

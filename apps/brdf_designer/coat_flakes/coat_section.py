@@ -174,6 +174,8 @@ class CoatSection(PaintSection):
         ior, roughness = (self.ior.value(), held[1]) if key == "ior" else (held[0], self.roughness.value())
         self._asked, self._taken = (ior, roughness), False
         self.session.edit(SetCoat(key, ior, roughness))
+        if self.session.is_fitting:
+            self.session.fit_now()
         self._asked = None
         if not self._taken:
             # It was refused: what is shown is the coat that the paint has.

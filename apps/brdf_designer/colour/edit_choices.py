@@ -60,7 +60,7 @@ class ColourHead(QWidget):
             self.sets.addItem(tr(text), name)
         self.sets.addItem(tr(_OWN), None)
         self.sets.activated.connect(self._chosen)
-        self._set: str | None = None
+        self._set: str | None = ""  # none of them yet
         known = PARAMETERS["aspecular_deg"]
         self.angle = NumberField(tr("New angle"), "°", known.low, 134.0, 5.0, 1, 60.0)
         self.angle.setObjectName("new_angle")
@@ -93,8 +93,9 @@ class ColourHead(QWidget):
 
     def show_set(self, name: str | None, light_deg: float | None = None) -> None:
         """Show which set the paint's angles are, ``None``: none of them; and where a view can be, by its light."""
-        self._set = name
-        self.sets.setCurrentIndex(self.sets.findData(name))
+        if name != self._set:
+            self._set = name
+            self._select()
         if light_deg is not None and light_deg != self._light_deg:
             self._light_deg = light_deg
             known = PARAMETERS["aspecular_deg"]
@@ -106,9 +107,12 @@ class ColourHead(QWidget):
     def _chosen(self, row: int) -> None:
         name = self.sets.itemData(row)
         # "Own angles" says what is, and cannot be asked for: angles are added and removed one by one.
-        self.show_set(self._set)
+        self._select()
         if name is not None:
             self.choose_set(name)
+
+    def _select(self) -> None:
+        self.sets.setCurrentIndex(self.sets.findData(self._set))
 
     def choose_set(self, name: str) -> None:
         """Ask for a set, as the list does."""

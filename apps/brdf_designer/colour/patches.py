@@ -8,7 +8,7 @@ from brdf_qt.fields.labels import plain_tip, set_small
 from brdf_qt.fields.marks import verdict_mark
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
@@ -63,12 +63,13 @@ class ColourField(QWidget):
             return
         self._shown = colour
         self._rgb = QColor(*colour.rgb)
-        self._in_gamut = colour.in_gamut
-        self.setToolTip("" if colour.in_gamut else tr(OUTSIDE_TIP))
+        if colour.in_gamut != self._in_gamut:
+            self._in_gamut = colour.in_gamut
+            self.setToolTip("" if colour.in_gamut else tr(OUTSIDE_TIP))
         numbers = lab_text(colour.lab)
         name = tr("Colour at {angle}: {lab}")
         self.setAccessibleName(name.format(angle=colour.text, lab=numbers))
-        self.update()
+        self.update(self._halves()[0])
 
     def show_standard(self, patch: StandardPatch | None) -> None:
         """Show a standard's colour in the right half, without a gap between them; ``None`` for the whole field."""
@@ -81,45 +82,46 @@ class ColourField(QWidget):
         """Show what the fit gives along the lower edge, without a gap; ``None`` where there is no fit."""
         rgb = None if given is None else QColor(*given.rgb)
         if rgb != self.given:
+            came_or_went = rgb is None or self.given is None
             self.given = rgb
-            self.update()
+            self.update(self.rect() if came_or_went else self._halves()[1])
 
     def sizeHint(self) -> QSize:
         return QSize(260, _TALL)
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.fillRect(self.rect(), self._rgb)
-        batch = QRectF(self.rect())
+        upper, lower = self._halves()
+        painter.fillRect(upper, self._rgb)
+        batch = self.rect()
         if self.standard is not None:
             batch.setWidth(self.width() // 2)
-            other = QRectF(batch.right(), 0, self.width() - batch.right(), self.height())
+            upper, lower = upper & batch, lower & batch
+            other = self.rect().adjusted(batch.width(), 0, 0, 0)
             painter.fillRect(other, self.standard)
             if not self._standard_in_gamut:
-                paint_corner(painter, other, 2 * CORNER)
-            _write(painter, self._upper(batch), tr("batch"), self._rgb)
+                paint_corner(painter, QRectF(other), 2 * CORNER)
+            _write(painter, upper, tr("batch"), self._rgb)
             _write(painter, other, tr("standard"), self.standard)
-        if self.given is not None:
-            lower = batch.adjusted(0, self._upper(batch).height(), 0, 0)
+        elif self.given is not None and event.rect().intersects(upper):
+            _write(painter, upper, tr("target"), self._rgb)
+        if self.given is not None and event.rect().intersects(lower):
             painter.fillRect(lower, self.given)
             _write(painter, lower, tr("fit"), self.given, rows=1)
-            if self.standard is None:
-                _write(painter, self._upper(batch), tr("target"), self._rgb)
         if not self._in_gamut:
-            paint_corner(painter, batch, 2 * CORNER)
+            paint_corner(painter, QRectF(batch), 2 * CORNER)
         # A hairline, so that a colour like the surround is still seen as a field.
         painter.setPen(self.palette().dark().color())
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
 
-    def _upper(self, rect: QRectF) -> QRectF:
-        """The part of ``rect`` that shows what is asked; what is left shows what the fit gives."""
-        if self.given is None:
-            return rect
-        band = min(GIVEN_SHARE * rect.height(), GIVEN_MOST)
-        return rect.adjusted(0, 0, 0, -round(band))
+    def _halves(self) -> tuple[QRect, QRect]:
+        """The part that shows what is asked, and below it the one that shows what the fit gives."""
+        rect = self.rect()
+        band = 0 if self.given is None else round(min(GIVEN_SHARE * rect.height(), GIVEN_MOST))
+        return rect.adjusted(0, 0, 0, -band), rect.adjusted(0, rect.height() - band, 0, 0)
 
 
-def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 2) -> None:
+def _write(painter: QPainter, rect: QRect, text: str, ground: QColor, rows: int = 2) -> None:
     """Write what a part is at its lower edge, in black or white, where it has the room of some ``rows``."""
     inner = rect.adjusted(6, 1, -6, -2)
     metrics = painter.fontMetrics()

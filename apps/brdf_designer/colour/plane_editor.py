@@ -14,8 +14,8 @@ from brdf_qt.fields.number import NumberField
 from brdf_qt.program.monitor_profile import monitor_of
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPixmap, QShowEvent
+from PySide6.QtCore import QRect, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.colour.angle_editor import ROWS, add_slider_row, slider_grid
@@ -49,6 +49,22 @@ _LEGEND_TIP = mark(
 )
 
 
+class _Chip(QIconEngine):
+    """A square of one colour. Another colour needs no other icon, for which a button asks for a new layout."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rgb = (0, 0, 0)
+
+    def paint(self, painter: QPainter, rect: QRect, _mode: QIcon.Mode, _state: QIcon.State) -> None:
+        painter.fillRect(rect, QColor(*self.rgb))
+
+    def clone(self) -> QIconEngine:
+        other = _Chip()
+        other.rgb = self.rgb
+        return other
+
+
 class PlaneEditor(QWidget):
     """Edits the chroma, hue and lightness of one reading, or with All of every one alike.
 
@@ -76,7 +92,7 @@ class PlaneEditor(QWidget):
         self._angles_box.setSpacing(2)
         self.buttons: dict[int, ChoiceButton] = {}
         self._group = QButtonGroup(self)
-        self._chips: dict[int, tuple[int, int, int]] = {}
+        self._chips: dict[int, _Chip] = {}
         self.values, self.legend, self.standard = PlainLabel(), PlainLabel(), PlainLabel()
         self._standards: Mapping[int, Lab] = {}
         for words in (self.legend, self.standard):
@@ -234,11 +250,10 @@ class PlaneEditor(QWidget):
             if text != button.text():
                 button.setText(text)
                 button.setToolTip(plain_tip(tr("Edit the colour at {angle}").format(angle=angle.text)))
-            if self._chips.get(angle.index) != angle.rgb:
-                self._chips[angle.index] = angle.rgb
-                chip = QPixmap(_CHIP, _CHIP)
-                chip.fill(QColor(*angle.rgb))
-                button.setIcon(QIcon(chip))
+            chip = self._chips[angle.index]
+            if chip.rgb != angle.rgb:
+                chip.rgb = angle.rgb
+                button.update()
             if angle.index == self.index and not button.isChecked():
                 button.setChecked(True)
 
@@ -247,6 +262,8 @@ class PlaneEditor(QWidget):
         button.setObjectName(f"plane_angle_{index}")
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         button.setIconSize(QSize(_CHIP, _CHIP))
+        self._chips[index] = _Chip()
+        button.setIcon(QIcon(self._chips[index]))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         set_small(button)

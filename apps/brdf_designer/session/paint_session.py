@@ -29,6 +29,8 @@ from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 QUIET_MS = 40
 LONGEST_WAIT_MS = 250
 """A drag that never pauses is followed this often; what cannot keep up with it should run as a task."""
+LONGEST_UNFITTED_S = 0.02
+"""An edit of a gesture that finds the one before waiting longer than this for its fit is fitted at once."""
 
 
 class IdleWork(QObject):
@@ -88,7 +90,8 @@ class PaintSession(QObject):
     paint_changed(Paint)
         The paint is another: by an edit, undo, redo, or because another document is in front.
     fit_changed(LobeFit)
-        Reflectance and weights of it; once more where the exact fit follows a time-limited one.
+        Reflectance and weights of it, in a gesture in the next turn of the event loop; once more where the exact fit
+        follows a time-limited one.
     refused(SuiteError)
         No reflectance or fit can be had of the paint; ``fit`` is ``None``.
     document_switched()
@@ -129,8 +132,11 @@ class PaintSession(QObject):
         self.documents = documents
         self._fitter, self._publish, self._messages = fitter, publish, messages
         self._idle = IdleWork(self)
-        self.fit: LobeFit | None = None
-        """The newest fit of the paint; ``None`` while no such paint can be."""
+        self._fit: LobeFit | None = None
+        # In a gesture numbers and patches are set and painted first: what is under the hand never waits for the fit,
+        # and of several edits in one turn of the event loop the newest is fitted.
+        self._fitting_later = make_timer(self, self.fit_now)
+        self._unfitted_since = 0.0
         self.in_preview = False
         """Whether another paint is seen for a moment."""
         self._gesture: _Gesture | None = None
@@ -167,6 +173,18 @@ class PaintSession(QObject):
     def document_key(self) -> int:
         """A number of the document's own, to keep something for it beside the paint."""
         return self.documents.front.key
+
+    @property
+    def fit(self) -> LobeFit | None:
+        """The fit of the paint as it is now, made if it is still to come; ``None`` while no such paint can be."""
+        if self.is_fitting:
+            self.fit_now()
+        return self._fit
+
+    @property
+    def is_fitting(self) -> bool:
+        """Whether the fit of the paint is still to come."""
+        return self._fitting_later.isActive()
 
     @property
     def in_gesture(self) -> bool:
@@ -246,6 +264,8 @@ class PaintSession(QObject):
         gesture = self._gesture
         if gesture is None:
             return
+        if self.is_fitting:
+            self.fit_now()
         ended = let_go or gesture.start is not None
         gesture.start = None
         if let_go:
@@ -313,14 +333,27 @@ class PaintSession(QObject):
         if paint is not self.paint:
             # A listener has changed it, and the later ones were notified of the newer one.
             return
+        if not self.in_gesture:
+            self.fit_now()
+        elif not self.is_fitting:
+            self._exact.forget()
+            self._unfitted_since = monotonic()
+            self._fitting_later.start()
+        elif monotonic() - self._unfitted_since > LONGEST_UNFITTED_S:
+            self.fit_now()  # the next turn does not come: events come faster than they are worked at
+
+    def fit_now(self) -> None:
+        """Fit the paint as it is, also where that was to come in the next turn of the event loop."""
+        self._fitting_later.stop()
+        paint = self.paint
         try:
             fit = self._fitter.fit(paint)
         except SuiteError as error:
-            self.fit = None
+            self._fit = None
             self._exact.forget()
             self.refused.emit(error)
         else:
-            self.fit = fit
+            self._fit = fit
             self._exact.watch(fit)
             self._reachable = paint
             self.fit_changed.emit(fit)
@@ -328,7 +361,7 @@ class PaintSession(QObject):
 
     def _take_exact(self, fit: LobeFit) -> None:
         # The other programs fit the paint themselves.
-        self.fit = fit
+        self._fit = fit
         self.fit_changed.emit(fit)
 
     def _watch(self, document: OpenDocument) -> None:
@@ -345,7 +378,7 @@ class PaintSession(QObject):
         store.history_changed.connect(when_in_front(self._history_changed))
 
     def _history_changed(self) -> None:
-        # The stack reports every push by four signals, also where a drag goes on and nothing reads otherwise.
+        # The stack reports every push, also where a drag goes on and nothing reads otherwise.
         stack = self.documents.front.store.stack
         now = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
         if now != self._shown_history:

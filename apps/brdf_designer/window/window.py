@@ -17,7 +17,8 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.window.stage import Drawer, Edge, Stage
 from brdf_qt.window.tab_panel import standard_tabs
 from brdf_qt.work.pictures import Pictures
-from PySide6.QtCore import Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
@@ -65,6 +66,7 @@ class DesignerWindow(SuiteWindow):
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
         self.stage = Stage()
+        self._ordering = make_timer(self, self.order_focus)
 
     def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
         """Make what edits the paint of ``session``, and the menus with the names of the ``shipped`` paints."""
@@ -138,12 +140,12 @@ class DesignerWindow(SuiteWindow):
             part = section.part_of(colours.paint)
             if before is None or before is colours.paint or section.part_of(before) != part:
                 section.show_paint(colours.paint)
+                if section is self.model:
+                    self._show_model()
         self.plot.show_colours(colours)
         self.paint_status.show_colours(colours)
-        self._show_model()
         if self.reading_menus.show_angles(colours.angles):
-            # Fields have come or gone with the angles.
-            QTimer.singleShot(0, self, self.order_focus)
+            self._order_focus_later()
 
     def _show_model(self) -> None:
         self.paint_status.show_model(self.model.rule.currentText(), changed=self.model.has_changed)
@@ -245,7 +247,7 @@ class DesignerWindow(SuiteWindow):
         self.plot.drag_started.connect(session.begin_gesture)
         self.plot.edited.connect(self.editors.edit_in_lch)
         # New buttons are the last of the window until they are put in order.
-        self.editors.plane.angles_made.connect(lambda: QTimer.singleShot(0, self, self.order_focus))
+        self.editors.plane.angles_made.connect(self._order_focus_later)
         self.plot.drag_finished.connect(session.end_gesture)
         self.coat, self.flakes = CoatSection(session), FlakesSection(session)
         self.model, self.texts = ModelSection(session), TextSection(session)
@@ -330,6 +332,11 @@ class DesignerWindow(SuiteWindow):
         """Let Tab go through the window as seen: tabs, picture and drawers, colours, then the tabs at the right."""
         parts = [self.tabs, self.stage, self.patches, self.strip, self.load_standard]
         order_focus([*parts, *self.panel.focus_parts()])
+
+    def _order_focus_later(self) -> None:
+        """Order the fields that have come with the angles; those of the start are ordered once it is painted."""
+        if self.isVisible() and not self._ordering.isActive():
+            self._ordering.start()
 
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""

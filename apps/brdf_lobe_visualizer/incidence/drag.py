@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH
-from brdf_lobe_visualizer.view3d.view import LobeView
 from brdf_suite.arrays import Floats
 
 if TYPE_CHECKING:

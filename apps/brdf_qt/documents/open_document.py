@@ -74,13 +74,8 @@ class DocumentStore(QObject, Generic[T]):
         self.stack.setUndoLimit(MOST_STEPS)
         stack = self.stack
         stack.cleanChanged.connect(self._on_clean_changed)
-        for signal in (
-            stack.undoTextChanged,
-            stack.redoTextChanged,
-            stack.canUndoChanged,
-            stack.canRedoChanged,
-        ):
-            signal.connect(self._on_history_changed)
+        # Of the five signals of a change this one comes first, when the others' values are already the new ones.
+        stack.indexChanged.connect(self._on_history_changed)
 
     @property
     def value(self) -> T:

@@ -94,10 +94,11 @@ class ColourSlider(QAbstractSlider):
     def set_amount(self, amount: float) -> None:
         """Show ``amount`` without a signal; beyond the range the handle stays at the end."""
         if amount != self._amount:
-            self._amount = amount
+            before, self._amount = self._amount, amount
             with QSignalBlocker(self):
                 self.setValue(round((amount - self._low) / self._step))
-            self.update()
+            for place in (before, amount):
+                self.update(self._handle(place).toAlignedRect().adjusted(-2, -2, 2, 2))
 
     def positions(self) -> NDArray[np.float64]:
         """Return the ``TRACK_SAMPLES`` values, left to right, whose colours :meth:`set_track` wants."""
@@ -127,6 +128,9 @@ class ColourSlider(QAbstractSlider):
         groove = self._groove()
         part = (amount - self._low) / (self._high - self._low)
         return groove.left() + min(1.0, max(0.0, part)) * groove.width()
+
+    def _handle(self, amount: float) -> QRectF:
+        return QRectF(self._x(amount) - 3.5, 1.5, 7, self.height() - 3)
 
     def _at(self, x: float) -> float:
         groove = self._groove()
@@ -160,8 +164,7 @@ class ColourSlider(QAbstractSlider):
 
     def _paint_handle(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        x = self._x(self._amount)
-        handle = QRectF(x - 3.5, 1.5, 7, self.height() - 3)
+        x, handle = self._x(self._amount), self._handle(self._amount)
         focus = self.hasFocus()
         outer = self.palette().highlight().color() if focus else QColor(0, 0, 0)
         painter.setPen(QPen(outer, 2.0 if focus else 1.0))
@@ -169,6 +172,11 @@ class ColourSlider(QAbstractSlider):
         painter.drawRoundedRect(handle, 2, 2)
         painter.setPen(QPen(QColor(90, 90, 90), 1))
         painter.drawLine(QPointF(x, handle.top() + 4), QPointF(x, handle.bottom() - 4))
+
+    def sliderChange(self, change: QAbstractSlider.SliderChange) -> None:
+        """Draw nothing anew for a value: who changes it knows which part to draw."""
+        if change != QAbstractSlider.SliderChange.SliderValueChange:
+            super().sliderChange(change)
 
     def _on_changed(self, value: int) -> None:
         self._burst.touch()

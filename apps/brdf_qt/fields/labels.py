@@ -6,22 +6,24 @@ read. Labels of the programs are :class:`PlainLabel`, and tips with words from e
 
 from __future__ import annotations
 
+import re
 from html import escape
 from typing import Any
 
 from PySide6 import QtGui
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from brdf_qt.fields.marks import SIZE, Mark, draw_mark
 
 _WIDTHS = 16
-"""Of so many widths at most a label knows its heights."""
+"""Of so many widths at most a label knows its heights, and of so many texts the widths."""
 _SMALL = 0.88
 """The smaller size of type over the usual one."""
 _LEAST = 8
 """Characters that an elided label keeps."""
+_DIGIT = re.compile(r"\d")
 
 
 def plain_tip(text: str) -> str:
@@ -76,14 +78,15 @@ class PlainLabel(QLabel):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        self._paint_mark()
+        if self._mark is not None:
+            self._paint_mark(QPainter(self))
 
-    def _paint_mark(self) -> None:
+    def _paint_mark(self, painter: QPainter) -> None:
         if self._mark is not None:
             area = self.contentsRect()
             lines = self.alignment() & Qt.AlignmentFlag.AlignTop or self.wordWrap()
             middle = area.top() + self.fontMetrics().height() / 2 if lines else area.center().y() + 0.5
-            draw_mark(QPainter(self), self._mark, self.margin(), middle)
+            draw_mark(painter, self._mark, self.margin(), middle)
 
 
 class RoomyLabel(PlainLabel):
@@ -114,7 +117,68 @@ class RoomyLabel(PlainLabel):
         return QSize(hint.width(), max(hint.height(), self._lines * self.fontMetrics().lineSpacing()))
 
 
-class ElidedLabel(PlainLabel):
+class DrawnLabel(PlainLabel):
+    """One line that it draws itself: a new text asks for a new layout only where the label wants another size for it.
+
+    QLabel asks at every text, and what holds it asks in turn: in a drag the whole window would be laid out anew at
+    every step. Screen readers read the text unless it has been given a name of its own.
+    """
+
+    _text = ""
+    _widths: dict[str, int] | None = None
+
+    def text(self) -> str:
+        return self._text
+
+    def setText(self, text: str) -> None:
+        before = self._text
+        if text == before:
+            return
+        hint = self.sizeHint()
+        self._text = text
+        if self.accessibleName() in ("", before):
+            self.setAccessibleName(text)
+        if self.sizeHint() != hint:
+            self.updateGeometry()
+        self.update()
+
+    @property
+    def shown_text(self) -> str:
+        """The text as it is drawn."""
+        return self._text
+
+    def sizeHint(self) -> QSize:
+        margins, around = self.contentsMargins(), 2 * self.margin()
+        wide = margins.left() + margins.right() + around + self.text_width(self._text)
+        return QSize(wide, margins.top() + margins.bottom() + around + self.fontMetrics().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def text_width(self, text: str) -> int:
+        """Return the width of a text, pixels. Digits are as wide as each other, and numbers change in every drag."""
+        widths = self._widths
+        if widths is None or len(widths) > _WIDTHS:
+            widths = self._widths = {}
+        key = _DIGIT.sub("0", text)
+        if key not in widths:
+            widths[key] = self.fontMetrics().horizontalAdvance(key)
+        return widths[key]
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._widths = None
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        margin = self.margin()
+        area = self.contentsRect().adjusted(margin, 0, -margin, 0)
+        painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.shown_text)
+        self._paint_mark(painter)
+
+
+class ElidedLabel(DrawnLabel):
     """Wants the width of its text, and takes less: it ends in an ellipsis, and its tip has the whole."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
@@ -129,23 +193,12 @@ class ElidedLabel(PlainLabel):
 
     @property
     def shown_text(self) -> str:
-        """The text as it is drawn."""
         width = self.contentsRect().width() - 2 * self.margin()
+        if self.text_width(self.text()) <= width:
+            return self.text()
         return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
 
     def minimumSizeHint(self) -> QSize:
         hint = super().minimumSizeHint()
         least = self.fontMetrics().averageCharWidth() * _LEAST + self.contentsMargins().left()
         return QSize(min(hint.width(), least), hint.height())
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        if self.shown_text == self.text():
-            super().paintEvent(event)
-            return
-        flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        area = self.contentsRect().adjusted(self.margin(), 0, -self.margin(), 0)
-        palette, role = self.palette(), self.foregroundRole()
-        painter = QPainter(self)
-        self.style().drawItemText(painter, area, flags, palette, self.isEnabled(), self.shown_text, role)
-        painter.end()
-        self._paint_mark()

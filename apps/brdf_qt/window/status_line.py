@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Literal
 
 from PySide6.QtCore import QSize
-from PySide6.QtGui import QFont, QFontMetrics, QPaintEvent, QPalette
+from PySide6.QtGui import QFont, QFontMetrics, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
+from brdf_qt.fields.labels import DrawnLabel, ElidedLabel, plain_tip, set_bold
 from brdf_qt.fields.marks import SIZE, Mark
 from brdf_qt.program.translation import tr
 
@@ -51,7 +51,9 @@ class StatusCell(ElidedLabel):
         self.set_mark(Mark.WARNING if mark is None and state == "warning" and text else mark)
         self.setText(f"({text})" if state == "stale" and text else text)
         whole = text if self._elastic else ""
-        self.setToolTip(plain_tip("\n".join(part for part in (whole, tip, self._tip) if part)))
+        tip = plain_tip("\n".join(part for part in (whole, tip, self._tip) if part))
+        if tip != self.toolTip():
+            self.setToolTip(tip)
         self.setAccessibleDescription(text)
         # What is as it was is not drawn anew: a drag sets these a hundred times a second.
         if self.font().bold() != (state == "warning"):
@@ -60,6 +62,9 @@ class StatusCell(ElidedLabel):
         if self.foregroundRole() != role:
             self.setForegroundRole(role)
         self.setVisible(bool(text))
+
+    def setText(self, text: str) -> None:
+        DrawnLabel.setText(self, text)  # its tip says more than the text
 
     def reserve(self, text: str) -> None:
         """Keep room for a text of this length with a mark, from the start."""
@@ -80,11 +85,9 @@ class StatusCell(ElidedLabel):
         least = self._character * _FEWEST_CHARACTERS + SIZE
         return QSize(min(hint.width(), least), hint.height()) if self._elastic else hint
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        if self._elastic:
-            super().paintEvent(event)
-        else:
-            PlainLabel.paintEvent(self, event)
+    @property
+    def shown_text(self) -> str:
+        return super().shown_text if self._elastic else self.text()
 
 
 class StatusLine(QStatusBar):

@@ -151,7 +151,9 @@ class SurfaceSection(Section):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Surface"), "surface", parent)
         self.daily = Form()
-        self.chooser = SourceTiles("forms", tr("Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)"))
+        self.chooser = SourceTiles(
+            "forms", tr("Open a mesh (glTF, FBX, USD, STEP, OBJ, STL, PLY and others)")
+        )
         self.facts = note(lines=2)
         self.occlusion = self._check("occlusion", tr("Occlusion"))
         self.occlusion.setToolTip(tr("Darkens recesses; computed once per surface in the background"))

@@ -40,8 +40,9 @@ HORIZON_DEG = 89.9
 _EVEN = np.linspace(-HORIZON_DEG, HORIZON_DEG, round(2.0 * HORIZON_DEG / EVEN_STEP_DEG) + 1)
 _SIDE = np.geomspace(FINEST_DEG, NEAR_DEG, NEAR_STEPS)
 _NEAR = np.concatenate((-_SIDE[::-1], [0.0], _SIDE))
-_HALF_ANGLES = np.unique(
-    np.concatenate(([0.0], np.geomspace(FINEST_DEG, 90.0, 72), np.linspace(1.5, 90.0, 60)))
+# Not np.unique, which imports numpy.ma: 20 ms of each start.
+_HALF_ANGLES = np.array(
+    sorted({0.0, *np.geomspace(FINEST_DEG, 90.0, 72).tolist(), *np.linspace(1.5, 90.0, 60).tolist()})
 )
 _DIFFERENCE_ANGLES = np.linspace(0.0, HORIZON_DEG, 91)
 

@@ -21,7 +21,7 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from scipy.special import gammaincinv
+import scipy  # its special is loaded when it is used: 0.1 s that the start of Designer is spared
 
 from brdf_suite.appearance.texture import (
     AREA_2,
@@ -130,7 +130,7 @@ def _brightness() -> tuple[Floats, Floats]:
     """Return a lit flake's brightness (n,) by size, and sums (4, n + 1) from each: area, depth 2.5 u^1.5, tilt 3 w²."""
     nodes, weights = np.polynomial.legendre.leggauss(40)
     u, w = 0.5 * (nodes + 1.0), 0.5 * weights
-    area = gammaincinv(AREA_SHAPE, u) / AREA_SHAPE
+    area = scipy.special.gammaincinv(AREA_SHAPE, u) / AREA_SHAPE
     h = (area[:, None, None] * (2.5 * u**1.5)[:, None] * (3.0 * u**2)).ravel()
     order = np.argsort(h)
     h, chance = h[order], (w[:, None, None] * w[:, None] * w).ravel()[order]

@@ -36,8 +36,9 @@ def main() -> None:
 def drag() -> dict[str, list[float] | float]:
     """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
 
-    ``followed`` is the time from the event until strip, curves and status bar are set and painted too. ``cpu`` is
-    the processor's time of each update on the thread of the window, which other programs do not lengthen.
+    ``followed`` is the time from the event until the fit, strip, curves and status bar are painted too. ``cpu`` is
+    the processor's time of each update on the thread of the window, which other programs hardly lengthen, and
+    ``followed_cpu`` that of all of ``followed``.
     """
     from brdf_designer.assembly import Designer
     from brdf_designer.session.paint_session import IdleWork
@@ -69,7 +70,7 @@ def drag() -> dict[str, list[float] | float]:
     slider = designer.window.editors.plane.slider
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
-    values, update, cpu, followed = [], [], [], []
+    values, update, cpu, followed, followed_cpu = [], [], [], [], []
     before = slider.amount()
     for step in range(STEPS):
         # To and fro, a pixel a step, and never twice the same place in a row.
@@ -86,17 +87,18 @@ def drag() -> dict[str, list[float] | float]:
         began, began_cpu = perf_counter(), thread_time()
         QApplication.sendEvent(slider, event)
         set_at = perf_counter()
-        # What has changed is painted: numbers, tracks and patches.
+        # What has changed is painted: numbers, tracks, and the target colours of the patches.
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
         ended, ended_cpu = perf_counter(), thread_time()
         values.append(1e3 * (set_at - began))
         update.append(1e3 * (ended - began))
         cpu.append(1e3 * (ended_cpu - began_cpu))
-        # Strip, curves and what the status bar says of the fit come in the next turn of the event loop.
+        # The fit, with strip, curves and what patches and status bar say of it, comes in the next turn of the loop.
         while not designer.controller.is_idle:
             app.processEvents()
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
         followed.append(1e3 * (perf_counter() - began))
+        followed_cpu.append(1e3 * (thread_time() - began_cpu))
         assert slider.amount() != before or step == 0
         before = slider.amount()
         _let_run(app, BETWEEN_S)
@@ -104,7 +106,7 @@ def drag() -> dict[str, list[float] | float]:
     assert designer.store.stack.count() == 1
     designer.close()
     times = {"values": values, "update": update, "cpu": cpu, "followed": followed, "idle": idle}
-    return {**times, "picture_share": share}
+    return {**times, "followed_cpu": followed_cpu, "picture_share": share}
 
 
 def picture_share(window: DesignerWindow) -> float:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from brdf_designer.assembly import Designer
 from brdf_designer.session.edits import SetField, SetNumber
 from brdf_qt.fields.marks import Mark
-from PySide6.QtCore import QPoint, QRect
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt
+from PySide6.QtGui import QPaintEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
 
 
 def places(designer: Designer) -> dict[str, QRect]:
@@ -55,6 +57,56 @@ def test_a_fit_its_notices_and_a_refused_edit_move_nothing(program, qtbot) -> No
     assert moved(before, places(program)) == {}
     program.window.progress.end_job("fit")
     window.coat.show_refusal("")
+
+
+class Counter(QObject):
+    """Counts events by the class of their widget; of painting the pixels about what was painted."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.layouts: list[str] = []
+        self.painted: dict[str, list[int]] = {}
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - the name is Qt's
+        name = f"{type(watched).__name__} {watched.objectName()}".strip()
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.layouts.append(name)
+        elif isinstance(event, QPaintEvent):
+            size = event.region().boundingRect().size()
+            self.painted.setdefault(name, []).append(size.width() * size.height())
+        return False
+
+
+def test_a_step_of_a_drag_fits_once_lays_nothing_out_and_paints_what_has_changed(program, qtbot) -> None:
+    window, session = program.window, program.session
+    slider = window.editors.plane.slider
+    fits, steps = [], 8
+    session.fit_changed.connect(fits.append)
+    counter = Counter()
+    press = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=press)
+    QTest.mouseMove(slider, press + QPoint(1, 0))  # now there is something to undo, which the window says
+    settle(program, qtbot)
+    fits.clear()
+    QApplication.instance().installEventFilter(counter)
+    try:
+        for step in range(1, steps + 1):
+            # One pixel to and fro: no mark, no bold number and no longer text comes of it.
+            QTest.mouseMove(slider, press + QPoint(1 + step % 2, 0))
+            # The numbers are painted, before any fit.
+            QApplication.sendPostedEvents(window, QEvent.Type.UpdateRequest)
+            assert len(fits) == step - 1
+            qtbot.waitUntil(lambda: program.controller.is_idle)
+            QApplication.sendPostedEvents(window, QEvent.Type.UpdateRequest)
+        settle(program, qtbot)
+    finally:
+        QApplication.instance().removeEventFilter(counter)
+        QTest.mouseRelease(slider, Qt.MouseButton.LeftButton)
+    assert len(fits) == steps
+    assert counter.layouts == []
+    painted = counter.painted[f"ColourSlider {slider.objectName()}"]
+    assert len(painted) == steps
+    assert max(painted) < 0.2 * slider.width() * slider.height()
 
 
 def test_a_changed_rule_is_marked_until_it_is_back(program, qtbot) -> None:
