@@ -37,6 +37,7 @@ from brdf_viewer.documents.file_kinds import (
     kind_of,
 )
 from brdf_viewer.documents.project_part import ViewerProject
+from brdf_viewer.documents.recovery import ViewRecovery
 from brdf_viewer.documents.remembered import remember
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
@@ -140,6 +141,7 @@ class ViewerController(Program):
         self.export = ExportControl(*parts)
         self.views = ViewFiles(*parts, dialogs)
         self.studio = StudioControl(*parts, self.scene, dialogs)
+        self.recovered = ViewRecovery(*parts, self.paint, self.studio, self.views)
         self.lighting = LightingControl(*parts)
         self.lamps = LampHandles(*parts, self.seen)
         self.parts.highlight_wanted.connect(self.lamps.put)
