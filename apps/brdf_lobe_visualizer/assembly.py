@@ -134,7 +134,8 @@ class LobeVisualizer(Program):
         self.window.show_recent(self.sources.recent())
         super().start()
         self.panel.fill()
-        self.strip.fill([*self.panel.names["paints"], *self.panel.names["table_1"]], load_document)
+        shipped = [*self.panel.names["paints"], *self.panel.names["table_1"]]
+        self.panel.set_thumbnails(self.strip.fill(shipped, load_document))
 
     def _show_start(self) -> None:
         self._look = make_timer(self, self._look_idle, _LOOK_EVERY_MS)

@@ -17,8 +17,9 @@ from brdf_qt.window.dialogs import Answer
 from brdf_qt.work.pictures import Pictures
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QWidget
+from shiboken6 import delete
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
@@ -150,15 +151,16 @@ def test_a_file_that_was_changed_since_gets_no_history(again, killed, qtbot) -> 
 def test_the_order_of_the_steps_comes_back_in_whatever_order_the_palettes_do(
     qapp, steps, back, order
 ) -> None:
-    stores = [DocumentStore(Palette(f"p{number}")) for number in range(3)]
-    history = History()
+    owner = QObject()
+    stores = [DocumentStore(Palette(f"p{number}"), owner) for number in range(3)]
+    history = History(owner)
     for number, changed in enumerate(steps):
         history.apply(
             f"{number}", [(stores[i], replace(stores[i].value, notes=f"{number}")) for i in changed]
         )
     for _ in range(back):
         history.undo()
-    again, other = [DocumentStore(Palette("x")) for _ in stores], History()
+    again, other = [DocumentStore(Palette("x"), owner) for _ in stores], History(owner)
     for number in order:
         store, marks = stores[number], history.marks(stores[number])
         again[number].restore(store.states(), store.stack.index(), None)
@@ -174,6 +176,7 @@ def test_the_order_of_the_steps_comes_back_in_whatever_order_the_palettes_do(
         history.redo()
         assert [store.value for store in again] == [store.value for store in stores]
     assert not history.can_redo
+    delete(owner)
 
 
 def test_half_of_a_move_is_never_taken_back(qapp) -> None:

@@ -65,12 +65,13 @@ class Reopening(Feature, QObject):
 
     def _reopen(self, left: TabsLeft, asked: Sequence[str]) -> None:
         self.record.drop(left)
-        self._drop_default()
         front = left.tabs[left.front].source if 0 <= left.front < len(left.tabs) else ""
         self._sources.idle.connect(lambda: self._show_front(front), Qt.ConnectionType.SingleShotConnection)
         self._sources.open_many(asked)
 
     def _show_front(self, origin: str) -> None:
+        """Once all is read: the paint of the empty start too, which may have come last."""
+        self._drop_default()
         key = next((key for key, known in self._origins.items() if known == origin), "")
         self._session.set_front(key)
 
