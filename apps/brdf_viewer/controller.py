@@ -44,7 +44,7 @@ from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.control import LightingControl
-from brdf_viewer.light.lamp_handles import LampHandles
+from brdf_viewer.light.lamp_handles import LampControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.part_control import PartControl
 from brdf_viewer.overlay.part_drops import PartDrops
@@ -143,8 +143,8 @@ class ViewerController(Program):
         self.studio = StudioControl(*parts, self.scene, dialogs)
         self.recovered = ViewRecovery(*parts, self.paint, self.studio, self.views)
         self.lighting = LightingControl(*parts)
-        self.lamps = LampHandles(*parts, self.seen)
-        self.parts.highlight_wanted.connect(self.lamps.put)
+        self.lamps = LampControl(*parts, self.seen)
+        self.parts.highlight_wanted.connect(self.lamps.handles.put)
         self.sparkle = SparkleControl(*parts)
         self.traced = TracedControl(*parts, self._tasks, ask_target)
         self.compare = CompareControl(*parts, self._tasks, ask)

@@ -1,7 +1,7 @@
 """Undo over all open palettes in the order of the work: a move from one palette to another is one step of both.
 
 Each palette keeps its own stack in its store, which knows what is saved; here is only kept whose turn it is. Every step
-has a mark, so that the order can be had back from the histories of the single palettes.
+has a mark, so that the order can be restored from the histories of the single palettes.
 """
 
 from __future__ import annotations

@@ -48,8 +48,8 @@ class HandoverSection(QWidget):
             self.formats,
             tr("File format; properties of this paint that it cannot store are listed below"),
         )
-        self.holds = described(wrapped(), name="format_contents", spoken=tr("Contents of the format"))
-        self.losses = described(wrapped(), name="format_losses", spoken=tr("Losses of the format"))
+        self.holds = described(wrapped(lines=2), name="format_contents", spoken=tr("Contents of the format"))
+        self.losses = described(wrapped(lines=4), name="format_losses", spoken=tr("Losses of the format"))
         self.losses.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )

@@ -93,7 +93,7 @@ class ViewRecovery(ViewerFeature):
             recovery.close(keep=False)
 
     def _is_worth(self, item: Recovered[View]) -> bool:
-        """Whether anything was done in a run: nothing of an untouched one is to be had back."""
+        """Whether anything was done in a run: of an untouched one nothing is worth the question."""
         steps = item.history is not None and len(item.history.states) > 1
         return steps or item.path is not None or bool(_paint_of(item))
 

@@ -17,6 +17,7 @@ from brdf_qt.window.dialogs import QtDialogs
 from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, Studio
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.studio import edits
@@ -24,7 +25,6 @@ from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
 from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings
 from brdf_viewer.light.studio.live_light import LiveLight
 from brdf_viewer.light.studio.panel import StudioPanel
-from brdf_viewer.light.studio.places import point_at, polar
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
 from brdf_viewer.window import ViewerWindow
