@@ -47,7 +47,6 @@ class PictureLamps(QObject):
         surface.canvas_changed.connect(self._listen)
         self._listen(surface.canvas)
         picture.view_changed.connect(self._view_changed)
-        surface.frame_drawn.connect(lambda *_: self.handles.show())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Notice clicks of the right button, and leave every event to the camera's gestures."""
