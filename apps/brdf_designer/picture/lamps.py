@@ -7,23 +7,33 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar, Protocol
 
 from brdf_qt.gl.gestures import is_click
 from brdf_qt.gl.lamp_handles import LampHandles, SeenPlace, ray_through
 from brdf_qt.gl.surface import GlSurface
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, Lamp
 from brdf_suite.realtime.camera import Bounds
+from brdf_suite.surface.picking import pick
 
 if TYPE_CHECKING:
-    from brdf_designer.picture.control import PictureControl
     from brdf_suite.surface.mesh import Mesh
+
+
+class ShownView(Protocol):
+    """The view of the picture; ``view_changed(old, new)`` where it is another."""
+
+    view_changed: ClassVar[Signal]
+    view: View
+
+    def move(self, view: View) -> None:
+        """Draw another view."""
 
 
 class PictureLamps(QObject):
@@ -31,7 +41,7 @@ class PictureLamps(QObject):
 
     def __init__(
         self,
-        picture: PictureControl,
+        picture: ShownView,
         surface: GlSurface,
         page: QWidget,
         form: Callable[[], Mesh | None],
@@ -126,9 +136,6 @@ class PictureLamps(QObject):
         return QRectF(0.0, 0.0, 1.0, 1.0)
 
     def seen_at(self, place: QPointF) -> SeenPlace | None:
-        # Deferred: picking is needed with the first click.
-        from brdf_suite.surface.picking import pick
-
         form, bounds, canvas = self._form(), self._bounds(), self._surface.canvas
         if form is None or bounds is None:
             return None
