@@ -29,6 +29,7 @@ from brdf_lobe_visualizer.subjects.fits import KEY as DESIGNER
 from brdf_lobe_visualizer.subjects.fits import Fits, FollowedPaint
 from brdf_lobe_visualizer.subjects.paint_strip import StripControl
 from brdf_lobe_visualizer.subjects.project_part import LobesProject
+from brdf_lobe_visualizer.subjects.reopening import Reopening
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.view3d.panel import Space
@@ -91,11 +92,19 @@ class LobeVisualizer(Program):
             "reflectances", mark("Reflectances"), self.panel, Qt.DockWidgetArea.LeftDockWidgetArea
         )
         self.strip = StripControl(self.session, self.window, self.sources)
+        self.reopening = Reopening(self.session, self.window, self.sources, self.drop_default)
         self._ask_files = ask_files or _ask_files
         self._asked = asked
         self._default = ""
         self._build_commands()
-        self.features += (self.sources, self.fits, self.legend.errors, self.followed, self.strip)
+        self.features += (
+            self.sources,
+            self.fits,
+            self.legend.errors,
+            self.followed,
+            self.strip,
+            self.reopening,
+        )
         self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.projects = ProjectFiles(
@@ -120,12 +129,13 @@ class LobeVisualizer(Program):
         self.sources.idle.connect(self._show_start, Qt.ConnectionType.SingleShotConnection)
         self.sources.open_many(self._asked)
         if not self._asked and not self.session.subjects:
-            self._default = default_paint_name()
+            self._default = self.reopening.default = default_paint_name()
             self.sources.open(self._default, remember=False)
         self.window.show_recent(self.sources.recent())
         super().start()
         self.panel.fill()
-        self.strip.fill([*self.panel.names["paints"], *self.panel.names["table_1"]], load_document)
+        shipped = [*self.panel.names["paints"], *self.panel.names["table_1"]]
+        self.panel.set_thumbnails(self.strip.fill(shipped, load_document))
 
     def _show_start(self) -> None:
         self._look = make_timer(self, self._look_idle, _LOOK_EVERY_MS)

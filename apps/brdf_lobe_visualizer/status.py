@@ -49,7 +49,9 @@ class Status(QObject):
             self._fit.set(tr("no fit yet"), state="stale")
             return
         notes = list(fit.notices)
-        parts = [tr("fit {ms} ms").format(ms=f"{1e3 * fit.fit_seconds:.3g}")]
+        milliseconds = 1e3 * fit.fit_seconds
+        shown = f"{milliseconds:.0f}" if milliseconds >= 100.0 else f"{milliseconds:.3g}"
+        parts = [tr("fit {ms} ms").format(ms=shown)]
         if fit.worst_delta_e is not None:
             text = tr("worst ΔE00 {value}").format(value=decimal(f"{fit.worst_delta_e:.2f}"))
             parts.append(text)

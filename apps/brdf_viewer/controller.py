@@ -37,13 +37,14 @@ from brdf_viewer.documents.file_kinds import (
     kind_of,
 )
 from brdf_viewer.documents.project_part import ViewerProject
+from brdf_viewer.documents.recovery import ViewRecovery
 from brdf_viewer.documents.remembered import remember
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.control import LightingControl
-from brdf_viewer.light.lamp_handles import LampHandles
+from brdf_viewer.light.lamp_handles import LampControl
 from brdf_viewer.light.studio.control import StudioControl
 from brdf_viewer.overlay.part_control import PartControl
 from brdf_viewer.overlay.part_drops import PartDrops
@@ -140,9 +141,10 @@ class ViewerController(Program):
         self.export = ExportControl(*parts)
         self.views = ViewFiles(*parts, dialogs)
         self.studio = StudioControl(*parts, self.scene, dialogs)
+        self.recovered = ViewRecovery(*parts, self.paint, self.studio, self.views)
         self.lighting = LightingControl(*parts)
-        self.lamps = LampHandles(*parts, self.seen)
-        self.parts.highlight_wanted.connect(self.lamps.put)
+        self.lamps = LampControl(*parts, self.seen)
+        self.parts.highlight_wanted.connect(self.lamps.handles.put)
         self.sparkle = SparkleControl(*parts)
         self.traced = TracedControl(*parts, self._tasks, ask_target)
         self.compare = CompareControl(*parts, self._tasks, ask)

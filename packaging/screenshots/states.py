@@ -85,6 +85,7 @@ class States:
         for stage in self.window.findChildren(Stage):
             for key, drawer in stage.drawers.items():
                 drawer.set_open(True)
+                _run_for(_PATIENCE_S, lambda drawer=drawer: drawer.reach == 1.0)
                 self._take(f"drawer_{key}")
             for drawer in stage.drawers.values():
                 drawer.set_open(False)

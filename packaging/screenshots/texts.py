@@ -1,8 +1,8 @@
 """Find texts on a window that have less room than they need, and texts that lie on one another.
 
 Measured is what Qt draws: the width of a text in its font against the place that the style gives it. A text that is
-shortened on purpose has its whole in a tool tip and counts as whole. What a plot or a picture paints by itself is not
-seen here.
+shortened on purpose has its whole in a tool tip and counts as whole. Of a plot the titles, legends and labels are seen,
+which are items of its scene; numbers along its axes, and what a picture paints by itself, are not seen here.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from brdf_qt.fields.labels import ElidedLabel
-from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtCore import QPoint, QRect, QRectF, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -20,6 +20,9 @@ from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QComboBox,
     QFrame,
+    QGraphicsSimpleTextItem,
+    QGraphicsTextItem,
+    QGraphicsView,
     QGroupBox,
     QHeaderView,
     QLabel,
@@ -92,6 +95,8 @@ def _clipped(widget: QWidget, window: QWidget) -> Iterator[Fault]:
         yield from _header(widget, window)
     elif isinstance(widget, QAbstractItemView):
         yield from _rows(widget, window)
+    elif isinstance(widget, QGraphicsView):
+        yield from _scene(widget, window)
     elif isinstance(widget, QTabBar):
         yield from _tabs(widget, window)
     elif isinstance(widget, QMenuBar):
@@ -116,6 +121,29 @@ def _clipped(widget: QWidget, window: QWidget) -> Iterator[Fault]:
             yield _fault(
                 widget, window, text, f"{widget.fontMetrics().height()} high", f"{widget.height()} high"
             )
+
+
+def _scene(view: QGraphicsView, window: QWidget) -> Iterator[Fault]:
+    """Yield the texts of a plot that end outside of it, and those that lie on one another."""
+    area = QRectF(view.viewport().rect())
+    found: list[tuple[str, QRectF]] = []
+    for item in view.items():
+        if not isinstance(item, QGraphicsTextItem | QGraphicsSimpleTextItem) or not item.isVisible():
+            continue
+        text = item.toPlainText() if isinstance(item, QGraphicsTextItem) else item.text()
+        if not text.strip() or item.effectiveOpacity() == 0.0:
+            continue
+        margin = item.document().documentMargin() if isinstance(item, QGraphicsTextItem) else 0.0
+        inner = item.boundingRect().adjusted(margin, margin, -margin, -margin)
+        rect = view.mapFromScene(item.mapToScene(inner)).boundingRect().toRectF()
+        inside = rect.intersected(area)
+        if inside.width() < rect.width() - 2 * SLACK or inside.height() < rect.height() - 2 * SLACK:
+            yield _fault(view, window, text, _size(rect.toRect()), _size(inside.toRect()))
+        for other, place in found:
+            common = rect.intersected(place)
+            if common.width() > 2 * SLACK and common.height() > 2 * SLACK:
+                yield _fault(view, window, f"{text} | {other}", "overlap", _size(common.toRect()))
+        found.append((text, rect))
 
 
 def _told(widget: QWidget, text: str) -> bool:

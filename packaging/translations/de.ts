@@ -8786,6 +8786,14 @@ Ungespeicherte Änderungen.</translation>
         <translation>Glanzlicht hierher setzen</translation>
     </message>
     <message>
+        <source>Put Another Highlight Here</source>
+        <translation>Weiteres Glanzlicht hierher setzen</translation>
+    </message>
+    <message>
+        <source>Remove All Lamps</source>
+        <translation>Alle Lampen entfernen</translation>
+    </message>
+    <message>
         <source>Then click on the surface: the lamp moves to where its reflection is seen there</source>
         <translation>Danach auf die Oberfläche klicken: Die Lampe kommt dorthin, wo ihre Spiegelung an dieser Stelle zu sehen ist</translation>
     </message>
@@ -8868,6 +8876,14 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>No metamerism: the paint&apos;s spectrum is unknown. Its colours are tinted by the light (CAT16).</source>
         <translation>Keine Metamerie: Das Spektrum des Lacks ist unbekannt. Seine Farben erhalten den Stich des Lichts (CAT16).</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Viewer closed unexpectedly. Recover its view, paint and history of {when}?</source>
+        <translation>Viewer wurde unerwartet beendet. Ansicht, Lack und Verlauf von {when} wiederherstellen?</translation>
     </message>
     <message>
         <source>Viewer closed unexpectedly. Recover your unsaved work on the studio “{name}” of {when}?</source>
@@ -10522,6 +10538,10 @@ h {hue}°</translation>
     <message>
         <source>The paint in another light</source>
         <translation>Der Lack in einem anderen Licht</translation>
+    </message>
+    <message>
+        <source>Lobe Visualizer closed unexpectedly. Reopen the reflectances that were open: {names}?</source>
+        <translation>Lobe Visualizer wurde unerwartet beendet. Die zuletzt offenen Reflexionen wieder öffnen: {names}?</translation>
     </message>
 </context>
 </TS>

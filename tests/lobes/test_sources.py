@@ -13,7 +13,7 @@ from brdf_lobe_visualizer.subjects.sources import MOST_AT_ONCE, MeasuredBins, na
 from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton, QTreeWidgetItemIterator, QWidget
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
@@ -254,6 +254,29 @@ def test_the_list_finds_by_words_and_opens_on_enter(program, qtbot) -> None:
     assert [s.title for s in program.session.subjects] == ["Polaris Silver"]
     panel.query.setText("no such thing")
     assert panel.no_match.isVisible()
+    program.panel_dock.hide()
+
+
+def test_the_list_shows_a_picture_of_each_paint(program, qtbot) -> None:
+    """Its colour as soon as the paint is read; a model, which is no paint, stays grey."""
+    program.start()
+    program.show_list()
+    tree = program.panel.tree
+
+    def middle(key: str) -> tuple[int, int, int]:
+        every = QTreeWidgetItemIterator(tree)
+        while (item := every.value()).data(0, Qt.ItemDataRole.UserRole) != key:
+            every += 1
+        image = item.icon(0).pixmap(64, 64).toImage()
+        colour = image.pixelColor(image.width() // 2, image.height() // 2)
+        return colour.red(), colour.green(), colour.blue()
+
+    program.panel.query.setText("burnt")
+    qtbot.waitUntil(lambda: middle("burnt_orange")[0] > 2 * middle("burnt_orange")[2])
+    program.panel.query.setText("lambertian")
+    red, green, blue = middle("lambertian")
+    assert red == green == blue
+    program.panel.query.clear()
     program.panel_dock.hide()
 
 

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QGraphicsScene, QGraphicsView, QLabel, QPushButton, QWidget
 
 
 @pytest.fixture
@@ -94,3 +94,21 @@ def test_no_text_of_a_window_is_clipped(checkout: Path, tmp_path: Path) -> None:
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
     assert len(list(tmp_path.glob("*.jpg"))) > 6
+
+
+def test_texts_of_a_plot_that_lie_on_one_another_or_end_outside_are_found(texts, window) -> None:
+    scene = QGraphicsScene(0.0, 0.0, 300.0, 100.0)
+    view = QGraphicsView(scene, window)
+    view.resize(320, 120)
+    for text, x, y in (("one number", 10.0, 10.0), ("another", 30.0, 12.0), ("alone", 200.0, 60.0)):
+        scene.addText(text).setPos(x, y)
+    scene.addText("beyond the edge").setPos(260.0, 30.0)
+    scene.addText("hidden").setPos(200.0, 62.0)
+    scene.items()[0].setVisible(False)
+    scene.setSceneRect(0.0, 0.0, 300.0, 100.0)
+    window.show()
+    found = [fault.text for fault in texts.faults(window)]
+    assert sorted(found) == ["beyond the edge", "one number | another"] or sorted(found) == [
+        "another | one number",
+        "beyond the edge",
+    ]

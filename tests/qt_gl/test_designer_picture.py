@@ -13,10 +13,10 @@ from brdf_designer.picture.three_lights import LIGHTS
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from brdf_qt.work import pictures
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolButton
+from PySide6.QtWidgets import QMenu, QToolButton
 
 from brdf_suite.pipeline.scene import map_exponents
 from brdf_suite.pipeline.seen_queue import SeenWeights
@@ -222,3 +222,54 @@ def test_three_lights_show_the_same_paint_and_follow_it(designer, shown, qtbot):
     qtbot.waitUntil(lambda: shown.is_idle)
     assert shown.panel.surface.width() == whole
     assert not any(pane.isVisible() for pane in lights.panes)
+
+
+def test_highlights_are_put_by_the_right_button_and_moved_by_their_handles(designer, shown, qtbot):
+    canvas, lamps = shown.panel.surface.canvas, shown.lamps
+    middle = canvas.rect().center()
+
+    def click(place: QPoint, text: str) -> None:
+        """Click with the right button, and take an entry of the menu that opens."""
+        QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=place)
+        (menu,) = [one for one in designer.window.findChildren(QMenu, "lamp_menu") if one.isVisible()]
+        next(action for action in menu.actions() if action.text() == text).trigger()
+        menu.close()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+    before = pixels_of(shown)
+    turned = shown.view.rotation_deg
+    click(middle, "Put the Highlight Here")
+    (lamp,) = shown.view.lamps
+    assert shown.view.rotation_deg == turned
+    qtbot.waitUntil(lambda: shown.is_idle)
+    ratio = canvas.devicePixelRatioF()
+    x, y = round(middle.x() * ratio), round(middle.y() * ratio)
+    around = np.s_[y - 6 : y + 7, x - 6 : x + 7]
+    assert pixels_of(shown)[around].mean() > before[around].mean() + 10
+    assert not lamps.handles.layer.isVisible()
+    designer.window.panel.show_page("light")
+    qtbot.waitUntil(lambda: len(lamps.handles.layer.handles) == 1)
+    start = lamps.handles.layer.handles[0].place.toPoint()
+    camera = shown.view.camera
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas, start + QPoint(0, -30))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(0, -30))
+    assert shown.view.camera == camera
+    assert shown.view.lamps[0] != lamp
+    away = lamps.handles.layer.handles[0].place - (start + QPoint(0, -30))
+    assert abs(away.x()) + abs(away.y()) < 3.0
+    click(middle, "Put Another Highlight Here")
+    assert len(shown.view.lamps) == 2
+    assert [handle.number for handle in lamps.handles.layer.handles if handle.chosen] == [2]
+    click(lamps.handles.layer.handles[0].place.toPoint(), "Remove Lamp")
+    assert len(shown.view.lamps) == 1
+    assert shown.view.lamps[0].elevation_deg == pytest.approx(lamp.elevation_deg, abs=1e-6)
+    # A drag of the same button turns the light, and opens no menu.
+    QTest.mousePress(canvas, Qt.MouseButton.RightButton, pos=middle)
+    QTest.mouseMove(canvas, middle + QPoint(40, 0))
+    QTest.mouseRelease(canvas, Qt.MouseButton.RightButton, pos=middle + QPoint(40, 0))
+    assert shown.view.rotation_deg != turned
+    assert not [one for one in designer.window.findChildren(QMenu, "lamp_menu") if one.isVisible()]
+    click(middle, "Remove All Lamps")
+    assert shown.view.lamps == ()
+    qtbot.waitUntil(lambda: shown.is_idle)

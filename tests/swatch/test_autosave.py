@@ -80,7 +80,9 @@ def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path,
     monkeypatch.setattr(autosave, "encode_autosave", held)
     written: list[bytes] = []
     put = recovery.write_encoded
-    monkeypatch.setattr(recovery, "write_encoded", lambda content: (written.append(content), put(content)))
+    monkeypatch.setattr(
+        recovery, "write_encoded", lambda content, **how: (written.append(content), put(content, **how))
+    )
     store.set(replace(store.value, name="Old"), "rename")
     recovery.write_in_background()
     store.mark_clean(tmp_path / "saved.brdfpalette")

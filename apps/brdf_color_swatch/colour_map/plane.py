@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pyqtgraph as pg  # pyqtgraph has no types
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF, QTransform
 from PySide6.QtWidgets import QWidget
@@ -123,7 +123,7 @@ class _Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
         return [(step, 0.0)]
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
-        return [text.replace("-", "−") for text in super().tickStrings(values, scale, spacing)]
+        return [decimal(text.replace("-", "−")) for text in super().tickStrings(values, scale, spacing)]
 
 
 class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types

@@ -181,6 +181,7 @@ class Pane(QFrame):
                 taken = self._buttons.takeAt(0)
                 widget = taken.widget() if taken is not None else None
                 if widget is not None:
+                    widget.hide()  # at once: it is taken away later
                     widget.deleteLater()
             for label, key in actions:
                 button = described(QPushButton(label), name=f"note_{key}")

@@ -1,29 +1,53 @@
-"""The autosave of palettes of any size, encoded by a thread while it takes long."""
+"""The autosave of palettes of any size, with their history, encoded by a thread while it takes long.
+
+The states of a history share most of their entries: each entry is written once, and a state names its entries by their
+places in that list.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
-from datetime import datetime
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.recovery import MOST_STATES, KeptHistory, Recovered, Recovery
+from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.palette_store import encode_palette
-from brdf_suite.errors import FileError
+from brdf_color_swatch.library.history import StepMark, StepMarks
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import (
+    entry_from_json,
+    entry_to_json,
+    palette_from_json,
+    palette_to_json,
+    without_collection,
+)
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
 
 _MANY = 300
 """Fewer swatches are written within a frame or two."""
+_MOST_PLACES = 1_000_000
+"""Entries of all states of a history together: of very large palettes fewer states are kept."""
+_Texts = dict[int, tuple[Entry, str]]
+
+
+@dataclass(frozen=True)
+class KeptPalette:
+    """The history of a palette, and the mark of each of its steps, which are one fewer than its states."""
+
+    history: KeptHistory[Palette]
+    marks: tuple[StepMark, ...]
 
 
 class PaletteRecovery(Recovery[Palette]):
-    """As :class:`Recovery`, and what it reads is the same file.
+    """As :class:`Recovery`, and what it reads is the same file; ``marks`` gives the steps of a store's history.
 
     An encoding that has begun is finished and written, however many edits come meanwhile: the next one begins when it
     is done. So what may be lost is about a second and the time of the encoding, also while edits never cease.
@@ -36,10 +60,13 @@ class PaletteRecovery(Recovery[Palette]):
         failed: Callable[[BaseException], None],
         tasks: TaskRunner,
         parent: QObject | None = None,
+        *,
+        marks: Callable[[DocumentStore[Palette]], StepMarks] = lambda _store: StepMarks((), ()),
     ) -> None:
-        super().__init__(store, form, failed, parent)
-        self._tasks = tasks
+        super().__init__(store, form, failed, parent, keeps_history=True)
+        self._tasks, self._marks = tasks, marks
         self._key = f"autosave {id(self)}"
+        self._texts: _Texts = {}
         self._encodes = self._encode_again = False
         store.clean_changed.connect(self._saved)
         self.timer.timeout.disconnect(self.write)
@@ -49,10 +76,61 @@ class PaletteRecovery(Recovery[Palette]):
         """Return what the file of the autosave holds."""
         return self._read(self.file)
 
+    def kept(self, file: Path, value: Palette) -> KeptPalette | None:
+        """Return the history in an autosave; None where there is none that ends at ``value``: the work counts."""
+        try:
+            with without_collection():
+                found = _kept(json.loads(file.read_text(encoding="utf-8"))["history"], file)
+        except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
+            return None
+        return found if found.history.states[found.history.place][1] == value else None
+
+    def saved_files(self) -> dict[Path, Path]:
+        """Return where the histories of saved palettes of ended runs are, by the palette's file; others are removed."""
+        found: dict[Path, tuple[str, Path]] = {}
+        for file in self.folder.glob("*.history.json"):
+            if not self._has_ended(file):
+                continue
+            try:
+                content = json.loads(file.read_text(encoding="utf-8"))
+                path, when = Path(content["path"]), str(content["time"])
+            except (OSError, ValueError, KeyError, TypeError, RecursionError):
+                file.unlink(missing_ok=True)
+                continue
+            older = found.get(path)
+            if older is not None:
+                min((when, file), older)[1].unlink(missing_ok=True)
+            if path.is_file():
+                found[path] = max((when, file), older or ("", file))
+            else:
+                file.unlink(missing_ok=True)
+        return {path: file for path, (_, file) in found.items()}
+
     def write(self) -> bool:
         """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
         self._drop()
         return super().write()
+
+    def _write(self) -> None:
+        self._replace(self.file, encode_autosave(self._request(), lambda *_: None))
+
+    @property
+    def _keeps_saved(self) -> bool:
+        return self._store.path is not None and self._store.stack.count() > 0
+
+    def _write_saved(self) -> None:
+        if self._keeps_saved:
+            self._replace(self._saved_file, encode_autosave(self._request(), lambda *_: None))
+        else:
+            self._saved_file.unlink(missing_ok=True)
+
+    def _read_history(self, _content: Any, _value: Palette, _file: Path) -> None:
+        """Leave the history where it is until :meth:`kept` is asked for it: that of a large palette takes long."""
+
+    def _replace(self, file: Path, content: bytes) -> None:
+        draft = file.with_suffix(".tmp")
+        draft.write_bytes(content)
+        draft.replace(file)
 
     def _drop(self) -> None:
         self._tasks.cancel(self._key)
@@ -63,28 +141,43 @@ class PaletteRecovery(Recovery[Palette]):
         if clean:
             self._drop()
 
+    def _request(self) -> _Request:
+        """Return what is to be written: of a saved palette the history alone."""
+        store = self._store
+        marks, place = self._marks(store), store.stack.index()
+        size = max(1, len(store.value) + len(store.value.groups))
+        most = max(1, min(MOST_STATES, _MOST_PLACES // size) - 1)
+        most_done = min(most, place)
+        done = marks.done[-most_done:] if most_done else ()
+        undone = marks.undone[: min(most - len(done), store.stack.count() - place)]
+        first, last = place - len(done), place + len(undone)
+        clean = store.stack.cleanIndex()
+        states = store.states()[first : last + 1]
+        history = KeptHistory(states, place - first, clean - first if first <= clean <= last else -1)
+        value = None if store.is_clean else store.value
+        return self.head(), value, KeptPalette(history, (*done, *undone)), self._texts
+
     def write_in_background(self) -> None:
         """Write the unsaved palette now; a large one is encoded by a thread."""
         self.timer.stop()
-        if self._store.is_clean or len(self._store.value) < _MANY:
+        if len(self._store.value) < _MANY or (self._store.is_clean and not self._keeps_saved):
             self.write()
             return
         if self._encodes:
             self._encode_again = True
             return
-        path, stamp = self._store.path, self._store.stamp
-        head = {
-            "path": None if path is None else str(path),
-            "stamp": None if stamp is None else stamp.to_json(),
-            "time": datetime.now().isoformat(timespec="microseconds"),
-        }
         self._encodes = True
+        request = self._request()
         self._tasks.submit(
-            self._key, encode_autosave, (head, self._store.value), self._on_encoded, self._on_encoding_failed
+            self._key,
+            encode_autosave,
+            request,
+            lambda content: self._on_encoded(content, saved=request[1] is None),
+            self._on_encoding_failed,
         )
 
-    def _on_encoded(self, content: bytes) -> None:
-        self.write_encoded(content)
+    def _on_encoded(self, content: bytes, *, saved: bool) -> None:
+        self.write_encoded(content, saved=saved)
         self._encode_next()
 
     def _on_encoding_failed(self, error: Exception) -> None:
@@ -96,26 +189,102 @@ class PaletteRecovery(Recovery[Palette]):
         if wants and not self._closed:
             self.write_in_background()
 
-    def write_encoded(self, content: bytes) -> None:
-        """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""
-        if self._closed or self._store.is_clean:
+    def write_encoded(self, content: bytes, *, saved: bool = False) -> None:
+        """Write what was encoded: here, so that it never comes after the file was removed because all is saved.
+
+        ``saved``: it is the history of a saved palette.
+        """
+        if self._closed or self._store.is_clean is not saved:
             return
-        draft = self.file.with_suffix(".tmp")
+        file, other = (self._saved_file, self.file) if saved else (self.file, self._saved_file)
         try:
-            draft.write_bytes(content)
-            draft.replace(self.file)
+            self._replace(file, content)
+            other.unlink(missing_ok=True)
         except OSError as error:
+            reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
             self._fails = True
-            self._failed(FileError(self.file, f"the autosave cannot be written ({error.strerror})"))
+            self._failed(FileError(file, reason))
             return
         if self._fails:
             self._fails = False
             self.written_again.emit()
 
 
-def encode_autosave(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
+_Request = tuple[dict[str, Any], Palette | None, KeptPalette, _Texts]
+
+
+def encode_autosave(request: _Request, progress: Progress) -> bytes:
     """Return the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
-    head, palette = request
+    head, palette, kept, known = request
     progress(0.0, "")
-    start = json.dumps(head, ensure_ascii=False)
-    return start[:-1].encode("utf-8") + b', "document": ' + encode_palette(palette) + b"}"
+    used: _Texts = {}
+    places: dict[int, int] = {}
+
+    def text_of(entry: Entry) -> str:
+        found = used.get(id(entry)) or known.get(id(entry))
+        if found is None or found[0] is not entry:
+            found = (entry, _dumps(entry_to_json(entry)))
+        used[id(entry)] = found
+        return found[1]
+
+    with without_collection():
+        parts = [_dumps(head)[:-1]]
+        if palette is not None:
+            entries = ", ".join(map(text_of, palette.entries))
+            parts.append(f', "document": {_around(palette)[:-1]}, "entries": [{entries}]}}')
+        table: list[str] = []
+        rows = []
+        for name, state in kept.history.states:
+            for entry in state.entries:
+                if id(entry) not in places:
+                    places[id(entry)] = len(table)
+                    table.append(text_of(entry))
+            numbers = [places[id(entry)] for entry in state.entries]
+            rows.append(f"[{_dumps(name)}, {_around(state)}, {_dumps(_runs(numbers))}]")
+        numbers_of = {"place": kept.history.place, "saved": kept.history.saved, "marks": kept.marks}
+        parts.append(f', "history": {_dumps(numbers_of)[:-1]}, "entries": [{", ".join(table)}]')
+        parts.append(f', "states": [{", ".join(rows)}]}}}}')
+        content = "".join(parts).encode("utf-8")
+    known.clear()
+    known.update(used)
+    return content
+
+
+def _around(palette: Palette) -> str:
+    """Return a palette without its entries as JSON."""
+    around = palette_to_json(replace(palette, entries=()))
+    del around["entries"]
+    return _dumps(around)
+
+
+def _kept(content: dict[str, Any], file: Path) -> KeptPalette:
+    table = [entry_from_json(one, file) for one in content["entries"]]
+    states = []
+    for name, around, runs in content["states"][:MOST_STATES]:
+        palette = palette_from_json({**around, "entries": []}, file)
+        entries = tuple(table[number] for start, count in runs for number in range(start, start + count))
+        states.append((str(name), replace(palette, entries=entries)))
+    place, saved = int(content["place"]), int(content["saved"])
+    marks = tuple(StepMark(int(serial), int(stores)) for serial, stores in content["marks"])
+    if not 0 <= place < len(states) or not -1 <= saved < len(states) or len(marks) != len(states) - 1:
+        raise ValueError("the history does not fit together")
+    return KeptPalette(KeptHistory(tuple(states), place, saved), marks)
+
+
+def _runs(numbers: Sequence[int]) -> list[tuple[int, int]]:
+    """Return the start and the length of each run of numbers that follow one another.
+
+    >>> _runs([4, 5, 6, 2, 3, 9])
+    [(4, 3), (2, 2), (9, 1)]
+    """
+    runs: list[tuple[int, int]] = []
+    for number in numbers:
+        if runs and sum(runs[-1]) == number:
+            runs[-1] = (runs[-1][0], runs[-1][1] + 1)
+        else:
+            runs.append((number, 1))
+    return runs
+
+
+def _dumps(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))

@@ -13,7 +13,6 @@ from typing import Any, Literal
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery import Recovery
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.program.settings import settings
@@ -23,7 +22,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.export.dialog import QtExportDialogs
 from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
-from brdf_color_swatch.library.autosave import PaletteRecovery
+from brdf_color_swatch.library.autosave import KeptPalette, PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
 from brdf_suite.documents.palette import Palette
 
@@ -36,7 +35,7 @@ class OpenPalette:
 
     store: DocumentStore[Palette]
     files: DocumentFiles[Palette]
-    recovery: Recovery[Palette]
+    recovery: PaletteRecovery
     watch: FileWatch
     rows: Rows
     base: Palette
@@ -84,6 +83,7 @@ class Library(QObject):
     Signals:
 
     - ``items_changed()``: a palette came, went, or has another title or state.
+    - ``read(key)``: a palette was read from its file.
     - ``palette_changed(key)``: what a palette holds is something else now; its rows are there.
     - ``message(Message)``, ``settled(str)``: a message for the user; the key of a message that no longer holds.
     - ``changed_outside(key)``: the file of an open palette holds something that neither this program wrote nor
@@ -91,6 +91,7 @@ class Library(QObject):
     """
 
     items_changed = Signal()
+    read = Signal(str)
     palette_changed = Signal(str)
     message = Signal(Message)
     settled = Signal(str)
@@ -210,9 +211,26 @@ class Library(QObject):
         if now is not None and (known is None or not known.same_content(now)):
             self.changed_outside.emit(item.key)
 
-    def recovery_of(self, store: DocumentStore[Palette]) -> Recovery[Palette]:
+    def restore_history(
+        self, item: Item, kept: KeptPalette, path: Path | None, stamp: FileStamp | None
+    ) -> None:
+        """Give an open palette the history of an ended run, and the state that it ends at."""
+        opened, history = item.palette, kept.history
+        if opened is None:
+            return
+        before = opened.store.value
+        opened.store.restore(history.states, history.place, path, saved=history.saved, stamp=stamp)
+        if history.saved >= 0:
+            opened.base = history.states[history.saved][1]
+        self.history.adopt(opened.store, kept.marks, history.place)
+        if opened.store.value != before:
+            self._changed(item, opened.store.value)
+
+    def recovery_of(self, store: DocumentStore[Palette]) -> PaletteRecovery:
         """Return a new autosave of a store."""
-        recovery = PaletteRecovery(store, self._format, self._autosave_failed, self.tasks, self)
+        recovery = PaletteRecovery(
+            store, self._format, self._autosave_failed, self.tasks, self, marks=self.history.marks
+        )
         recovery.written_again.connect(lambda: self.settled.emit("autosave"))
         return recovery
 

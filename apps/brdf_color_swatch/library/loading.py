@@ -17,7 +17,7 @@ from brdf_qt.window.message_bar import Message
 
 from brdf_color_swatch.export.dialog import open_filters
 from brdf_color_swatch.grid.rows import Rows, rows_of
-from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.library import Item, Library
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.errors import DocumentError, FileError
@@ -129,6 +129,7 @@ class PaletteLoader:
             text = text.format(name=read.path.name, count=len(read.notices))
             todo = "\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else "")
             self._library.message.emit(Message(f"open {key}", text, todo=todo))
+        self._library.read.emit(key)
         item.run_waiting()
 
     def _not_read(self, key: str, error: Exception) -> None:
@@ -191,9 +192,27 @@ class UnsavedWork:
         self._library = library
         # Finds what earlier runs left, and never writes: its document is always clean.
         self._finder = library.recovery_of(library.empty_store())
+        self._histories: dict[Path, Path] = {}
+        library.read.connect(self._restore_saved)
 
     def find(self) -> list[Recovered[Palette]]:
+        self._histories = self._finder.saved_files()
+        for item in self._library.items:
+            self._restore_saved(item.key)
         return self._finder.found()
+
+    def _restore_saved(self, key: str) -> None:
+        """Give a saved palette its history back, where that ends at what the file holds, and nothing was done yet."""
+        item = self._library.item(key)
+        file = None if item is None or item.path is None else self._histories.get(item.path)
+        if item is None or item.palette is None or file is None:
+            return
+        store = item.palette.store
+        kept = self._finder.kept(file, store.value)
+        if kept is not None and kept.history.place == kept.history.saved and not store.stack.count():
+            self._library.restore_history(item, kept, store.path, store.stamp)
+        del self._histories[item.path]
+        file.unlink(missing_ok=True)
 
     def recover(self, found: Recovered[Palette]) -> str:
         """Open unsaved work of a run that was ended."""
@@ -205,14 +224,25 @@ class UnsavedWork:
             self._library.tasks.cancel(f"read {item.key}")
             self._library.fill(item, found.value, found.path, clean=False, stamp=found.stamp)
             assert item.palette is not None
+            self._restore_unsaved(item, found)
             if item.palette.recovery.write():
                 item.palette.recovery.drop(found)
             item.run_waiting()
         else:
-            # It is open, and perhaps changed: the recovered one comes as a step that can be undone.
-            self._library.history.apply(tr("Recover unsaved work"), [(item.palette.store, found.value)])
-            item.palette.recovery.drop(found)
+            untouched = item.palette.store.is_clean and not item.palette.store.stack.count()
+            if not untouched or not self._restore_unsaved(item, found):
+                # It is open, and perhaps changed: the recovered one comes as a step that can be undone.
+                self._library.history.apply(tr("Recover unsaved work"), [(item.palette.store, found.value)])
+            if item.palette.recovery.write():
+                item.palette.recovery.drop(found)
         return item.key
+
+    def _restore_unsaved(self, item: Item, found: Recovered[Palette]) -> bool:
+        kept = self._finder.kept(found.file, found.value)
+        if kept is None or kept.history.place == kept.history.saved:
+            return False
+        self._library.restore_history(item, kept, found.path, found.stamp)
+        return True
 
     def discard(self, found: Recovered[Palette]) -> None:
         self._finder.drop(found)

@@ -118,7 +118,7 @@ class DecadeAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
         if spacing is None:
             return [""] * len(values)
         return [
-            f"{10.0**at:g}" if -4.0 <= at < 6.0 else f"1e{round(at)}" if at == round(at) else ""
+            decimal(f"{10.0**at:g}") if -4.0 <= at < 6.0 else f"1e{round(at)}" if at == round(at) else ""
             for at in values
         ]
 

@@ -69,8 +69,8 @@ class HandoverSection(QWidget):
             box = self.formats[name] = described(QCheckBox(tr(TITLES[name])), name=f"format_{name}")
             box.setToolTip(plain_tip(f"{ending}\n{tip}"))
             box.clicked.connect(lambda _on: self.formats_chosen.emit())
-        self.holds = described(wrapped(), name="format_contents", spoken=tr("Contents of the format"))
-        self.losses = described(wrapped(), name="format_losses", spoken=tr("Losses of the format"))
+        self.holds = described(wrapped(lines=2), name="format_contents", spoken=tr("Contents of the format"))
+        self.losses = described(wrapped(lines=4), name="format_losses", spoken=tr("Losses of the format"))
         self.losses.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )

@@ -14,7 +14,7 @@ from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.view_titles import PRESETS
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_designer.picture.contents import PictureContents, remember
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
     from brdf_designer.picture.drawer import PictureDrawer
+    from brdf_designer.picture.lamps import PictureLamps
     from brdf_designer.picture.scene import PictureScene
     from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.pipeline.scene import PreparedEnvironment
@@ -51,7 +52,12 @@ _WORK = {
 
 
 class PictureControl(Feature, QObject):
-    """Loads light and form on threads, hands each fit over, and moves camera and light."""
+    """Loads light and form on threads, hands each fit over, and moves camera and light.
+
+    ``view_changed(old, new)``: another :class:`View` is shown.
+    """
+
+    view_changed = Signal(object, object)
 
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
@@ -66,6 +72,7 @@ class PictureControl(Feature, QObject):
         self._whole = False
         self._asked: View | None = None
         """A view to be shown that came before there was a picture."""
+        self.lamps: PictureLamps | None = None
         self.view = View()
         self.pace = PicturePace()
         self.panel = PicturePanel(self._new_surface)
@@ -150,6 +157,7 @@ class PictureControl(Feature, QObject):
         loader.ended.connect(self._ended)
         self._three_lights.setEnabled(True)
         self._show(self._asked or loader.first)
+        self._add_lamps()
         self._load(_FORM, self.view.surface)
         self._load(_LIGHT, self.view.environment)
 
@@ -283,6 +291,17 @@ class PictureControl(Feature, QObject):
 
         return make_surface(contents, lambda: self.panel.grey(), made, better)
 
+    def _add_lamps(self) -> None:
+        # Deferred with the scene, whose lamps they are.
+        from brdf_designer.picture.lamps import PictureLamps
+
+        surface = self.panel.surface
+        if surface is not None:
+            page = self._window.panel.pages["light"]
+            self.lamps = PictureLamps(
+                self, surface, page, lambda: self._contents.form, lambda: self._bounds_and_size()[0]
+            )
+
     def _take_drawer(self, drawer: PictureDrawer) -> None:
         self._drawer = drawer
 
@@ -336,9 +355,7 @@ class PictureControl(Feature, QObject):
         window.add_section("form_more", tr("Camera and shadows"), pages.form_more, tab="form", more=True)
         pages.light_chosen.connect(self.choose_light)
         pages.form_chosen.connect(self.choose_form)
-        pages.edited.connect(
-            lambda field, value: self._move(dataclasses.replace(self.view, **{field: value}))
-        )
+        pages.edited.connect(lambda field, value: self.move(dataclasses.replace(self.view, **{field: value})))
         pages.look_edited.connect(lambda field, value: self._edit_look({field: value}))
         pages.place_chosen.connect(self._look_from)
         pages.framed.connect(lambda: self._set_camera(Camera(focal_length_mm=self._lens)))
@@ -357,7 +374,7 @@ class PictureControl(Feature, QObject):
 
     def _edit_look(self, change: dict[str, Any]) -> None:
         look = dataclasses.replace(self.view.surface_look, **change)
-        self._move(dataclasses.replace(self.view, surface_look=look))
+        self.move(dataclasses.replace(self.view, surface_look=look))
         self._bake()
 
     def _look_from(self, preset: str) -> None:
@@ -366,11 +383,12 @@ class PictureControl(Feature, QObject):
 
     def _show(self, view: View) -> None:
         """Take a view and show it in the tabs."""
-        self.view = view
+        old, self.view = self.view, view
         self.pages.show_view(view)
         self.panel.show_light(view.environment)
+        self.view_changed.emit(old, view)
 
-    def _move(self, view: View) -> None:
+    def move(self, view: View) -> None:
         """Draw another view at once, coarser where a whole frame takes long, and whole when the hand rests."""
         self._show(view)
         surface = self.panel.surface
@@ -397,7 +415,7 @@ class PictureControl(Feature, QObject):
         gestures.framed.connect(lambda: self._set_camera(Camera(focal_length_mm=self._lens)))
 
     def _set_camera(self, camera: Camera) -> None:
-        self._move(dataclasses.replace(self.view, camera=camera))
+        self.move(dataclasses.replace(self.view, camera=camera))
 
     def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
         bounds, size = self._bounds_and_size()
@@ -417,7 +435,7 @@ class PictureControl(Feature, QObject):
 
     def _turn_light(self, degrees: float) -> None:
         turned = (self.view.rotation_deg + degrees + 180.0) % 360.0 - 180.0
-        self._move(dataclasses.replace(self.view, rotation_deg=turned))
+        self.move(dataclasses.replace(self.view, rotation_deg=turned))
 
     def _bounds_and_size(self) -> tuple[Bounds | None, tuple[int, int]]:
         surface = self.panel.surface

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pyqtgraph as pg
+from brdf_qt.program.translation import decimal
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPainterPath, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
@@ -54,7 +55,13 @@ class LineItem(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no typ
 
 
 class ThinnedAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
-    """An axis whose logarithmic numbers keep apart: 1, 2 and 5 of each decade where pyqtgraph would write all nine."""
+    """An axis whose logarithmic numbers keep apart: 1, 2 and 5 of each decade where pyqtgraph would write all nine.
+
+    The numbers have the decimal sign of the program's language.
+    """
+
+    def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
+        return [decimal(word) for word in super().tickStrings(values, scale, spacing)]
 
     def logTickStrings(self, values: Sequence[float], scale: float, spacing: float | None) -> list[str]:
         words = super().logTickStrings(values, scale, spacing)

@@ -219,5 +219,9 @@ def spread_of(lines: Lines) -> float:
 
 
 def _anchor(angle_deg: float) -> tuple[float, float]:
-    """Return which place of a label lies at the rim, so that the label is outside of it."""
-    return 0.5 - 0.5 * float(np.sin(np.radians(angle_deg))), 0.5 + 0.5 * float(np.cos(np.radians(angle_deg)))
+    """Return which place of a label lies at the rim, so that the label is outside of it.
+
+    Those at the horizon stand on it: below it are the numbers of the rings.
+    """
+    down = 1.0 if abs(angle_deg) == 90 else 0.5 + 0.5 * float(np.cos(np.radians(angle_deg)))
+    return 0.5 - 0.5 * float(np.sin(np.radians(angle_deg))), down

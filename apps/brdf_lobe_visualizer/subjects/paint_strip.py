@@ -37,14 +37,17 @@ class StripControl(Feature, QObject):
         for changed in (session.front_changed, session.subjects_changed):
             changed.connect(self._show_present)
 
-    def fill(self, shipped: Sequence[tuple[str, str]], load: Callable[[str], Content | None]) -> None:
-        """List what comes with the program, title and name, and make pictures of what ``load`` reads."""
+    def fill(
+        self, shipped: Sequence[tuple[str, str]], load: Callable[[str], Content | None]
+    ) -> PaintThumbnails:
+        """List what comes with the program, title and name; return the pictures, of what ``load`` reads."""
         self._shipped = [Source(name, title) for title, name in shipped]
         self._list()
         thumbnails = PaintThumbnails(self._pictures, load)
         self.model.set_thumbnails(thumbnails)
         self._work = ThumbnailWork(self._pictures, (thumbnails,))
         self._work.begin()
+        return thumbnails
 
     def close(self) -> None:
         self._work.close()

@@ -27,10 +27,14 @@ _MOST_TABS = 200
 
 @dataclass(frozen=True)
 class OpenTab:
-    """A document that was open: its file, None where it had none, and the name of its autosave ("": never written)."""
+    """A document that was open: its file, None where it had none, and the name of its autosave ("": never written).
+
+    ``source`` is what a program opens that has neither: the name of something shipped, or an entry of a palette.
+    """
 
     path: Path | None
-    autosave: str
+    autosave: str = ""
+    source: str = ""
 
 
 @dataclass(frozen=True)
@@ -69,7 +73,12 @@ class TabsRecord(QObject):
             return
         tabs, front = self._read()
         rows = [
-            {"path": None if tab.path is None else str(tab.path), "autosave": tab.autosave} for tab in tabs
+            {
+                "path": None if tab.path is None else str(tab.path),
+                "autosave": tab.autosave,
+                "source": tab.source,
+            }
+            for tab in tabs
         ]
         draft = self.file.with_suffix(".tmp")
         try:
@@ -120,9 +129,13 @@ def _read_record(file: Path) -> TabsLeft | None:
     try:
         content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
         tabs = [
-            OpenTab(None if row["path"] is None else Path(str(row["path"])), str(row["autosave"]))
+            OpenTab(
+                None if row["path"] is None else Path(str(row["path"])),
+                str(row["autosave"]),
+                str(row.get("source", "")),
+            )
             for row in content["tabs"][:_MOST_TABS]
         ]
         return TabsLeft(tuple(tabs), int(content["front"]), file)
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None

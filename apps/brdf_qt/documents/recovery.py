@@ -1,9 +1,9 @@
 """Unsaved work survives a kill: it is written beside the settings at least once a second, and offered back.
 
-A document that is saved has no work to lose, but a history: where that is kept, it lies in a file beside, and comes
-back with the tab. Each run has a file of its own and holds a lock beside it; the system frees the lock of a process
-that dies. So the work of a program that still runs is never offered to another. A file goes once its work is saved or
-discarded.
+A document that is saved has no work to lose, but a history: where that is kept, it lies in a file of its own, and
+comes back with the document. Each run has a file of its own and holds a lock beside it; the system frees the lock of a
+process that dies. So the work of a program that still runs is never offered to another. A file goes once its work is
+saved or discarded.
 """
 
 from __future__ import annotations
@@ -76,7 +76,9 @@ class Recovery(QObject, Generic[T]):
         parent: QObject | None = None,
         *,
         keeps_history: bool = False,
+        folder: str = "autosave",
     ) -> None:
+        """Write to ``folder`` of the program's state, one for each kind of document."""
         super().__init__(parent)
         self._store, self._format, self._failed = store, form, failed
         self._keeps_history = keeps_history
@@ -84,9 +86,9 @@ class Recovery(QObject, Generic[T]):
         """The JSON of states of the history by their identity: only new ones are encoded."""
         self._fails = self._closed = False
         self.beside: Callable[[], Any] | None = None
-        """Asked for plain values to be kept beside an unsaved document; :meth:`note` where they are others."""
-        self.folder = state_folder("autosave")
-        """The folder of the autosaves of this program."""
+        """Asked for plain values to be kept beside the document; :meth:`note` where they are others."""
+        self.folder = state_folder(folder)
+        """The folder of the autosaves."""
         self.file = self.folder / f"{uuid.uuid4().hex}{_ENDING}"
         """The autosave of this store; missing while nothing is unsaved."""
         self._saved_file = _saved_file(self.file)
@@ -128,26 +130,34 @@ class Recovery(QObject, Generic[T]):
             self.written_again.emit()
         return True
 
-    def _write(self) -> None:
+    def head(self) -> dict[str, Any]:
+        """Return what an autosave says about its document: file, time, and what is kept beside it."""
         path, stamp = self._store.path, self._store.stamp
         content = {
             "path": None if path is None else str(path),
             "stamp": None if stamp is None else stamp.to_json(),
             "time": datetime.now().isoformat(timespec="microseconds"),
-            "document": self._format.to_json(self._store.value),
         }
         if self.beside is not None:
             content["beside"] = self.beside()
+        return content
+
+    def _write(self) -> None:
+        content = {**self.head(), "document": self._format.to_json(self._store.value)}
         text = json.dumps(content, ensure_ascii=False)
         if self._keeps_history:
             text = f'{text[:-1]}, "history": {self._history()}}}'
         _replace(self.file, text)
 
+    @property
+    def _keeps_saved(self) -> bool:
+        """Whether a saved document has a history to be kept, or is one without a file that is not to be asked about."""
+        return self._keeps_history and (self._store.stack.count() > 0 or self._store.path is None)
+
     def _write_saved(self) -> None:
-        """Keep the history of a saved document, and one without a file that is not to be asked about."""
-        worth = self._keeps_history and (self._store.stack.count() > 0 or self._store.path is None)
-        if worth:
-            _replace(self._saved_file, f'{{"history": {self._history()}}}')
+        if self._keeps_saved:
+            head = json.dumps(self.head(), ensure_ascii=False)
+            _replace(self._saved_file, f'{head[:-1]}, "history": {self._history()}}}')
         else:
             self._saved_file.unlink(missing_ok=True)
 
@@ -156,27 +166,47 @@ class Recovery(QObject, Generic[T]):
 
         Its present state is the saved one.
         """
-        file = _saved_file(self.folder / Path(autosave).name)
+        item = self._read_saved(_saved_file(self.folder / Path(autosave).name))
+        return None if item is None else item.history
+
+    def found_saved(self) -> list[Recovered[T]]:
+        """Return the saved documents of ended runs of which a history is kept, newest first."""
+        files = self.folder.glob(f"*{_SAVED_ENDING}")
+        items = [self._read_saved(file) for file in files if self._has_ended(file)]
+        return sorted((one for one in items if one is not None), key=lambda item: item.when, reverse=True)
+
+    def _read_saved(self, file: Path) -> Recovered[T] | None:
+        """Return a saved document with its history; None where it cannot be read: the document is in its own file."""
         try:
-            content = json.loads(file.read_text(encoding="utf-8"))["history"]
-            row = content["states"][int(content["place"])][1]
-            return self._read_history(content, self._format.from_json(row, file), file)
+            content = json.loads(file.read_text(encoding="utf-8"))
+            rows = content["history"]
+            value = self._format.from_json(rows["states"][int(rows["place"])][1], file)
+            return self._recovered(content, value, file)
         except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
-            return None  # the document itself is in its file
+            return None
+
+    def _has_ended(self, file: Path) -> bool:
+        """Whether a file is of another run, which has ended."""
+        autosave = file.with_name(file.name.replace(_SAVED_ENDING, _ENDING))
+        lock = lock_of(autosave)
+        if autosave == self.file or not lock.tryLock(0):
+            return False
+        lock.unlock()
+        return True
 
     def sweep(self) -> None:
         """Remove the histories of saved documents of ended runs: they were taken, or given up."""
         for file in self.folder.glob(f"*{_SAVED_ENDING}"):
-            lock = lock_of(file.with_name(file.name.replace(_SAVED_ENDING, _ENDING)))
-            if file != self._saved_file and lock.tryLock(0):
+            if self._has_ended(file):
                 file.unlink(missing_ok=True)
-                lock.unlock()
 
     def _history(self) -> str:
         """Return the history as JSON; a state that was encoded before is not encoded again."""
         states, place = self._store.states(), self._store.stack.index()
         saved = self._store.stack.cleanIndex()
         first = max(0, min(place - MOST_STATES // 2, len(states) - MOST_STATES))
+        # The present value may differ from where its step led: what followed from it by itself has no step.
+        states = (*states[:place], (states[place][0], self._store.value), *states[place + 1 :])
         kept = states[first : first + MOST_STATES]
         encoded: dict[int, tuple[T, str]] = {}
         rows = []
@@ -194,10 +224,8 @@ class Recovery(QObject, Generic[T]):
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
         result = []
         for file in self.folder.glob(f"*{_ENDING}"):
-            lock = lock_of(file)
-            if file == self.file or not lock.tryLock(0):
+            if not self._has_ended(file):
                 continue
-            lock.unlock()
             try:
                 result.append(self._read(file))
             except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
@@ -207,8 +235,10 @@ class Recovery(QObject, Generic[T]):
 
     def _read(self, file: Path) -> Recovered[T]:
         content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        return self._recovered(content, self._format.from_json(content["document"], file), file)
+
+    def _recovered(self, content: dict[str, Any], value: T, file: Path) -> Recovered[T]:
         path, stamp = content["path"], content.get("stamp")
-        value = self._format.from_json(content["document"], file)
         return Recovered(
             value,
             None if path is None else Path(path),

@@ -18,6 +18,8 @@ ZOOM_PER_NOTCH = 0.88
 FINE = 0.1
 """What a gesture is multiplied by while Ctrl is held."""
 _NOTCH = 120.0
+CLICK_PIXELS = 4.0
+"""A button that comes up within so many pixels of where it went down was no drag."""
 
 
 class CameraGestures(QObject):
@@ -127,6 +129,12 @@ class CameraGestures(QObject):
             self._drag = None
             self._widget.unsetCursor()
             self.finished.emit()
+
+
+def is_click(pressed: QPointF, event: QMouseEvent) -> bool:
+    """Whether a button that went down at ``pressed`` and comes up with ``event`` was no drag."""
+    moved = event.position() - pressed
+    return abs(moved.x()) + abs(moved.y()) < CLICK_PIXELS
 
 
 def _fineness(event: QMouseEvent | QWheelEvent) -> float:

@@ -31,12 +31,14 @@ class ViewFiles(ViewerFeature):
         super().__init__(state, window)
         self._dialogs = dialogs
         self._recent = RecentFiles(f"recent/{KIND}")
-        self.path: Path | None = None
-        """The file that Save writes to; None before the first one."""
-        self._stamp: FileStamp | None = None
         window.commands.save_view.triggered.connect(self.save)
         window.commands.save_view_as.triggered.connect(self.save_as)
         self._list()
+
+    @property
+    def path(self) -> Path | None:
+        """The file that Save writes to; None before the first one."""
+        return self._state.history.path
 
     def open(self, path: str) -> bool:
         """Show the view in a file; True where that was done."""
@@ -47,8 +49,8 @@ class ViewFiles(ViewerFeature):
         except SuiteError as error:
             self._report(error, KIND, tr("The picture is unchanged. Choose another view."))
             return False
-        self._take(file, stamp)
         self.show(view)
+        self._take(file, stamp)
         return True
 
     def show(self, view: View) -> None:
@@ -63,8 +65,8 @@ class ViewFiles(ViewerFeature):
         """Write the view to its file, or ask for one; True where it was written."""
         if self.path is None:
             return self.save_as()
-        present = stamp_of(self.path)
-        if present is not None and (self._stamp is None or not present.same_content(self._stamp)):
+        present, known = stamp_of(self.path), self._state.history.stamp
+        if present is not None and (known is None or not present.same_content(known)):
             answer = self._dialogs.changed_file(self.path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()
@@ -99,7 +101,7 @@ class ViewFiles(ViewerFeature):
         return replace(view, camera=resolve(view.camera, state.bounds, self._window.picture.device_size))
 
     def _take(self, path: Path, stamp: FileStamp | None) -> None:
-        self.path, self._stamp = path, stamp
+        self._state.history.mark_clean(path, stamp)
         self._window.messages.dismiss(KIND)
         self._recent.add(str(path))
         self._list()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
+from brdf_qt.gl.aiming import placed, polar_of
 from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.timer import make_timer
 
@@ -14,7 +15,7 @@ from brdf_suite.pipeline.scene import environment_names
 from brdf_viewer.camera.section import signed_deg
 from brdf_viewer.camera.turntable import Turntable
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.light.section import placed, polar, preset_of, with_preset
+from brdf_viewer.light.section import preset_of, with_preset
 from brdf_viewer.paint.relit import RelitPaint
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -82,7 +83,7 @@ class LightingControl(ViewerFeature):
     def _move_lamps(self, degrees: float) -> None:
         moved = []
         for lamp in self._state.view.lamps:
-            azimuth, elevation, distance = polar(lamp)
+            azimuth, elevation, distance = polar_of(lamp)
             moved.append(placed(lamp, signed_deg(azimuth + degrees), elevation, distance))
         if moved:
             self._state.follow_view(lamps=tuple(moved))

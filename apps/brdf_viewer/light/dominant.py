@@ -9,8 +9,8 @@ import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_suite.documents.view import View
+from brdf_suite.geometry.polar import point_at
 from brdf_suite.lighting.statistics import EnvironmentStatistics
-from brdf_viewer.light.studio.places import point_at
 
 Vector = tuple[float, float, float]
 

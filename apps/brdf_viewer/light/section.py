@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import hypot
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -14,6 +13,7 @@ from brdf_qt.fields.form import Form, fill_column, fill_row, icon_button
 from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.gl.aiming import polar_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
@@ -21,8 +21,8 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QPushButton,
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
+from brdf_suite.geometry.polar import point_at
 from brdf_suite.pipeline.scene import in_environment
-from brdf_viewer.light.studio import places
 
 
 @dataclass(frozen=True)
@@ -198,7 +198,7 @@ class LampFields(QWidget):
         if lamp is None:
             return
         self.kind.show_choice(lamp.kind)
-        for field, value in zip((self.azimuth, self.elevation, self.distance), polar(lamp), strict=True):
+        for field, value in zip((self.azimuth, self.elevation, self.distance), polar_of(lamp), strict=True):
             field.set_value(value)
         for widget in (self.distance, self._distance_label):
             widget.setVisible(lamp.kind == "point")
@@ -227,7 +227,7 @@ class LampFields(QWidget):
 
     def _placed(self, _value: float) -> None:
         azimuth, elevation = self.azimuth.value(), self.elevation.value()
-        position = places.point_at(azimuth, elevation, self.distance.value())
+        position = point_at(azimuth, elevation, self.distance.value())
         self._change(position=position, azimuth_deg=azimuth, elevation_deg=elevation)
 
     def _change(self, **fields: Any) -> None:
@@ -236,24 +236,6 @@ class LampFields(QWidget):
             changed = dataclasses.replace(lamp, **fields)
             self.set_lamps((*self.lamps[:index], changed, *self.lamps[index + 1 :]))
             self.edited.emit(self.lamps)
-
-
-def polar(lamp: Lamp) -> tuple[float, float, float]:
-    """Return azimuth and elevation in degrees and the distance in metres of where a lamp's light comes from.
-
-    >>> [round(value, 3) for value in polar(Lamp(position=(0.0, 3.0, 3.0)))]
-    [0.0, 45.0, 4.243]
-    """
-    if lamp.kind == "directional":
-        return (lamp.azimuth_deg + 180.0) % 360.0 - 180.0, lamp.elevation_deg, hypot(*lamp.position)
-    azimuth, elevation, distance = places.polar(lamp.position)
-    return azimuth, elevation, max(0.05, distance)
-
-
-def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float) -> Lamp:
-    """Return the lamp at another place; both forms of it are kept in step, so that a change of kind keeps it."""
-    position = places.point_at(azimuth_deg, elevation_deg, distance)
-    return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
 
 ILLUMINANT_TITLES = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from brdf_qt.gl.gestures import is_click
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
@@ -21,8 +22,6 @@ from brdf_viewer.surface.control import SurfaceControl
 from brdf_viewer.surface.section import MATERIAL_TITLES
 from brdf_viewer.window import ViewerWindow
 
-CLICK_PIXELS = 4.0
-"""A button that comes up within so many pixels of where it went down was no drag."""
 _REST_MS = 80
 _FIRST_BARE = "glass"
 """The first of the materials that are no paints."""
@@ -72,7 +71,7 @@ class PartControl(ViewerFeature):
             self._pressed = (event.button(), event.position()) if plain else None
         elif isinstance(event, QMouseEvent) and kind == QEvent.Type.MouseButtonRelease:
             pressed, self._pressed = self._pressed, None
-            if pressed is not None and pressed[0] == event.button() and _is_click(pressed[1], event):
+            if pressed is not None and pressed[0] == event.button() and is_click(pressed[1], event):
                 self._clicked(event)
         elif isinstance(event, QContextMenuEvent) and event.reason() == QContextMenuEvent.Reason.Keyboard:
             self._open_menu(self._window.picture.canvas.rect().center())
@@ -157,11 +156,6 @@ class PartControl(ViewerFeature):
 
 
 _LABEL = mark("{part} – {material}")
-
-
-def _is_click(pressed: QPointF, event: QMouseEvent) -> bool:
-    moved = event.position() - pressed
-    return abs(moved.x()) + abs(moved.y()) < CLICK_PIXELS
 
 
 def _words(names: list[str]) -> str:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from brdf_qt.gl.lamp_handles import ray_through
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import Camera
-from brdf_suite.realtime.camera import matrices
 from brdf_suite.realtime.pictures.comparison import sides
 from brdf_suite.surface.picking import PickHit, pick
 from brdf_viewer.overlay.part_layer import PartMark, mark_of
@@ -60,11 +60,7 @@ class SeenParts:
     def ray_at(self, place: QPointF) -> tuple[Floats, Floats]:
         """Return the eye (m) and the unit direction (3,) of what is seen at a place of the canvas."""
         box, at = self.picture_at(place)
-        camera = matrices(self._state.view.camera, self._state.bounds, self.size_of(box))
-        right = (2.0 * at.x() - 1.0) * camera.half_tangents[0]
-        up = (1.0 - 2.0 * at.y()) * camera.half_tangents[1]
-        ray = camera.view_to_world @ np.array([right, up, -1.0])
-        return camera.eye, ray / np.linalg.norm(ray)
+        return ray_through(self._state.view, self._state.bounds, self.size_of(box), at)
 
     def hit_at(self, place: QPointF) -> PickHit | None:
         """Return what of the surface is met at a place of the canvas; None: nothing."""

@@ -20,6 +20,11 @@ from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_viewer.documents.view_history import ViewHistory
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
+    from brdf_qt.documents.recovery import KeptHistory
+    from brdf_qt.documents.stamp import FileStamp
+
     from brdf_suite.documents.store import AnyPaint
     from brdf_suite.lighting.statistics import EnvironmentStatistics
     from brdf_suite.realtime.pictures.comparison import ComparedPicture
@@ -159,6 +164,14 @@ class ViewerState(QObject):
     def set_view(self, view: View) -> None:
         """Take ``view``, as a step that can be undone; nothing is emitted where it is equal."""
         self.history.set(view)
+
+    def restore(self, kept: KeptHistory[View], path: Path | None, stamp: FileStamp | None) -> None:
+        """Take a view with its undo history, and the file that holds it."""
+        old = self.view
+        self.history.end()
+        self.history.restore(kept.states, kept.place, path, saved=kept.saved, stamp=stamp)
+        if self.view != old:
+            self.view_changed.emit(old, self.view)
 
     def change_view(self, **fields: Any) -> None:
         self.set_view(dataclasses.replace(self.view, **fields))

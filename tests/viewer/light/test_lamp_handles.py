@@ -17,7 +17,7 @@ FRONT = Camera(azimuth_deg=0.0, elevation_deg=0.0)
 
 
 def handles(viewer):
-    return viewer.controller.lamps.layer.handles
+    return viewer.controller.lamps.handles.layer.handles
 
 
 def drag(viewer, start: QPoint, *ways: QPoint) -> None:
@@ -37,7 +37,7 @@ def test_a_handle_lies_in_the_lamps_direction_and_moves_it(viewer) -> None:
     with_lamps(
         viewer, Lamp("directional", azimuth_deg=0.0, elevation_deg=30.0), Lamp(position=(2.0, 0.0, 0.0))
     )
-    layer = viewer.controller.lamps.layer
+    layer = viewer.controller.lamps.handles.layer
     assert layer.isVisible()
     first, second = handles(viewer)
     assert first.place.x() == pytest.approx(layer.centre.x())
@@ -58,7 +58,7 @@ def test_a_handle_lies_in_the_lamps_direction_and_moves_it(viewer) -> None:
 
 def test_a_point_lamp_keeps_its_distance_and_goes_behind(viewer) -> None:
     with_lamps(viewer, Lamp(position=(0.0, 1.5, 1.5)))
-    layer = viewer.controller.lamps.layer
+    layer = viewer.controller.lamps.handles.layer
     start = handles(viewer)[0].place.toPoint()
     assert not handles(viewer)[0].behind
     drag(viewer, start, QPoint(0, -5), QPoint(0, -round(layer.reach)))
@@ -78,7 +78,7 @@ def test_beside_a_handle_the_camera_turns(viewer) -> None:
 
 def test_handles_are_put_away_and_hidden_with_the_tab(viewer) -> None:
     with_lamps(viewer, Lamp())
-    layer = viewer.controller.lamps.layer
+    layer = viewer.controller.lamps.handles.layer
     viewer.window.show_tab("paint")
     assert not layer.isVisible()
     viewer.window.show_tab("light")
@@ -117,7 +117,7 @@ def test_the_highlight_comes_where_it_is_clicked(viewer, given) -> None:
 def test_escape_ends_the_question(viewer) -> None:
     viewer.canvas.setFocus()
     QTest.keyClick(viewer.canvas, Qt.Key.Key_L, Qt.KeyboardModifier.ShiftModifier)
-    layer = viewer.controller.lamps.layer
+    layer = viewer.controller.lamps.handles.layer
     assert layer.words.startswith("Click on the surface")
     assert viewer.canvas.cursor().shape() == Qt.CursorShape.CrossCursor
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Escape)
@@ -128,7 +128,7 @@ def test_escape_ends_the_question(viewer) -> None:
 
 
 def test_a_drag_that_turns_the_light_says_so_for_a_moment(viewer, qtbot) -> None:
-    layer, canvas = viewer.controller.lamps.layer, viewer.canvas
+    layer, canvas = viewer.controller.lamps.handles.layer, viewer.canvas
     middle, alt = canvas.rect().center(), Qt.KeyboardModifier.AltModifier
     QTest.mousePress(canvas, LEFT, alt, middle)
     QTest.mouseMove(canvas, middle + QPoint(40, 0))

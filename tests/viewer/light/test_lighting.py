@@ -7,14 +7,13 @@ import threading
 
 import numpy as np
 import pytest
+from brdf_qt.gl.aiming import placed, polar_of
 from brdf_viewer.light.control import metered_part
 from brdf_viewer.light.section import (
     ILLUMINANT_TITLES,
     PRESETS,
     LampFields,
     colour_note,
-    placed,
-    polar,
     preset_of,
     with_preset,
 )
@@ -168,12 +167,12 @@ def test_no_more_lamps_than_a_view_may_have(qtbot) -> None:
 def test_a_moving_lamp_goes_round_and_is_one_step(viewer, qtbot) -> None:
     press(viewer, "point")
     viewer.wait_idle()
-    _, elevation, distance = polar(viewer.view.lamps[0])
+    _, elevation, distance = polar_of(viewer.view.lamps[0])
     start, steps = viewer.view.lamps[0].position, viewer.state.history.steps
     viewer.window.lighting.lamps.moving.click()
     qtbot.waitUntil(lambda: viewer.view.lamps[0].position != start)
     viewer.window.lighting.lamps.moving.click()
-    assert polar(viewer.view.lamps[0])[1:] == pytest.approx((elevation, distance))
+    assert polar_of(viewer.view.lamps[0])[1:] == pytest.approx((elevation, distance))
     assert viewer.state.history.steps == steps + 1
     viewer.controller.undo()
     assert viewer.view.lamps[0].position == start
@@ -184,7 +183,7 @@ def test_a_moving_lamp_goes_round_and_is_one_step(viewer, qtbot) -> None:
 def test_a_lamp_is_where_it_was_put(kind: str) -> None:
     for azimuth, elevation in ((-170.0, 30.0), (10.0, -45.0), (135.0, 80.0)):
         lamp = placed(Lamp(kind), azimuth, elevation, 3.0)
-        assert polar(lamp) == pytest.approx((azimuth, elevation, 3.0))
+        assert polar_of(lamp) == pytest.approx((azimuth, elevation, 3.0))
 
 
 def test_a_paint_with_spectra_is_computed_in_the_lamp(viewer, shared_data, qtbot) -> None:

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from brdf_viewer.light.dominant import dominant_light
-from brdf_viewer.light.studio.places import point_at
 from brdf_viewer.overlay.pixel_reading import (
     CursorReading,
     PixelReading,
@@ -25,6 +24,7 @@ from PySide6.QtWidgets import QApplication
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Compare, Lamp, Sparkle
+from brdf_suite.geometry.polar import point_at
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.statistics import environment_statistics
 from brdf_suite.realtime.pictures.probe import SurfacePoint

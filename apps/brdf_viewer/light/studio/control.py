@@ -10,7 +10,6 @@ from typing import Any
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
-from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.fields.choices import set_note
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
@@ -18,6 +17,7 @@ from brdf_qt.window.dialogs import QtDialogs
 from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, Studio
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.studio import edits
@@ -25,7 +25,6 @@ from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
 from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings
 from brdf_viewer.light.studio.live_light import LiveLight
 from brdf_viewer.light.studio.panel import StudioPanel
-from brdf_viewer.light.studio.places import point_at, polar
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -47,7 +46,9 @@ class StudioControl(ViewerFeature):
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
         self.files = StudioFiles(self.store, FORMAT, dialogs, self)
         report = partial(self._report, key="autosave")
-        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, report, self)
+        self.recovery: Recovery[LightDocument] = Recovery(
+            self.store, FORMAT, report, self, keeps_history=True
+        )
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
@@ -67,13 +68,6 @@ class StudioControl(ViewerFeature):
         self._add_commands()
         self._show_state()
         self._contents_changed()
-        offer_recovery(
-            window.messages.show_message,
-            self.recovery.found(),
-            self._recover,
-            self.recovery.drop,
-            tr("Viewer closed unexpectedly. Recover your unsaved work on the studio “{name}” of {when}?"),
-        )
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""
@@ -120,16 +114,21 @@ class StudioControl(ViewerFeature):
 
     def close(self) -> None:
         self._live.close()
-        self.recovery.close(keep=False)  # what was unsaved has been asked about
+        self.recovery.close(keep=True)
 
-    def _recover(self, item: Recovered[LightDocument]) -> bool:
-        """Open what an earlier run left; False where the user keeps the present studio."""
-        if self._open and not self.files.may_discard():
-            return False
+    def recover(self, item: Recovered[LightDocument]) -> None:
+        """Open what an earlier run left, with its history."""
         self._open = False  # until it is there: what is replaced is not drawn
         self.recovery.take(item)
         self._show_opened()
-        return True
+
+    def restore_saved(self, item: Recovered[LightDocument]) -> None:
+        """Open a saved studio of an earlier run, with its history where that ends at what the file holds."""
+        if item.path is None or self._open or not self._edit_file(item.path):
+            return
+        history, store = item.history, self.store
+        if history is not None and item.value == store.value:
+            store.restore(history.states, history.place, store.path, saved=history.place, stamp=store.stamp)
 
     def _show_opened(self, *, draw: bool = True) -> None:
         self._open, self._index = True, 0

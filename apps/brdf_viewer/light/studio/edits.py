@@ -5,8 +5,9 @@ from __future__ import annotations
 import dataclasses
 
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Point, Sky, Studio, StudioLamp
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_viewer.light.studio.document import NEW_LAMPS
-from brdf_viewer.light.studio.places import angle_of, held_in, moved, point_at, polar, size_at
+from brdf_viewer.light.studio.places import angle_of, held_in, moved, size_at
 
 LARGEST_DEG = 170.0
 _BESIDE_DEG = 20.0

@@ -14,8 +14,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Shape, Sky, Studio, StudioLamp
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_viewer.light.studio.edits import with_room
-from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
+from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, size_at
 
 NEUTRAL_K = 6504.0
 

@@ -23,9 +23,9 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.studio import MOST_LAMPS, LightDocument, Studio, StudioLamp
+from brdf_suite.geometry.polar import polar
 from brdf_viewer.light.studio.document import TEMPLATES
 from brdf_viewer.light.studio.forms import SHAPE_TITLES, LampForm, SkyForm, SurroundingsForm
-from brdf_viewer.light.studio.places import polar
 from brdf_viewer.light.studio.preview import StudioPreview
 
 _LIST_ROWS = 6

@@ -7,33 +7,16 @@ in the middle of the scene.
 from __future__ import annotations
 
 import dataclasses
-from math import asin, atan, atan2, cos, degrees, hypot, radians, sin, sqrt, tan
+from math import asin, atan, atan2, cos, degrees, radians, sin, sqrt, tan
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.studio import BoothRoom, Point, StudioLamp
+from brdf_suite.geometry.polar import polar
 from brdf_suite.lighting.procedural.lamps import LampSurface
 
 _LARGEST_ANGLE_DEG = 175.0
-
-
-def polar(point: Point) -> tuple[float, float, float]:
-    """Return azimuth and elevation (°) and distance (m) of a point.
-
-    >>> [round(value, 2) for value in polar((1.0, 0.0, 1.0))]
-    [45.0, 0.0, 1.41]
-    """
-    x, y, z = point
-    level = hypot(x, z)
-    return degrees(atan2(x, z)), degrees(atan2(y, level)), hypot(level, y)
-
-
-def point_at(azimuth_deg: float, elevation_deg: float, distance: float) -> Point:
-    """Return the point in a direction; the inverse of :func:`polar`."""
-    azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
-    level = distance * cos(elevation)
-    return (level * sin(azimuth), distance * sin(elevation), level * cos(azimuth))
 
 
 def angle_of(size_m: float, distance: float) -> float:

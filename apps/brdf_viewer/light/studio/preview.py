@@ -22,13 +22,12 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, srgb_encode
 from brdf_suite.documents.studio import LightDocument, Sky, Studio
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_viewer.light.studio.places import (
     covers,
     outline,
     panorama_direction,
     panorama_place,
-    point_at,
-    polar,
 )
 
 _COLUMNS = 512

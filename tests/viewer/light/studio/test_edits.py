@@ -17,8 +17,6 @@ from brdf_viewer.light.studio.places import (
     outline,
     panorama_direction,
     panorama_place,
-    point_at,
-    polar,
     size_at,
 )
 from hypothesis import given
@@ -34,6 +32,7 @@ from brdf_suite.documents.studio import (
     light_to_json,
 )
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.polar import point_at, polar
 from brdf_suite.lighting.procedural import BOOTH, studio
 from brdf_suite.lighting.procedural.panorama import centres, directions
 

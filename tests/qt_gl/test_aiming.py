@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_viewer.light.aiming import (
+from brdf_qt.gl.aiming import (
     direction_of,
     lamp_for_highlight,
     map_direction,

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from brdf_qt.gl.layer import PictureLayer, draw_chip
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
+
+from brdf_qt.gl.layer import PictureLayer, draw_chip
 
 RADIUS = 10.0
 """Of a handle, in logical pixels."""

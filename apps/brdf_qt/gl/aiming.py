@@ -4,17 +4,35 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from math import hypot
 
 import numpy as np
 
 from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.view_settings import Lamp
-from brdf_viewer.light.section import placed, polar
-from brdf_viewer.light.studio import places
+from brdf_suite.geometry.polar import point_at, polar
 
 _FARTHEST = 2.0 * 175.0 / 180.0
 NEW_LAMP = Lamp("directional", strength=1.0, angle_deg=2.0)
 """What is added where a highlight is wanted and there is no lamp: a small bright disc."""
+
+
+def polar_of(lamp: Lamp) -> tuple[float, float, float]:
+    """Return azimuth and elevation in degrees and the distance in metres of where a lamp's light comes from.
+
+    >>> [round(value, 3) for value in polar_of(Lamp(position=(0.0, 3.0, 3.0)))]
+    [0.0, 45.0, 4.243]
+    """
+    if lamp.kind == "directional":
+        return (lamp.azimuth_deg + 180.0) % 360.0 - 180.0, lamp.elevation_deg, hypot(*lamp.position)
+    azimuth, elevation, distance = polar(lamp.position)
+    return azimuth, elevation, max(0.05, distance)
+
+
+def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float) -> Lamp:
+    """Return the lamp at another place; both forms of it are kept in step, so that a change of kind keeps it."""
+    position = point_at(azimuth_deg, elevation_deg, distance)
+    return replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
 
 def map_place(direction: Floats, axes: Floats) -> Floats:
@@ -43,14 +61,14 @@ def map_direction(place: Floats, axes: Floats) -> Floats:
 
 def direction_of(lamp: Lamp) -> Floats:
     """Return the unit direction (3,) in which a lamp lies, seen from the middle of the scene."""
-    azimuth, elevation, _ = polar(lamp)
-    return np.array(places.point_at(azimuth, elevation, 1.0))
+    azimuth, elevation, _ = polar_of(lamp)
+    return np.array(point_at(azimuth, elevation, 1.0))
 
 
 def turned_to(lamp: Lamp, direction: Floats) -> Lamp:
     """Return the lamp in another direction, as far away as it was."""
-    azimuth, elevation, _ = places.polar(triple(direction))
-    return placed(lamp, azimuth, elevation, polar(lamp)[2])
+    azimuth, elevation, _ = polar(triple(direction))
+    return placed(lamp, azimuth, elevation, polar_of(lamp)[2])
 
 
 def mirror_direction(normal: Floats, to_eye: Floats) -> Floats:
@@ -71,9 +89,9 @@ def lamp_for_highlight(lamp: Lamp, position: Floats, normal: Floats, to_eye: Flo
     if lamp.kind == "directional":
         return turned_to(lamp, direction)
     # |position + t direction| = distance, for the t > 0.
-    distance, along = polar(lamp)[2], float(position @ direction)
+    distance, along = polar_of(lamp)[2], float(position @ direction)
     root = along * along - float(position @ position) + distance * distance
     way = math.sqrt(root) - along if root > 0.0 else -1.0
     place = position + direction * (way if way > 0.0 else distance)
-    azimuth, elevation, _ = places.polar(triple(place))
+    azimuth, elevation, _ = polar(triple(place))
     return replace(lamp, position=triple(place), azimuth_deg=azimuth, elevation_deg=elevation)
