@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
@@ -20,9 +19,8 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
 from brdf_suite.appearance.colour.spaces import lch_to_lab
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
-from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.appearance.texture import NO_TEXTURE, SCALE
-from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Paint
+from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
 from brdf_suite.files.cxf_specification import (
@@ -33,101 +31,8 @@ from brdf_suite.files.cxf_specification import (
     read_specifications,
 )
 from brdf_suite.files.hardened_xml import MOST_BYTES, Element, parse_xml
-from brdf_suite.files.paint_fields import Setting, build_paint, setting_from_text
-
-UNKNOWN_GLOSS = Gloss(90.0)
-"""What stands in where a file says nothing of gloss: a usual clearcoat."""
-
-_NAME, _NOTES = 200, 100_000
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]+")
-_CONTROL_IN_LINES = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]+")
-
-
-@dataclass(frozen=True)
-class CxfReading:
-    """One colour at one geometry.
-
-    ``lab`` is of D65 and the 10° observer; ``converted`` says how it was found where the file has it in another
-    form, else it is empty. ``wavelengths_nm`` and ``reflectance`` (1 is a perfect diffuser) are there where the file
-    has the spectrum.
-    """
-
-    illumination_deg: float
-    aspecular_deg: float
-    lab: Lab
-    converted: str = ""
-    wavelengths_nm: tuple[float, ...] | None = None
-    reflectance: tuple[float, ...] | None = None
-
-    @property
-    def geometry(self) -> str:
-        """The trade's short name of the geometry, as in ``45as15``."""
-        return Geometry(self.illumination_deg, self.aspecular_deg).name
-
-
-@dataclass(frozen=True)
-class CxfSample:
-    """A sample with at least one reading at a multi-angle geometry.
-
-    ``kind`` is the file's own word (Standard, Sample, Target …); ``gloss`` is None where the file does not state it.
-    ``texture`` is what this suite's texture instrument read, by the names of ``TextureReadings.by_name``: those that
-    the file has as tags.
-    ``settings`` are further fields of a paint, flakes among them, that this suite wrote as tags.
-    """
-
-    name: str
-    kind: str
-    readings: tuple[CxfReading, ...]
-    gloss: Gloss | None = None
-    notes: str = ""
-    source: str = ""
-    settings: Mapping[str, Setting] = field(default_factory=dict)
-    version: int | None = None
-    texture: Mapping[str, float] = field(default_factory=dict)
-
-    def paint(self, gloss: Gloss = UNKNOWN_GLOSS) -> Paint:
-        """Return the sample as a paint that can be designed further; ``gloss`` where the file has none.
-
-        Raises
-        ------
-        ValueRangeError
-            There are fewer than three readings.
-        DocumentError
-            One is out of a paint's range, or a setting is; ``place`` names the field.
-        """
-        if len(self.readings) < 3:
-            raise ValueRangeError(
-                self.name, f"a paint needs readings at 3 angles at least, there are {len(self.readings)}"
-            )
-        return build_paint(
-            plain_name(self.name, "unnamed"),
-            [(r.illumination_deg, r.aspecular_deg, r.lab) for r in self.readings],
-            self.gloss or gloss,
-            self.settings,
-            _CONTROL_IN_LINES.sub(" ", self.notes)[:_NOTES],
-            self.source,
-            path=self.name,
-            version=self.version,
-        )
-
-
-@dataclass(frozen=True)
-class CxfFile:
-    """The multi-angle samples of a file, in its order.
-
-    ``notes`` say what was converted or assumed; ``refused`` which samples are left out, and why.
-    """
-
-    samples: tuple[CxfSample, ...]
-    notes: tuple[str, ...] = ()
-    refused: tuple[str, ...] = ()
-
-
-def plain_name(name: str, otherwise: str) -> str:
-    """Return ``name`` as a paint can have it: on one line, at most 200 characters, not empty."""
-    short = " ".join(_CONTROL.sub(" ", name).split())[:_NAME].strip()
-    return short or otherwise
-
+from brdf_suite.files.paint_fields import setting_from_text
+from brdf_suite.files.samples import AngleReading, AngleSample, SampleFile, plain_name
 
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
 TAGS = "BRDF Suite"
@@ -153,7 +58,7 @@ def is_cxf(head: bytes) -> bool:
     return NAMESPACE.encode("ascii") in head or NAMESPACE.encode("utf-16-le") in head
 
 
-def read_cxf(path: PathLike) -> CxfFile:
+def read_cxf(path: PathLike) -> SampleFile:
     """Return the multi-angle samples of a CxF3 file.
 
     Raises
@@ -169,7 +74,7 @@ def read_cxf(path: PathLike) -> CxfFile:
     if resources is None or objects is None:
         raise FileError(path, "holds no sample", f"line {root.line}")
     specifications = read_specifications(resources, path)
-    samples: list[CxfSample] = []
+    samples: list[AngleSample] = []
     refused: list[str] = []
     others = 0
     for element in objects.all("Object"):
@@ -187,10 +92,10 @@ def read_cxf(path: PathLike) -> CxfFile:
         raise FileError(path, f"holds no sample read at several angles that can be used{why}")
     if others:
         refused.append(f"{others} samples that were not read by a multi-angle instrument are left out")
-    return CxfFile(tuple(samples), _notes(samples), tuple(refused))
+    return SampleFile(tuple(samples), _notes(samples), tuple(refused))
 
 
-def _notes(samples: list[CxfSample]) -> tuple[str, ...]:
+def _notes(samples: list[AngleSample]) -> tuple[str, ...]:
     notes = []
     ways = {reading.converted for sample in samples for reading in sample.readings if reading.converted}
     for way in sorted(ways):
@@ -213,7 +118,7 @@ class SampleReader:
         self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or "unnamed")
         self.refused: list[str] = []
 
-    def read(self) -> CxfSample | None:
+    def read(self) -> AngleSample | None:
         """Return the sample, or None where it has no reading at a multi-angle geometry."""
         colours: dict[tuple[float, float], tuple[Lab, str]] = {}
         spectra: dict[tuple[float, float], _Spectrum] = {}
@@ -252,7 +157,8 @@ class SampleReader:
         if not colours:
             return None
         readings = tuple(
-            CxfReading(*key, lab, how, *spectra.get(key, (None, None))) for key, (lab, how) in colours.items()
+            AngleReading(*key, lab, how, *spectra.get(key, (None, None)))
+            for key, (lab, how) in colours.items()
         )
         return self._sample(readings)
 
@@ -321,7 +227,7 @@ class SampleReader:
             raise self._fail(value, "the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
         return tuple(bands), tuple(reflectance)
 
-    def _sample(self, readings: tuple[CxfReading, ...]) -> CxfSample:
+    def _sample(self, readings: tuple[AngleReading, ...]) -> AngleSample:
         element = self._element
         comment = element.first("Comment")
         tags = {
@@ -330,7 +236,7 @@ class SampleReader:
             if collection.attributes.get("Name") == TAGS
             for tag in collection.all("Tag")
         }
-        return CxfSample(
+        return AngleSample(
             name=self.name,
             kind=element.attributes.get("ObjectType", ""),
             readings=readings,
@@ -376,6 +282,3 @@ class SampleReader:
             return Gloss(found["20"], found.get("60"))
         except ValueRangeError as error:
             raise self._fail(self._element, str(error).rstrip(".")) from error
-
-
-__all__ = ["CxfFile", "CxfReading", "CxfSample", "is_cxf", "read_cxf"]

@@ -18,7 +18,7 @@ from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
 from brdf_suite.files.palettes.conversions import split_angles as split_angles
 from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
-from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
+from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens, table
 from brdf_suite.files.palettes.xml import cxf3, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
@@ -36,6 +36,7 @@ FORMATS: tuple[PaletteFormat, ...] = (
     csv_table.FORMAT,
     css.FORMAT,
     json_tokens.FORMAT,
+    table.FORMAT,
     aco.FORMAT,
     act.FORMAT,
 )

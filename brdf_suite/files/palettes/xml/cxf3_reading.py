@@ -13,11 +13,13 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import USAGES, Palette
 from brdf_suite.documents.palette_store import flat_from_json
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, CxfSample, SampleReader
+from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, SampleReader
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
+from brdf_suite.files.palettes.sample_entries import ANGLES_FOR_A_PAINT, sample_fields
+from brdf_suite.files.samples import AngleSample
 
 GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
     "palette.group", "palette.code", "palette.tags", "palette.usage", "palette.date", "palette.notes", "palette.flat",
@@ -27,10 +29,6 @@ GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
 PALETTE, COLUMNS, COLOUR, GROUPS = "palette.name", "palette.columns", "palette.colour", "palette.groups"
 """Of the file, with ``palette.notes``."""
 
-SPECTRA = "cxf.spectra"
-"""Under this name an entry keeps the spectra of a multi-angle sample, so that they can go back."""
-
-_ANGLES_FOR_A_PAINT = 3
 _UNCHANGED = 1e-6
 _NOT_READ = ("Emissive", "Transmittance")
 
@@ -113,9 +111,9 @@ class _Reader:
             collector.note(f"{sample_reader.name}: {reason}.")
         foreign: tuple[tuple[str, str], ...] = ()
         paint = None
-        if sample is not None and len(sample.readings) >= _ANGLES_FOR_A_PAINT:
+        if sample is not None and len(sample.readings) >= ANGLES_FOR_A_PAINT:
             paint = self._paint(sample, place)
-            foreign = _kept_spectra(sample)
+            foreign = sample_fields(sample)
         content = paint or self._flat(element, tags.get(FLAT, ""))
         if content is None:
             collector.note("{n} sample[|s] without a value that can be used [is|are] left out.")
@@ -136,7 +134,7 @@ class _Reader:
             foreign=foreign,
         )
 
-    def _paint(self, sample: CxfSample, place: str) -> Paint:
+    def _paint(self, sample: AngleSample, place: str) -> Paint:
         if sample.gloss is None:
             self._collector.note(
                 "{n} sample[ says|s say] nothing of gloss, and as a paint gets 90 GU at 20°."
@@ -247,11 +245,3 @@ def _own_flat(text: str, name: str, path: PathLike) -> FlatColour | None:
     except (ValueError, RecursionError, FileError):
         return None
     return own if own.name == name else None
-
-
-def _kept_spectra(sample: CxfSample) -> tuple[tuple[str, str], ...]:
-    rows = [(reading.wavelengths_nm, reading.reflectance) for reading in sample.readings]
-    first = rows[0][0]
-    if first is None or any(bands != first or values is None for bands, values in rows):
-        return ()
-    return ((SPECTRA, json.dumps({"bands": list(first), "rows": [list(row or ()) for _, row in rows]})),)
