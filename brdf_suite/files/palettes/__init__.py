@@ -80,6 +80,8 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
         return named[0]
     if found:
         return found[0]
+    if ending in (".csv", ".tsv") and b"\0" not in content[:_HEAD]:
+        return table.FORMAT  # its reader says which columns there are and which are wanted
     titles = ", ".join(known.title for known in FORMATS)
     raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
 

@@ -29,8 +29,8 @@ TEXTS: dict[str, str] = {
         "group": "group family category folder collection gruppe kategorie",
         "notes": "notes note comment comments description remark remarks bemerkung kommentar 备注",
         "date": "date measured measurementdate datum timestamp datetime dateandtime measuredon 测量日期",
-        "geometry": "angle geometry winkel geometrie aspecular aspecularangle measuringangle measurementangle messwinkel"
-        " angolo angulo gonio 角度",
+        "geometry": "angle geometry winkel geometrie aspecular aspecularangle measuringangle measurementangle"
+        " messwinkel angolo angulo gonio 角度",
         "light": "illuminationangle lightangle incidence incidenceangle einfallswinkel",
         "azimuth": "azimuth azimuthangle azimut",
         "illuminant": "illuminant lichtart lightsource illuminantobserver lichtartbeobachter",

@@ -84,9 +84,12 @@ def _table(columns: tuple[Column, ...], rows: Sequence[Row], before: int, first:
     columns = _settled(columns, rows[first : first + _HEAD_ROWS])
     data = list(rows[first:])
     # A row of units below the headings.
-    if data and not any(parse_number(cell) is not None for cell in data[0].cells) and not any(
-        _HEX.fullmatch(cell) for cell in data[0].cells
-    ) and not any(columns[i].what in WHOLE.values() for i in range(len(columns))):  # fmt: skip
+    whole = any(column.what in WHOLE.values() for column in columns)
+    if (
+        data
+        and not whole
+        and not any(_HEX.fullmatch(c) or parse_number(c) is not None for c in data[0].cells)
+    ):
         data = data[1:]
     return Table(columns, tuple(data), _said(rows[:before]))
 
@@ -157,9 +160,9 @@ def _is_upper(row: Row, following: Row) -> bool:
         for cell in row.cells
         if cell
     )
-    return angles >= _FEWEST_ANGLES and not any(
-        parse_number(cell) is not None for cell in following.cells if cell and parse_number(cell) < 300.0
-    )  # type: ignore[operator]  # asked for before
+    numbers = [parse_number(cell) for cell in following.cells]
+    # Wavelengths are numbers, too.
+    return angles >= _FEWEST_ANGLES and all(number is None or number >= 300.0 for number in numbers)
 
 
 def _joined(row: Row, following: Row) -> list[str]:
@@ -183,9 +186,8 @@ def _is_turned(rows: Sequence[Row], index: int) -> bool:
         return False
     words = [interpret([row.cell(0)])[0] for row in rows[index + 1 : index + 9]]
     labels = [plain_word(row.cell(0)) for row in rows[index + 1 : index + 9]]
-    return {"l", "a", "b"} <= set(labels) or sum(bool(re.fullmatch(r"r?[3-9]\d\d(nm)?", label)) for label in labels) > 3 or (
-        any(word.what.startswith("Lab") for word in words)
-    )  # fmt: skip
+    bands = sum(bool(re.fullmatch(r"r?[3-9]\d\d(nm)?", label)) for label in labels)
+    return {"l", "a", "b"} <= set(labels) or bands > 3 or any(word.what.startswith("Lab") for word in words)
 
 
 def _angles(row: Row) -> dict[int, Geometry]:

@@ -94,7 +94,8 @@ def collect(
     twice = sum(len(group) > 1 and not _agree(group) for group in groups.values())
     if twice:
         said.append(
-            f"{twice} names are those of several samples that differ by more than ΔE00 {SAME_SAMPLE_DE:g}; they stay apart."
+            f"{twice} names are those of several samples that differ by more than ΔE00 {SAME_SAMPLE_DE:g}; "
+            "they stay apart."
         )
     without = sum(sample.gloss is None for sample in samples)
     if without:
@@ -173,14 +174,8 @@ def _sample(
     first = group[0]
     gloss = None
     if "20" in first.gloss:
-        gloss = Gloss(
-            *(
-                float(np.mean([one.gloss[angle] for one in group if angle in one.gloss]))
-                if angle in first.gloss
-                else None
-                for angle in ("20", "60")
-            )
-        )  # type: ignore[arg-type]  # the one at 20° is there
+        means_of = {a: float(np.mean([one.gloss[a] for one in group if a in one.gloss])) for a in first.gloss}
+        gloss = Gloss(means_of["20"], means_of.get("60"))
     found = AngleSample(
         plain_name(first.name, "unnamed"), first.kind, tuple(readings), gloss, effects=effects,
         measurements=len(group), spread=spread,
@@ -251,8 +246,8 @@ class _Reader:
             return 100.0
         raise FileError(
             self._path,
-            f"its spectra, of at most {most:g}, may be per cent or fractions, and nothing says which; write % into a heading, "
-            "or give L* a* b* beside them",
+            f"its spectra, of at most {most:g}, may be per cent or fractions, and nothing says which; write % into a "
+            "heading, or give L* a* b* beside them",
             "the header",
         )
 
