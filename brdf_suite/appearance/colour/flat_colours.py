@@ -42,6 +42,8 @@ ADOBE_RGB_PRIMARIES = ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))
 """Chromaticities of Adobe RGB (1998), with the white of D65 and a power of 563/256."""
 _PROPHOTO_PRIMARIES = ((0.734699, 0.265301), (0.159597, 0.840403), (0.036598, 0.000105))
 _PROPHOTO_POWER = 1.8
+_GENERIC_PRIMARIES = ((0.625, 0.340), (0.280, 0.595), (0.155, 0.070))
+"""Of Apple's "Generic RGB", the RGB of its older files, with the white of D65 and a power of 1.8."""
 _D50_XY = (0.345704, 0.358540)
 
 WHITES: dict[tuple[str, int], tuple[float, float, float]] = {
@@ -154,11 +156,12 @@ def _labs(like: FlatColour, values: Floats) -> Floats:
         return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target, transform)))
     encoded = _encoded_rgb(model, values)
     matrix, power = _known_space(like) or _srgb()
+    has_line = power == _PROPHOTO_POWER and "prophoto" in like.space.lower().replace(" ", "")
     if power is None:
         return working_to_lab(srgb_decode(encoded) @ matrix.T)
     # A power, with ProPhoto RGB's line near black.
     size = np.abs(encoded)
-    curved = np.where((power == _PROPHOTO_POWER) & (size < 16.0 / 512.0), size / 16.0, size**power)
+    curved = np.where(has_line & (size < 16.0 / 512.0), size / 16.0, size**power)
     return working_to_lab(np.copysign(curved, encoded) @ matrix.T)
 
 
@@ -236,6 +239,8 @@ def _space(name: str) -> tuple[Floats, float | None] | None:
         white = to_xyz.sum(axis=1)
         adapted = adaptation(white, WORKING_TO_XYZ.sum(axis=1), "Bradford") @ to_xyz
         return np.asarray(np.linalg.solve(WORKING_TO_XYZ, adapted), np.float64), _PROPHOTO_POWER
+    if "genericrgb" in plain:
+        return rgb_to_working(_GENERIC_PRIMARIES, WHITE_XY), _PROPHOTO_POWER
     if "rec2020" in plain or "bt2020" in plain:
         return rgb_to_working(REC2020_PRIMARIES, WHITE_XY), 2.4
     return None

@@ -14,12 +14,22 @@ from brdf_suite.documents.palette_store import LARGEST_PALETTE, without_collecti
 from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes.archive import kpl, sbz
-from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
+from brdf_suite.files.palettes.binary import acb, aco, act, apple_clr, ase, cpl, riff_pal
 from brdf_suite.files.palettes.conversions import split_angles as split_angles
 from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
-from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens, table
-from brdf_suite.files.palettes.xml import cxf3, scribus, soc
+from brdf_suite.files.palettes.text import (
+    css,
+    csv_table,
+    gpl,
+    hex_list,
+    jasc_pal,
+    json_tokens,
+    scss,
+    sketch,
+    table,
+)
+from brdf_suite.files.palettes.xml import autocad, corel, cxf3, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
     OWN,
@@ -31,12 +41,19 @@ FORMATS: tuple[PaletteFormat, ...] = (
     cxf3.FORMAT,
     scribus.FORMAT,
     soc.FORMAT,
+    corel.FORMAT,
+    autocad.FORMAT,
+    cpl.FORMAT,
+    apple_clr.FORMAT,
     riff_pal.FORMAT,
     jasc_pal.FORMAT,
     csv_table.FORMAT,
     css.FORMAT,
+    scss.FORMAT,
+    sketch.FORMAT,
     json_tokens.FORMAT,
     table.FORMAT,
+    hex_list.FORMAT,
     aco.FORMAT,
     act.FORMAT,
 )

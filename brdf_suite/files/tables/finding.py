@@ -256,7 +256,11 @@ def _without_headings(rows: Sequence[Row]) -> Table | None:
             kinds.append("text")
     numbers = [i for i, kind in enumerate(kinds) if kind == "number"]
     codes = [i for i, kind in enumerate(kinds) if kind == "hex"]
-    texts = [i for i, kind in enumerate(kinds) if kind == "text"]
+    texts = [
+        i
+        for i, kind in enumerate(kinds)
+        if kind == "text" and any(c.isalpha() for row in rows for c in row.cell(i))
+    ]
     whats = [""] * width
     if len(codes) == 1:
         whats[codes[0]] = "hex"
@@ -267,5 +271,5 @@ def _without_headings(rows: Sequence[Row]) -> Table | None:
         return None
     if texts:
         whats[texts[0]] = "name"
-    columns = tuple(Column(f"column {i + 1}", what) for i, what in enumerate(whats))
+    columns = tuple(Column("", what) for what in whats)
     return Table(columns, tuple(rows), headed=False)

@@ -107,7 +107,7 @@ def read_rows(text: str, path: PathLike, most_rows: int) -> list[Row]:
     rows: list[Row] = []
     cells = 0
     for line, values in _split(text, separator, path):
-        found = tuple(" ".join(value.replace("\xa0", " ").split()) for value in values)
+        found = tuple(" ".join(value.replace("\xa0", " ").split()).strip('"').strip() for value in values)
         if any(found):
             rows.append(Row(line, found))
             cells += len(found)
