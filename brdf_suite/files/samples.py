@@ -14,6 +14,9 @@ from brdf_suite.files.paint_fields import Setting, build_paint
 UNKNOWN_GLOSS = Gloss(90.0)
 """What stands in where a file says nothing of gloss: a usual clearcoat."""
 
+SAME_SAMPLE_DE = 3.0
+"""Measurements of one sample that lie farther than this from their mean, ΔE00, are of different samples."""
+
 _NAME, _NOTES = 200, 100_000
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]+")
 _CONTROL_IN_LINES = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]+")
@@ -108,3 +111,10 @@ def plain_name(name: str, otherwise: str) -> str:
     """Return ``name`` as a paint can have it: on one line, at most 200 characters, not empty."""
     short = " ".join(_CONTROL.sub(" ", name).split())[:_NAME].strip()
     return short or otherwise
+
+
+def effect_notes(effects: Mapping[str, float]) -> str:
+    """Return sparkle and graininess as a line of notes; empty where there is none."""
+    if not effects:
+        return ""
+    return "Instrument's readings: " + ", ".join(f"{what} {value:g}" for what, value in effects.items()) + "."

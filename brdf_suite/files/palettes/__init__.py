@@ -29,7 +29,7 @@ from brdf_suite.files.palettes.text import (
     sketch,
     table,
 )
-from brdf_suite.files.palettes.xml import autocad, corel, cxf3, scribus, soc
+from brdf_suite.files.palettes.xml import autocad, corel, cxf3, instrument, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
     OWN,
@@ -43,6 +43,7 @@ FORMATS: tuple[PaletteFormat, ...] = (
     soc.FORMAT,
     corel.FORMAT,
     autocad.FORMAT,
+    instrument.FORMAT,
     cpl.FORMAT,
     apple_clr.FORMAT,
     riff_pal.FORMAT,

@@ -174,6 +174,14 @@ def _geometry(found: re.Match[str]) -> Geometry:
     )
 
 
+def angle_text(geometry: Geometry | None) -> str:
+    """Return an angle as it stands behind the name of a quantity, as in ``15°``; empty for none."""
+    if geometry is None:
+        return ""
+    light, aspecular, _ = geometry
+    return f" {aspecular:g}°" if light == USUAL_LIGHT_DEG else f" {light:g}as{aspecular:g}"
+
+
 def plain_word(text: str) -> str:
     """Return a heading without case, spaces and marks."""
     return re.sub(r"[\W_]+", "", unicodedata.normalize("NFKC", text).casefold())
@@ -197,7 +205,9 @@ def _parse(heading: str) -> _Heading:
     elif (at := _DEGREES.search(text)) and abs(angle := float(at[1].replace("–", "-"))) <= 160.0:
         column = replace(column, geometry=(USUAL_LIGHT_DEG, angle, 0.0))
         text = f"{text[: at.start()]} {text[at.end() :]}"
-    text = text.strip(" _-/:.()[]")
+    text = text.strip(" _/:.()[]").rstrip("-").strip()
+    if column.geometry is not None:
+        text = text.lstrip("- ")
     minus, number, unit, word = "", "", "", text
     found = _WORD_FIRST.fullmatch(text) or _NUMBER_FIRST.fullmatch(text)
     if found is not None and plain_word(text) not in WHOLE:

@@ -68,12 +68,12 @@ def find_table(rows: Sequence[Row]) -> Table | None:
     """Return the table in the rows of a file; None where there is none that is known here."""
     for index, row in enumerate(rows[:_HEAD_ROWS]):
         columns = interpret(row.cells)
-        if _is_whole(columns) or _has_hex(columns, rows[index + 1 :]):
+        if has_whole_colour(columns) or _has_hex(columns, rows[index + 1 :]):
             return _table(columns, rows, index, index + 1)
         following = rows[index + 1] if index + 1 < len(rows) else None
         if following is not None and _is_upper(row, following):
             columns = interpret(_joined(row, following))
-            if _is_whole(columns):
+            if has_whole_colour(columns):
                 return _table(columns, rows, index, index + 2)
         if _is_turned(rows, index):
             return _turned(rows)
@@ -128,7 +128,8 @@ def _said(rows: Sequence[Row]) -> dict[str, str]:
     return found
 
 
-def _is_whole(columns: Sequence[Column]) -> bool:
+def has_whole_colour(columns: Sequence[Column]) -> bool:
+    """Return whether all channels of a model are there, at one angle and in one light, or a spectrum."""
     parts: dict[object, set[str]] = {}
     bands: dict[object, int] = {}
     for column in columns:
@@ -233,7 +234,7 @@ def _turned(rows: Sequence[Row]) -> Table | None:
         Row(line, (name, angle, *(cells.get(label, "") for label in labels)))
         for line, name, angle, cells in made
     ]
-    return Table(columns, tuple(found), about) if found and _is_whole(columns) else None
+    return Table(columns, tuple(found), about) if found and has_whole_colour(columns) else None
 
 
 def _without_headings(rows: Sequence[Row]) -> Table | None:

@@ -20,19 +20,25 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.geometries import Geometry as Place
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.samples import AngleReading, AngleSample, SampleFile, plain_name
+from brdf_suite.files.samples import (
+    SAME_SAMPLE_DE,
+    AngleReading,
+    AngleSample,
+    SampleFile,
+    effect_notes,
+    plain_name,
+)
 from brdf_suite.files.tables.columns import (
     EFFECTS,
     USUAL_LIGHT_DEG,
     Geometry,
+    angle_text,
     parse_geometry,
     plain_word,
 )
 from brdf_suite.files.tables.finding import Table
 from brdf_suite.files.tables.grid import Row, parse_number
 
-SAME_SAMPLE_DE = 3.0
-"""Measurements of one name that lie farther than this from their mean, ΔE00, are different samples."""
 _STATISTICS = {
     "mean", "average", "avg", "stddev", "stdev", "standarddeviation", "min", "max", "minimum", "maximum", "range",
     "mittelwert", "standardabweichung", "stabw",
@@ -106,13 +112,6 @@ def collect(
         said.append("Sparkle and graininess are on the instrument's own scale; they are kept as notes.")
     left_out = [] if len(refused) <= _MOST_REFUSED else [f"{len(refused) - _MOST_REFUSED} more are left out"]
     return SampleFile(tuple(samples), tuple(said), (*refused[:_MOST_REFUSED], *left_out))
-
-
-def effect_notes(effects: Mapping[str, float]) -> str:
-    """Return sparkle and graininess as a line of notes; empty where there is none."""
-    if not effects:
-        return ""
-    return "Instrument's readings: " + ", ".join(f"{what} {value:g}" for what, value in effects.items()) + "."
 
 
 def _spread(sample: AngleSample) -> str:
@@ -294,7 +293,13 @@ class _Reader:
             geometry = parse_geometry(text, USUAL_LIGHT_DEG if light is None else light)
             new = self._begin(row)
             if new is None or geometry is None:
-                if text and geometry is None:
+                if new is not None and new.effects and (open_ is None or new.name not in ("", open_.name)):
+                    if open_ is not None:
+                        yield open_
+                    open_ = new
+                elif new is not None and new.effects and open_ is not None:
+                    open_.effects |= new.effects
+                elif text and geometry is None:
                     self._refuse(row, f"{text[:40]!r} is no angle in the plane of incidence")
                 continue
             turned = parse_number(self._table.text(row, "azimuth"))
@@ -339,7 +344,8 @@ class _Reader:
             value = parse_number(table.text(row, f"gloss {angle}"))
             if value is not None and PARAMETERS["gloss.gu_20"].low <= value <= PARAMETERS["gloss.gu_20"].high:
                 one.gloss[angle] = value
-        if not table.of("geometry"):
+        at = table.of("geometry")
+        if not at or not row.cell(at[0]):
             self._effects(one, row, None)
         return one
 
@@ -347,7 +353,7 @@ class _Reader:
         for index, column in enumerate(self._table.columns):
             value = parse_number(row.cell(index)) if column.what in EFFECTS.values() else None
             if value is not None:
-                one.effects.setdefault(column.what + _angle_text(column.geometry or at), value)
+                one.effects.setdefault(column.what + angle_text(column.geometry or at), value)
 
     def _refuse(self, row: Row, reason: str) -> None:
         self.refused.append(f"line {row.line}: {reason}")
@@ -442,10 +448,3 @@ class _Reader:
             self._assumed = True
         of_d65 = illuminant in ("", "D65") and observer.rstrip("°").split(".")[0] == "10"
         return "" if of_d65 else f"{illuminant or 'an unnamed light'} and the {observer[:10]}° observer"
-
-
-def _angle_text(geometry: Geometry | None) -> str:
-    if geometry is None:
-        return ""
-    light, aspecular, _ = geometry
-    return f" {aspecular:g}°" if light == USUAL_LIGHT_DEG else f" {light:g}as{aspecular:g}"

@@ -2,8 +2,9 @@
 
 ``NSKeys`` are the names and ``NSColors`` the colours, in one order. A colour has ``NSColorSpace`` (1 and 2 RGB, 3 and 4
 white, 5 CMYK) and its numbers as text in ``NSRGB``, ``NSWhite`` or ``NSCMYK``; one of a space with a profile has
-them in ``NSComponents`` too, of the space that ``NSCustomColorSpace`` names, and these count. ``NSRGB`` of space 1 is Apple's
-"Generic RGB" (1.8). Older lists, which begin with ``streamtyped``, are refused by name. Layout from a file of macOS.
+them in ``NSComponents`` too, of the space that ``NSCustomColorSpace`` names, and these count. ``NSRGB`` of space 1
+is Apple's "Generic RGB" (1.8). Older lists, which begin with ``streamtyped``, are refused by name. Layout from a
+file of macOS.
 """
 
 from __future__ import annotations
@@ -91,11 +92,8 @@ class _Archive:
         """Return the names and the colours."""
         top = self._top
         if "NSColors" not in top:  # the list is an object of its own
-            top = next(
-                found
-                for item in top.values()
-                if isinstance(found := self.get(item), dict) and "NSColors" in found
-            )
+            objects = [self.get(item) for item in top.values()]
+            top = next((found for found in objects if isinstance(found, dict) and "NSColors" in found), {})
         names, colours = (self._array(top.get(key)) for key in ("NSKeys", "NSColors"))
         return names, colours
 

@@ -32,7 +32,7 @@ _CHANNELS = {"Gray": "g", "HSB": "hsb"}
 _BARE_HEX = re.compile(r"(?:0x)?([0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 _SHORT_NUMBER = re.compile(r"\d{1,5}")
 _IN_CELL = re.compile(r"[-+\u2212]?\d+(?:\.\d+)?%?")
-_MOST_ROWS = 12 * MOST_COLOURS
+MOST_ROWS = 12 * MOST_COLOURS
 _RANGE = {"RGB": 255.0, "CMYK": 100.0, "CMY": 100.0, "HSL": 100.0, "HSB": 100.0, "Gray": 255.0}
 """What is full where no value is a fraction of 1; of HSL and HSB all but the hue."""
 
@@ -40,9 +40,17 @@ _RANGE = {"RGB": 255.0, "CMYK": 100.0, "CMY": 100.0, "HSL": 100.0, "HSB": 100.0,
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a table; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    rows = read_rows(decode_text(content, path, collector), path, _MOST_ROWS)
+    rows = read_rows(decode_text(content, path, collector), path, MOST_ROWS)
     if not rows:
         raise collector.fail("is empty", "line 1")
+    return add_rows(rows, collector)
+
+
+def add_rows(rows: Sequence[Row], collector: Collector) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of the rows of a table, whose notices so far are the collector's.
+
+    Raises :class:`FileError`: the rows are no such table, or a cell is damaged; with the line.
+    """
     table = find_table(rows)
     if table is None:
         shown = ", ".join(repr(cell[:30]) for cell in rows[0].cells[:8])
@@ -50,9 +58,9 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
             f"has the columns {shown}; wanted are name (or none) and {WANTED}", f"line {rows[0].line}"
         )
     if table.is_of_angles:
-        add_samples(collector, read_samples(table, path), f"line {rows[0].line}")
+        add_samples(collector, read_samples(table, collector.path), f"line {rows[0].line}")
         return collector.finish(table.about.get("group", ""))
-    collector.check_count(len(table.rows), f"line {table.rows[-1].line}" if table.rows else "line 1")
+    collector.check_count(len(table.rows), f"line {rows[-1].line}")
     _FlatRows(table, collector).add_all()
     if not collector.entries:
         raise collector.fail("holds no colour below its headings", f"line {rows[-1].line}")
@@ -202,7 +210,8 @@ class _FlatRows:
         scaled = [n / part.full for n in numbers]
         if part.model in ("HSL", "HSB"):
             scaled[0] = numbers[0]
-        if max(scaled[-3:], default=0.0) > 1.0 + 1e-9 or min(scaled) < 0.0:
+        shares = scaled[1:] if part.model in ("HSL", "HSB") else scaled
+        if max(shares) > 1.0 + 1e-9 or min(shares) < 0.0:
             raise collector.fail(
                 f"expected {part.model} from 0 to {part.full:g}, not {' '.join(texts)[:40]}", place
             )

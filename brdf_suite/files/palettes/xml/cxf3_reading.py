@@ -13,7 +13,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import USAGES, Palette
 from brdf_suite.documents.palette_store import flat_from_json
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, SampleReader
+from brdf_suite.files.cxf import NAMESPACE, SPECTRAL, TAGS, VERSION, SampleReader, read_spectrum
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
@@ -107,8 +107,13 @@ class _Reader:
         }
         sample_reader = SampleReader(element, self._specifications, collector.path)
         sample = sample_reader.read()
-        for reason in sample_reader.refused[:1]:
+        for reason in sample_reader.refused[:3]:
             collector.note(f"{sample_reader.name}: {reason}.")
+        if sample is not None and sample.measurements > 1:
+            collector.note(
+                f"{sample.name}: the mean of up to {sample.measurements} readings at an angle, which differ from it by "
+                f"at most ΔE00 {sample.spread:.2f}."
+            )
         foreign: tuple[tuple[str, str], ...] = ()
         paint = None
         if sample is not None and len(sample.readings) >= ANGLES_FOR_A_PAINT:
@@ -194,7 +199,7 @@ class _Reader:
             "ColorAdobeRGB": ("RGB", ("R", "G", "B")),
             "ColorRGB": ("RGB", ("R", "G", "B")),
         }
-        if value.name == "ReflectanceSpectrum":
+        if value.name in SPECTRAL:
             return self._spectrum(value, specification)
         if value.name not in known:
             return None
@@ -214,18 +219,15 @@ class _Reader:
         return self._collector.colour(place, "", model, values, **white)
 
     def _spectrum(self, value: Element, specification: Specification | None) -> FlatColour | None:
-        path = self._collector.path
-        start = value.attributes.get("StartWL")
-        first = number(value, start.strip(), path, "StartWL") if start else None
-        if first is None and specification is not None:
-            first = specification.start_nm
-        step = specification.step_nm if specification is not None else None
-        if first is None or not step or step <= 0.0:
+        if specification is None:
             self._collector.note("{n} [spectrum|spectra] without wavelengths [is|are] left out.")
             return None
-        items = [number(value, word, path, "a reflectance") for word in value.text.split()[:2049]]
-        bands = tuple(first + step * index for index in range(len(items)))
-        return self._collector.colour(f"line {value.line}", "", "spectrum", items, wavelengths_nm=bands)
+        try:
+            bands, values = read_spectrum(value, specification, self._collector.path)
+            return self._collector.colour(f"line {value.line}", "", "spectrum", values, wavelengths_nm=bands)
+        except FileError as error:
+            self._collector.note(f"A spectrum is left out: {error.reason} ({error.place}).")
+            return None
 
 
 def _moment(text: str, tags: Mapping[str, str]) -> str:

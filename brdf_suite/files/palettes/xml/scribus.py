@@ -2,9 +2,9 @@
 
 Older files hold ``RGB="#rrggbb"`` or ``CMYK="#ccmmyykk"`` in bytes; newer ones ``SPACE="RGB"`` with R, G, B from 0 to
 255, ``SPACE="CMYK"`` with C, M, Y, K in percent, or ``SPACE="Lab"`` with L, A, B. The newer way counts where both are
-there; numbers that it leaves out are 0. Scribus knows a colour by its name, so equal and missing
-names are written with a number. A colour is written the old way, so that every program reads it, and the newer way, too, where bytes do not hold
-it.
+there; numbers that it leaves out are 0. Scribus knows a colour by its name, so equal and missing names are written with
+a number. A colour is written the old way, so that every program reads it, and the newer way, too, where bytes do not
+hold it.
 """
 
 from __future__ import annotations
