@@ -47,6 +47,8 @@ from brdf_suite.files.tables.grid import parse_number
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
 TAGS = "BRDF Suite"
 """The name of the TagCollection in which this suite keeps the fields of a paint that CxF3 has no place for."""
+INSTRUMENT = "Instrument"
+"""The name of the TagCollection with sparkle and graininess as another maker's instrument read them."""
 SETTING = "setting."
 """Goes before the names of settings among the tags, as in ``setting.flakes.size_um``."""
 TEXTURE = "texture."
@@ -263,16 +265,16 @@ class SampleReader:
             if collection.attributes.get("Name") == TAGS
             for tag in collection.all("Tag")
         }
+        effects = self._effects()
+        lines = [comment.raw] if comment is not None and comment.raw else []
+        if (said := effect_notes(effects)) and not any(said in line for line in lines):
+            lines.append(said)
         return AngleSample(
             name=self.name,
             kind=element.attributes.get("ObjectType", ""),
             readings=readings,
             gloss=self._gloss(),
-            notes="\n".join(
-                text
-                for text in (comment.raw if comment is not None else "", effect_notes(self._effects()))
-                if text
-            ),
+            notes="\n".join(lines),
             source=tags[SOURCE][1] if SOURCE in tags else "",
             settings={
                 name.removeprefix(SETTING): setting_from_text(text)
@@ -281,7 +283,7 @@ class SampleReader:
             },
             version=round(number(*tags[VERSION], self._path, VERSION)) if VERSION in tags else None,
             texture=self._texture(tags),
-            effects=self._effects(),
+            effects=effects,
             measurements=self.measurements,
             spread=self.spread,
         )

@@ -13,6 +13,7 @@ from io import BytesIO
 
 import numpy as np
 
+from brdf_suite.appearance.colour.flat_colours import measured_look
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import FileError, PathLike
@@ -37,7 +38,7 @@ def is_cmyk_profile(profile: bytes) -> bool:
 
 
 def labs_through(inks: Sequence[Sequence[float]], profile: bytes, path: PathLike) -> list[tuple[float, ...]]:
-    """Return L*a*b* (D50, 2°) of inks from 0 to 1 (n, 4); raise :class:`FileError` where the profile is none of CMYK."""
+    """Return L*a*b* (D50, 2°) of inks (n, 4), 0 to 1; raise :class:`FileError` for a profile that is none of CMYK."""
     # 25 ms at the start of each program, and few palettes need it.
     from PIL import Image, ImageCms
 
@@ -79,9 +80,7 @@ def seen_through(palette: Palette, profiles: Mapping[str, bytes], path: PathLike
         ):
             continue
         profile = profiles.get(content.space, profiles.get(""))
-        if profile is not None and not any(
-            other.model in ("Lab", "LCh", "XYZ", "spectrum") for other in content.others
-        ):
+        if profile is not None and measured_look(content) is None:
             waiting.setdefault(profile, []).append(index)
     for profile, indices in waiting.items():
         labs = labs_through([_inks(entries[index]) for index in indices], profile, path)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import math
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette import Foreign
+from brdf_suite.documents.palette import Entry, Foreign
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import FACE_DEG
@@ -59,3 +60,15 @@ def sample_fields(sample: AngleSample) -> Foreign:
         return effects
     spectra = json.dumps({"bands": list(first), "rows": [list(row or ()) for _, row in rows]})
     return ((SPECTRA, spectra), *effects)
+
+
+def kept_effects(entry: Entry) -> dict[str, float]:
+    """Return sparkle and graininess that an entry keeps; empty where it has none, or they are no numbers."""
+    try:
+        found = json.loads(dict(entry.foreign).get(EFFECTS, "{}"))
+    except (ValueError, RecursionError):
+        return {}
+    pairs = found.items() if isinstance(found, dict) else ()
+    return {
+        what: float(value) for what, value in pairs if type(value) in (int, float) and math.isfinite(value)
+    }

@@ -140,6 +140,9 @@ def interpret(headings: Sequence[str]) -> tuple[Column, ...]:
     """Return what each column of a header is."""
     found = [_parse(heading) for heading in headings]
     found = _settle_hyphens(found)
+    words = {heading.word for heading in found}
+    if {"h", "s"} <= words:  # beside hue and saturation a value is one
+        found = [_Heading(replace(one.column, what=""), "v") if one.word == "value" else one for one in found]
     columns = [heading.column for heading in found]
     bands = [i for i, column in enumerate(columns) if column.nm]
     if len({columns[i].nm for i in bands}) < _LEAST_BANDS:
@@ -215,6 +218,13 @@ def _parse(heading: str) -> _Heading:
         minus, number, unit, word = (parts[key] or "" for key in ("minus", "number", "unit", "word"))
     key = plain_word(word)
     value = float(number) if number else 0.0
+    if (
+        key in GLOSS
+        and not number
+        and column.geometry is not None
+        and column.geometry[1] in (20.0, 60.0, 85.0)
+    ):
+        return _Heading(replace(column, what=f"gloss {column.geometry[1]:.0f}", geometry=None), key)
     if number and key in GLOSS and value in (20.0, 60.0, 85.0) and column.geometry is None:
         return _Heading(replace(column, what=f"gloss {value:.0f}"), key)
     if number and 300.0 <= value <= 2500.0 and key in _SPECTRAL:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from brdf_suite.files.tables.columns import (
     TEXTS,
@@ -21,6 +22,7 @@ _HEAD_ROWS = 60
 _FEWEST_ANGLES = 2
 _LEAST_BANDS = 3
 _HEX = re.compile(r"(?:#|0x)?(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})|#[0-9a-fA-F]{3,4}")
+_UNIT = re.compile(r"[\W_]*|[(\[]?(?:nm|deg|gu|units?|einheit|per ?cent)[)\]]?", re.IGNORECASE)
 _LONE = ("Gray.g", "hex", *WHOLE.values())
 WANTED = (
     "hex, or R G B, L a b, L C h, X Y Z, C M Y K, H S L or H S B, or L15 a15 b15 and so on for several angles, or "
@@ -43,7 +45,14 @@ class Table:
 
     def of(self, what: str) -> list[int]:
         """Return the places of the columns of one kind."""
-        return [i for i, column in enumerate(self.columns) if column.what == what]
+        return self._places.get(what, [])
+
+    @cached_property
+    def _places(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {}
+        for index, column in enumerate(self.columns):
+            found.setdefault(column.what, []).append(index)
+        return found
 
     def text(self, row: Row, what: str) -> str:
         """Return the first cell of a kind that is not empty."""
@@ -84,12 +93,7 @@ def _table(columns: tuple[Column, ...], rows: Sequence[Row], before: int, first:
     columns = _settled(columns, rows[first : first + _HEAD_ROWS])
     data = list(rows[first:])
     # A row of units below the headings.
-    whole = any(column.what in WHOLE.values() for column in columns)
-    if (
-        data
-        and not whole
-        and not any(_HEX.fullmatch(c) or parse_number(c) is not None for c in data[0].cells)
-    ):
+    if data and all(_UNIT.fullmatch(cell) for cell in data[0].cells):
         data = data[1:]
     return Table(columns, tuple(data), _said(rows[:before]))
 

@@ -90,14 +90,16 @@ def collect(
         why = f" ({refused[0]})" if refused else ""
         raise FileError(path, f"holds no sample read at several angles that can be used{why}", "the table")
     samples, said = [], list(notes)
+    twice = 0
     for group in groups.values():
-        for found in _averaged(group):
+        made = _averaged(group)
+        twice += len(made) > 1
+        for found in made:
             samples.append(found)
             if found.measurements > 1:
                 said.append(
                     f"“{found.name}” is the mean of {found.measurements} measurements; {_spread(found)}."
                 )
-    twice = sum(len(group) > 1 and not _agree(group) for group in groups.values())
     if twice:
         said.append(
             f"{twice} names are those of several samples that differ by more than ΔE00 {SAME_SAMPLE_DE:g}; "
@@ -118,47 +120,37 @@ def _spread(sample: AngleSample) -> str:
     return f"they differ from it by at most ΔE00 {sample.spread:.2f}"
 
 
-def _means(group: Sequence[Measured]) -> dict[tuple[float, float], Lab]:
-    keys = dict.fromkeys(key for one in group for key in one.readings)
-    means = {}
-    for key in keys:
-        lightness, a, b = np.mean(
-            [one.readings[key].lab for one in group if key in one.readings], axis=0
-        ).tolist()
+def _means(group: Sequence[Measured]) -> tuple[dict[tuple[float, float], Lab], float]:
+    """Return the mean at each angle, and how far the farthest reading is from its mean, ΔE00."""
+    means: dict[tuple[float, float], Lab] = {}
+    farthest = 0.0
+    for key in dict.fromkeys(key for one in group for key in one.readings):
+        labs = np.array([one.readings[key].lab for one in group if key in one.readings])
+        lightness, a, b = labs.mean(axis=0).tolist()
         means[key] = (lightness, a, b)
-    return means
-
-
-def _farthest(group: Sequence[Measured], means: Mapping[tuple[float, float], Lab]) -> float:
-    return max(float(delta_e_2000(r.lab, means[key])) for one in group for key, r in one.readings.items())
-
-
-def _agree(group: Sequence[Measured]) -> bool:
-    return len(group) == 1 or _farthest(group, _means(group)) <= SAME_SAMPLE_DE
+        farthest = max(farthest, float(np.max(delta_e_2000(labs, labs.mean(axis=0)))))
+    return means, farthest
 
 
 def _averaged(group: Sequence[Measured]) -> list[AngleSample]:
     """Return one sample for measurements that agree, else one for each."""
-    if not _agree(group):
-        return [_sample([one], {key: r.lab for key, r in one.readings.items()}, 0.0) for one in group]
-    means = _means(group)
-    return [_sample(group, means, 0.0 if len(group) == 1 else _farthest(group, means))]
+    if len(group) == 1:
+        return [_sample(group, list(group[0].readings.values()), 0.0)]
+    means, spread = _means(group)
+    if spread > SAME_SAMPLE_DE:
+        return [_sample([one], list(one.readings.values()), 0.0) for one in group]
+    return [_sample(group, [_mean_reading(group, key, lab) for key, lab in means.items()], spread)]
 
 
-def _sample(
-    group: Sequence[Measured], means: Mapping[tuple[float, float], Lab], spread: float
-) -> AngleSample:
-    readings = []
-    for key, lab in means.items():
-        own = [one.readings[key] for one in group if key in one.readings]
-        bands = {reading.wavelengths_nm for reading in own}
-        reading = replace(own[0], lab=lab)
-        if len(own) > 1 and len(bands) == 1 and own[0].reflectance is not None:
-            rows = [reading.reflectance for reading in own if reading.reflectance is not None]
-            reading = replace(reading, reflectance=tuple(np.mean(rows, axis=0).tolist()))
-        elif len(own) > 1:
-            reading = replace(reading, wavelengths_nm=None, reflectance=None)
-        readings.append(reading)
+def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab) -> AngleReading:
+    own = [one.readings[key] for one in group if key in one.readings]
+    rows = [one.reflectance for one in own if one.reflectance is not None]
+    if len(rows) == len(own) and len({one.wavelengths_nm for one in own}) == 1:
+        return replace(own[0], lab=lab, reflectance=tuple(np.mean(rows, axis=0).tolist()))
+    return replace(own[0], lab=lab, wavelengths_nm=None, reflectance=None)
+
+
+def _sample(group: Sequence[Measured], readings: list[AngleReading], spread: float) -> AngleSample:
     readings.sort(
         key=lambda reading: (
             reading.illumination_deg != USUAL_LIGHT_DEG,
@@ -284,11 +276,10 @@ class _Reader:
     def rows_of_angles(self) -> Iterable[Measured]:
         """Yield a measurement for each run of rows of one sample, until an angle comes again."""
         open_: Measured | None = None
-        places = self._table.of("geometry")
         models = self._by_place.get(None, {})
         before = ""
         for row in self._table.rows:
-            text = row.cell(places[0]) if places else ""
+            text = self._table.text(row, "geometry")
             light = parse_number(self._table.text(row, "light"))
             geometry = parse_geometry(text, USUAL_LIGHT_DEG if light is None else light)
             new = self._begin(row)
@@ -307,7 +298,8 @@ class _Reader:
                 geometry = (geometry[0], geometry[1], turned)
             index = self._table.text(row, "index")
             key = geometry[:2]
-            again = open_ is not None and key in open_.readings
+            coloured = any(row.cell(index) for parts in models.values() for index in parts.values())
+            again = coloured and open_ is not None and key in open_.readings
             named = new.name or self._table.text(row, "name")
             if (
                 open_ is None
@@ -344,8 +336,7 @@ class _Reader:
             value = parse_number(table.text(row, f"gloss {angle}"))
             if value is not None and PARAMETERS["gloss.gu_20"].low <= value <= PARAMETERS["gloss.gu_20"].high:
                 one.gloss[angle] = value
-        at = table.of("geometry")
-        if not at or not row.cell(at[0]):
+        if not table.text(row, "geometry"):
             self._effects(one, row, None)
         return one
 

@@ -113,7 +113,7 @@ def test_the_command_takes_a_profile(file: Path, profile: Path, tmp_path: Path) 
 
 
 def test_a_profile_in_a_file_is_used_for_the_colours_that_name_it(tmp_path: Path) -> None:
-    xml = '<ColorSet version="2.0" name="p" columns="2">' + "".join(
+    xml = '<ColorSet version="2.0" name="p" columns="2" rows="2">' + "".join(
         f'<ColorSetEntry name="{i}" id="" spot="false" bitdepth="U8"><CMYK c="{c}" m="{m}" y="{y}" k="{k}" '
         f'space="{"Press 7" if i else "other"}"/></ColorSetEntry>'
         for i, (c, m, y, k) in enumerate(INKS)

@@ -86,7 +86,9 @@ class _Archive:
 
     def get(self, value: Any) -> Any:
         """Return what a reference stands for; anything else as it is."""
-        return self._objects[value.data] if isinstance(value, plistlib.UID) else value
+        if not isinstance(value, plistlib.UID):
+            return value
+        return self._objects[value.data] if value.data < len(self._objects) else None
 
     def lists(self) -> tuple[list[Any], list[Any]]:
         """Return the names and the colours."""
@@ -109,6 +111,7 @@ def _read_colour(
     if not isinstance(colour, dict):
         return None
     kind = colour.get("NSColorSpace")
+    kind = kind if isinstance(kind, int) else 0
     components = _numbers(colour.get("NSComponents"), collector, place)
     if components:
         custom = archive.get(colour.get("NSCustomColorSpace"))
