@@ -35,9 +35,9 @@ from brdf_suite.files.hardened_xml import MOST_BYTES, Element, parse_xml
 from brdf_suite.files.paint_fields import setting_from_text
 from brdf_suite.files.samples import (
     SAME_SAMPLE_DE,
-    AngleReading,
     AngleSample,
     SampleFile,
+    SampleReading,
     effect_notes,
     plain_name,
 )
@@ -186,7 +186,7 @@ class SampleReader:
         if not colours:
             return None
         readings = tuple(
-            AngleReading(*key, lab, how, *averaged.get(key, (None, None)))
+            SampleReading(*key, lab, how, *averaged.get(key, (None, None)))
             for key, (lab, how) in colours.items()
         )
         return self._sample(readings)
@@ -256,7 +256,7 @@ class SampleReader:
             self.measurements = max(self.measurements, len(labs))
             self.spread = max(self.spread, spread)
 
-    def _sample(self, readings: tuple[AngleReading, ...]) -> AngleSample:
+    def _sample(self, readings: tuple[SampleReading, ...]) -> AngleSample:
         element = self._element
         comment = element.first("Comment")
         tags = {

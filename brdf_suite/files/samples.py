@@ -23,7 +23,7 @@ _CONTROL_IN_LINES = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]+")
 
 
 @dataclass(frozen=True)
-class AngleReading:
+class SampleReading:
     """One colour at one geometry.
 
     ``lab`` is of D65 and the 10° observer; ``converted`` says how it was found where the file has it in another
@@ -58,7 +58,7 @@ class AngleSample:
 
     name: str
     kind: str
-    readings: tuple[AngleReading, ...]
+    readings: tuple[SampleReading, ...]
     gloss: Gloss | None = None
     notes: str = ""
     source: str = ""

@@ -112,7 +112,7 @@ _LEAST_BANDS = 3
 
 
 @dataclass(frozen=True)
-class Column:
+class TableColumn:
     """What one column is.
 
     ``what`` is a word of :data:`TEXTS`, a kind of :data:`EFFECTS`, ``gloss 20``, ``gloss 60``, ``spectrum``,
@@ -131,12 +131,12 @@ class Column:
 
 @dataclass(frozen=True)
 class _Heading:
-    column: Column
+    column: TableColumn
     word: str
     hyphen: bool = False  # before the angle: a minus, or only a mark between word and angle
 
 
-def interpret(headings: Sequence[str]) -> tuple[Column, ...]:
+def interpret(headings: Sequence[str]) -> tuple[TableColumn, ...]:
     """Return what each column of a header is."""
     found = [_parse(heading) for heading in headings]
     found = _settle_hyphens(found)
@@ -192,7 +192,7 @@ def plain_word(text: str) -> str:
 
 def _parse(heading: str) -> _Heading:
     text = unicodedata.normalize("NFKC", heading).replace("\u2212", "-").replace("*", "").strip()
-    column = Column(heading, percent="%" in text)
+    column = TableColumn(heading, percent="%" in text)
     if len(text) > _LONGEST_HEADING or not text:
         return _Heading(column, "")
     whole = "#" if text == "#" else plain_word(text)
@@ -267,7 +267,7 @@ def _settle_hyphens(found: list[_Heading]) -> list[_Heading]:
     ]
 
 
-def _assign_channels(columns: list[Column], letters: Sequence[str]) -> None:
+def _assign_channels(columns: list[TableColumn], letters: Sequence[str]) -> None:
     """Give channels their model: neighbours of one angle and one light that make a model together."""
     whites: dict[Geometry | None, set[tuple[str, int]]] = {}
     groups: dict[tuple[Geometry | None, tuple[str, int]], list[int]] = {}
@@ -313,7 +313,7 @@ def _family(letters: str) -> str:
     return next((name for name, parts in _FAMILIES.items() if sorted(parts) == wanted), "")
 
 
-def _take(columns: list[Column], letters: Sequence[str], window: Sequence[int], family: str) -> None:
+def _take(columns: list[TableColumn], letters: Sequence[str], window: Sequence[int], family: str) -> None:
     if family == "XYZ" and all(columns[i].heading in ("x", "y", "z") for i in window):
         return  # places in space, not tristimulus values
     for index in window:

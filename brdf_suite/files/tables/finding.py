@@ -10,13 +10,13 @@ from functools import cached_property
 from brdf_suite.files.tables.columns import (
     TEXTS,
     WHOLE,
-    Column,
     Geometry,
+    TableColumn,
     interpret,
     parse_geometry,
     plain_word,
 )
-from brdf_suite.files.tables.grid import Row, parse_number
+from brdf_suite.files.tables.grid import TableRow, parse_number
 
 _HEAD_ROWS = 60
 _FEWEST_ANGLES = 2
@@ -38,8 +38,8 @@ class Table:
     ``headed`` is False where there are no headings and the columns are known by what is in them.
     """
 
-    columns: tuple[Column, ...]
-    rows: tuple[Row, ...]
+    columns: tuple[TableColumn, ...]
+    rows: tuple[TableRow, ...]
     about: dict[str, str] = field(default_factory=dict)
     headed: bool = True
 
@@ -54,7 +54,7 @@ class Table:
             found.setdefault(column.what, []).append(index)
         return found
 
-    def text(self, row: Row, what: str) -> str:
+    def text(self, row: TableRow, what: str) -> str:
         """Return the first cell of a kind that is not empty."""
         return next((row.cell(i) for i in self.of(what) if row.cell(i)), "")
 
@@ -68,12 +68,12 @@ class Table:
         return len(angles) >= _FEWEST_ANGLES
 
 
-def is_colour(column: Column) -> bool:
+def is_colour(column: TableColumn) -> bool:
     """Return whether a column holds a colour or a part of one."""
     return "." in column.what or column.what in _LONE or column.what == "spectrum"
 
 
-def find_table(rows: Sequence[Row]) -> Table | None:
+def find_table(rows: Sequence[TableRow]) -> Table | None:
     """Return the table in the rows of a file; None where there is none that is known here."""
     for index, row in enumerate(rows[:_HEAD_ROWS]):
         columns = interpret(row.cells)
@@ -89,7 +89,7 @@ def find_table(rows: Sequence[Row]) -> Table | None:
     return _without_headings(rows)
 
 
-def _table(columns: tuple[Column, ...], rows: Sequence[Row], before: int, first: int) -> Table:
+def _table(columns: tuple[TableColumn, ...], rows: Sequence[TableRow], before: int, first: int) -> Table:
     columns = _settled(columns, rows[first : first + _HEAD_ROWS])
     data = list(rows[first:])
     # A row of units below the headings.
@@ -98,7 +98,7 @@ def _table(columns: tuple[Column, ...], rows: Sequence[Row], before: int, first:
     return Table(columns, tuple(data), _said(rows[:before]))
 
 
-def _settled(columns: tuple[Column, ...], rows: Sequence[Row]) -> tuple[Column, ...]:
+def _settled(columns: tuple[TableColumn, ...], rows: Sequence[TableRow]) -> tuple[TableColumn, ...]:
     """Say of a column ``Color`` whether it has hex codes or names; an unknown first column of texts has names."""
     found = list(columns)
     known = {column.what for column in columns}
@@ -106,18 +106,18 @@ def _settled(columns: tuple[Column, ...], rows: Sequence[Row]) -> tuple[Column, 
         cells = [row.cell(index) for row in rows if row.cell(index)]
         if column.what == "colour":
             codes = bool(cells) and all(_HEX.fullmatch(cell) for cell in cells) and "hex" not in known
-            found[index] = Column(column.heading, "hex" if codes else "name")
+            found[index] = TableColumn(column.heading, "hex" if codes else "name")
     if not any(column.what == "name" for column in found):
         for index, column in enumerate(found):
             cells = [row.cell(index) for row in rows if row.cell(index)]
             texts = bool(cells) and not any(parse_number(cell) is not None for cell in cells)
             if not column.what and texts and not any(map(_HEX.fullmatch, cells)):
-                found[index] = Column(column.heading, "name")
+                found[index] = TableColumn(column.heading, "name")
                 break
     return tuple(found)
 
 
-def _said(rows: Sequence[Row]) -> dict[str, str]:
+def _said(rows: Sequence[TableRow]) -> dict[str, str]:
     """Return what lines of a word and a text before a table say, as ``Illuminant: D65``."""
     found: dict[str, str] = {}
     for row in rows:
@@ -132,7 +132,7 @@ def _said(rows: Sequence[Row]) -> dict[str, str]:
     return found
 
 
-def has_whole_colour(columns: Sequence[Column]) -> bool:
+def has_whole_colour(columns: Sequence[TableColumn]) -> bool:
     """Return whether all channels of a model are there, at one angle and in one light, or a spectrum."""
     parts: dict[object, set[str]] = {}
     bands: dict[object, int] = {}
@@ -149,7 +149,7 @@ def has_whole_colour(columns: Sequence[Column]) -> bool:
     )
 
 
-def _has_hex(columns: Sequence[Column], rows: Sequence[Row]) -> bool:
+def _has_hex(columns: Sequence[TableColumn], rows: Sequence[TableRow]) -> bool:
     """Return whether a column that is called colour has hex codes below it."""
     for index, column in enumerate(columns):
         if column.what == "colour":
@@ -158,7 +158,7 @@ def _has_hex(columns: Sequence[Column], rows: Sequence[Row]) -> bool:
     return False
 
 
-def _is_upper(row: Row, following: Row) -> bool:
+def _is_upper(row: TableRow, following: TableRow) -> bool:
     """Return whether a row has the angles over the channels of the next one."""
     angles = sum(
         interpret([cell])[0].geometry is not None or parse_geometry(cell) is not None
@@ -170,7 +170,7 @@ def _is_upper(row: Row, following: Row) -> bool:
     return angles >= _FEWEST_ANGLES and all(number is None or number >= 300.0 for number in numbers)
 
 
-def _joined(row: Row, following: Row) -> list[str]:
+def _joined(row: TableRow, following: TableRow) -> list[str]:
     above, texts = "", []
     for index in range(max(len(row.cells), len(following.cells))):
         cell = row.cell(index)
@@ -184,7 +184,7 @@ def _joined(row: Row, following: Row) -> list[str]:
     return texts
 
 
-def _is_turned(rows: Sequence[Row], index: int) -> bool:
+def _is_turned(rows: Sequence[TableRow], index: int) -> bool:
     """Return whether a row has the angles, and the rows below it a quantity each."""
     found = _angles(rows[index])
     if len(found) <= _FEWEST_ANGLES:
@@ -195,7 +195,7 @@ def _is_turned(rows: Sequence[Row], index: int) -> bool:
     return {"l", "a", "b"} <= set(labels) or bands > 3 or any(word.what.startswith("Lab") for word in words)
 
 
-def _angles(row: Row) -> dict[int, Geometry]:
+def _angles(row: TableRow) -> dict[int, Geometry]:
     found = {i: parse_geometry(cell) for i, cell in enumerate(row.cells) if i and cell}
     good = {i: geometry for i, geometry in found.items() if geometry is not None}
     first = plain_word(row.cell(0))
@@ -203,7 +203,7 @@ def _angles(row: Row) -> dict[int, Geometry]:
     return good if len(good) == len(found) and len(set(good.values())) == len(good) and sure else {}
 
 
-def _turned(rows: Sequence[Row]) -> Table | None:
+def _turned(rows: Sequence[TableRow]) -> Table | None:
     """Return blocks of a column per angle as a table of a row per angle."""
     about: dict[str, str] = {}
     labels: list[str] = []
@@ -235,13 +235,13 @@ def _turned(rows: Sequence[Row]) -> Table | None:
                 cells[label] = row.cell(i)
     columns = interpret(["Name", "Geometry", *labels])
     found = [
-        Row(line, (name, angle, *(cells.get(label, "") for label in labels)))
+        TableRow(line, (name, angle, *(cells.get(label, "") for label in labels)))
         for line, name, angle, cells in made
     ]
     return Table(columns, tuple(found), about) if found and has_whole_colour(columns) else None
 
 
-def _without_headings(rows: Sequence[Row]) -> Table | None:
+def _without_headings(rows: Sequence[TableRow]) -> Table | None:
     """Return a table whose every row has a hex code in one place, or a name and three numbers from 0 to 255."""
     if not rows:
         return None
@@ -276,5 +276,5 @@ def _without_headings(rows: Sequence[Row]) -> Table | None:
         return None
     if texts:
         whats[texts[0]] = "name"
-    columns = tuple(Column("", what) for what in whats)
+    columns = tuple(TableColumn("", what) for what in whats)
     return Table(columns, tuple(rows), headed=False)

@@ -23,7 +23,7 @@ MOST_CELLS = 2_000_000
 
 
 @dataclass(frozen=True)
-class Row:
+class TableRow:
     """The cells of a row without white space around them, and the number of the line, from 1."""
 
     line: int
@@ -96,7 +96,7 @@ def find_separator(text: str) -> str:
     return "" if many >= _OFTEN * max(1, len(lines)) else ","
 
 
-def read_rows(text: str, path: PathLike, most_rows: int) -> list[Row]:
+def read_rows(text: str, path: PathLike, most_rows: int) -> list[TableRow]:
     """Return the rows of a table that are not empty.
 
     Raises :class:`FileError`: it has more than ``most_rows`` rows or too many cells, or a quotation does not end.
@@ -104,12 +104,12 @@ def read_rows(text: str, path: PathLike, most_rows: int) -> list[Row]:
     separator = find_separator(text)
     if text.lstrip().lower().startswith("sep="):
         text = "\n" + text.lstrip().partition("\n")[2]
-    rows: list[Row] = []
+    rows: list[TableRow] = []
     cells = 0
     for line, values in _split(text, separator, path):
         found = tuple(" ".join(value.replace("\xa0", " ").split()).strip('"').strip() for value in values)
         if any(found):
-            rows.append(Row(line, found))
+            rows.append(TableRow(line, found))
             cells += len(found)
         if len(rows) > most_rows or cells > MOST_CELLS:
             raise FileError(path, f"has more than {most_rows:,} rows, or too many cells", f"line {line}")

@@ -22,9 +22,9 @@ from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.samples import (
     SAME_SAMPLE_DE,
-    AngleReading,
     AngleSample,
     SampleFile,
+    SampleReading,
     effect_notes,
     plain_name,
 )
@@ -37,7 +37,7 @@ from brdf_suite.files.tables.columns import (
     plain_word,
 )
 from brdf_suite.files.tables.finding import Table
-from brdf_suite.files.tables.grid import Row, parse_number
+from brdf_suite.files.tables.grid import TableRow, parse_number
 
 _STATISTICS = {
     "mean", "average", "avg", "stddev", "stdev", "standarddeviation", "min", "max", "minimum", "maximum", "range",
@@ -55,7 +55,7 @@ class Measured:
     name: str
     kind: str
     line: int
-    readings: dict[tuple[float, float], AngleReading] = field(default_factory=dict)
+    readings: dict[tuple[float, float], SampleReading] = field(default_factory=dict)
     effects: dict[str, float] = field(default_factory=dict)
     gloss: dict[str, float] = field(default_factory=dict)
     notes: str = ""
@@ -142,7 +142,7 @@ def _averaged(group: Sequence[Measured]) -> list[AngleSample]:
     return [_sample(group, [_mean_reading(group, key, lab) for key, lab in means.items()], spread)]
 
 
-def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab) -> AngleReading:
+def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab) -> SampleReading:
     own = [one.readings[key] for one in group if key in one.readings]
     rows = [one.reflectance for one in own if one.reflectance is not None]
     if len(rows) == len(own) and len({one.wavelengths_nm for one in own}) == 1:
@@ -150,7 +150,7 @@ def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab)
     return replace(own[0], lab=lab, wavelengths_nm=None, reflectance=None)
 
 
-def _sample(group: Sequence[Measured], readings: list[AngleReading], spread: float) -> AngleSample:
+def _sample(group: Sequence[Measured], readings: list[SampleReading], spread: float) -> AngleSample:
     readings.sort(
         key=lambda reading: (
             reading.illumination_deg != USUAL_LIGHT_DEG,
@@ -322,7 +322,7 @@ class _Reader:
         if open_ is not None:
             yield open_
 
-    def _begin(self, row: Row) -> Measured | None:
+    def _begin(self, row: TableRow) -> Measured | None:
         table = self._table
         name = table.text(row, "name") or table.text(row, "code") or table.about.get("name", "")
         if plain_word(name) in _STATISTICS:
@@ -340,17 +340,17 @@ class _Reader:
             self._effects(one, row, None)
         return one
 
-    def _effects(self, one: Measured, row: Row, at: Geometry | None) -> None:
+    def _effects(self, one: Measured, row: TableRow, at: Geometry | None) -> None:
         for index, column in enumerate(self._table.columns):
             value = parse_number(row.cell(index)) if column.what in EFFECTS.values() else None
             if value is not None:
                 one.effects.setdefault(column.what + angle_text(column.geometry or at), value)
 
-    def _refuse(self, row: Row, reason: str) -> None:
+    def _refuse(self, row: TableRow, reason: str) -> None:
         self.refused.append(f"line {row.line}: {reason}")
 
     def _take(
-        self, one: Measured, row: Row, geometry: Geometry, models: Mapping[str, Mapping[str, int]]
+        self, one: Measured, row: TableRow, geometry: Geometry, models: Mapping[str, Mapping[str, int]]
     ) -> None:
         light, aspecular, azimuth = geometry
         try:
@@ -376,10 +376,10 @@ class _Reader:
         if not all(PARAMETERS[f"lab[{i}]"].low <= lab[i] <= PARAMETERS[f"lab[{i}]"].high for i in range(3)):
             self._refuse(row, f"L*a*b* of {light:g}as{aspecular:g} are beyond what a paint can have")
             return
-        one.readings[light, aspecular] = AngleReading(light, aspecular, lab, how, bands, values)
+        one.readings[light, aspecular] = SampleReading(light, aspecular, lab, how, bands, values)
 
     def _spectrum(
-        self, row: Row, parts: Mapping[str, int]
+        self, row: TableRow, parts: Mapping[str, int]
     ) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
         found = sorted((float(nm), row.cell(index)) for nm, index in parts.items())
         texts = [text for _, text in found]
@@ -401,7 +401,7 @@ class _Reader:
             return None, None
         return tuple(bands), tuple(numbers)
 
-    def _lab(self, row: Row, models: Mapping[str, Mapping[str, int]]) -> tuple[Lab | None, str]:
+    def _lab(self, row: TableRow, models: Mapping[str, Mapping[str, int]]) -> tuple[Lab | None, str]:
         """Return the colour of D65 and 10° of a row, or why it has none; no reason where it is empty."""
         why = ""
         for key, parts in models.items():
@@ -426,7 +426,7 @@ class _Reader:
                 return (numbers[0], numbers[1], numbers[2]), ""
         return None, why
 
-    def _light(self, row: Row, white: str) -> str:
+    def _light(self, row: TableRow, white: str) -> str:
         """Return the light and observer of a colour where they are not D65 and 10°; empty where they are."""
         illuminant, _, observer = white.partition("/")
         said = self._table.text(row, "illuminant") or self._table.about.get("illuminant", "")

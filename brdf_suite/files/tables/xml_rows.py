@@ -15,7 +15,7 @@ from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.tables.columns import EFFECTS, TEXTS, interpret, parse_geometry, plain_word
 from brdf_suite.files.tables.finding import has_whole_colour
-from brdf_suite.files.tables.grid import Row, parse_number
+from brdf_suite.files.tables.grid import TableRow, parse_number
 
 SPREADSHEET = "urn:schemas-microsoft-com:office:spreadsheet"
 _PLAIN_KEYS = ("value", "val", "text")
@@ -28,7 +28,7 @@ _MOST_COLUMNS = 600
 _MOST_SKIPPED = 1000
 
 
-def xml_rows(root: Element, path: PathLike, most_rows: int) -> list[Row]:
+def xml_rows(root: Element, path: PathLike, most_rows: int) -> list[TableRow]:
     """Return the rows of a file's table; of a tree that is no worksheet the first one has the headings.
 
     Raises :class:`FileError`: it has more than ``most_rows`` rows, or too many different fields.
@@ -46,12 +46,12 @@ def xml_rows(root: Element, path: PathLike, most_rows: int) -> list[Row]:
         return []
     names = list(headings)
     return [
-        Row(root.line, tuple(names)),
-        *(Row(line, tuple(fields.get(name, "") for name in names)) for line, fields in records),
+        TableRow(root.line, tuple(names)),
+        *(TableRow(line, tuple(fields.get(name, "") for name in names)) for line, fields in records),
     ]
 
 
-def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[Row]:
+def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[TableRow]:
     """Yield the rows of the first worksheet."""
     table = root.first("Worksheet", "Table")
     for number, row in enumerate(table.all("Row") if table is not None else []):
@@ -65,7 +65,7 @@ def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[Row]:
         if number >= most_rows or len(cells) > _MOST_COLUMNS:
             raise FileError(path, f"has more than {most_rows:,} rows, or too many cells", f"line {row.line}")
         if any(cells):
-            yield Row(row.line, tuple(cells))
+            yield TableRow(row.line, tuple(cells))
 
 
 def _records(root: Element, around: Mapping[str, str]) -> Iterator[tuple[int, dict[str, str]]]:

@@ -23,7 +23,7 @@ from brdf_suite.files.palettes.sample_entries import add_samples
 from brdf_suite.files.palettes.text.css import parse_colour
 from brdf_suite.files.tables.columns import WHOLE
 from brdf_suite.files.tables.finding import WANTED, Table, find_table
-from brdf_suite.files.tables.grid import Row, decode_head, parse_number, read_rows
+from brdf_suite.files.tables.grid import TableRow, decode_head, parse_number, read_rows
 from brdf_suite.files.tables.readings import read_samples
 
 _ORDER: tuple[Model, ...] = ("spectrum", "Lab", "LCh", "XYZ", "RGB", "HSL", "HSB", "Gray", "CMYK", "CMY")
@@ -46,7 +46,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     return add_rows(rows, collector)
 
 
-def add_rows(rows: Sequence[Row], collector: Collector) -> tuple[Palette, tuple[str, ...]]:
+def add_rows(rows: Sequence[TableRow], collector: Collector) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of the rows of a table, whose notices so far are the collector's.
 
     Raises :class:`FileError`: the rows are no such table, or a cell is damaged; with the line.
@@ -99,7 +99,7 @@ class _FlatRows:
                 continue
             self._add(row, colours)
 
-    def _add(self, row: Row, colours: list[FlatColour]) -> None:
+    def _add(self, row: TableRow, colours: list[FlatColour]) -> None:
         collector, text, place = self._collector, self._table.text, f"line {row.line}"
         colours.sort(key=lambda colour: _ORDER.index(colour.model))
         first, *others = colours
@@ -147,7 +147,7 @@ class _FlatRows:
         wanted = 3 if part.model == "spectrum" else len(_CHANNELS.get(part.model, part.model))
         return part.whole is not None or len(part.channels) >= wanted
 
-    def _texts(self, part: _Part, row: Row) -> list[str]:
+    def _texts(self, part: _Part, row: TableRow) -> list[str]:
         if part.whole is not None:
             cell = row.cell(part.whole)
             return _IN_CELL.findall(
@@ -180,7 +180,7 @@ class _FlatRows:
             self._collector.note(f"{part.model} has no number but 0 and 1; 1 is taken for full.")
         return 1.0
 
-    def _colour(self, part: _Part, row: Row) -> FlatColour | None:
+    def _colour(self, part: _Part, row: TableRow) -> FlatColour | None:
         collector, place = self._collector, f"line {row.line}"
         texts = self._texts(part, row)
         if not any(texts):
@@ -217,7 +217,7 @@ class _FlatRows:
             )
         return collector.colour(place, "", part.model, scaled)
 
-    def _white(self, part: _Part, row: Row) -> tuple[str, int]:
+    def _white(self, part: _Part, row: TableRow) -> tuple[str, int]:
         light, observer = part.white
         said = self._table.text(row, "illuminant") or self._table.about.get("illuminant", "")
         if not light and said:
@@ -234,7 +234,7 @@ class _FlatRows:
             return "", 0
         return light[:50], observer
 
-    def _from_hex(self, row: Row, index: int) -> FlatColour | None:
+    def _from_hex(self, row: TableRow, index: int) -> FlatColour | None:
         text = row.cell(index).strip("\"' ")
         if not text:
             return None
