@@ -64,7 +64,7 @@ class Table:
         angles = {c.geometry for c in self.columns if c.geometry and is_colour(c)}
         at = self.of("geometry")
         if at and not angles:
-            angles = {parse_geometry(row.cell(at[0])) for row in self.rows} - {None}
+            angles = {angle for row in self.rows if (angle := parse_geometry(row.cell(at[0]))) is not None}
         return len(angles) >= _FEWEST_ANGLES
 
 

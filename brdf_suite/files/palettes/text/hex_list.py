@@ -32,7 +32,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     collector = Collector(path)
     lines = decode_lines(content, path, collector)
     found: list[tuple[int, str, str]] = []
-    notes = []
+    notes: list[str] = []
     of_paint_net = any(line.lstrip().startswith(";") for line in lines)
     name = ""
     for number, line in enumerate(lines, 1):
