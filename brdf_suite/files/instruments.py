@@ -7,7 +7,7 @@ from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.cxf import is_cxf, read_cxf
 from brdf_suite.files.hardened_xml import MOST_BYTES, parse_xml
 from brdf_suite.files.samples import SampleFile
-from brdf_suite.files.tables.finding import find_table
+from brdf_suite.files.tables.finding import check_cells, find_table
 from brdf_suite.files.tables.grid import decode, decode_head, read_rows
 from brdf_suite.files.tables.readings import read_samples
 from brdf_suite.files.tables.xml_rows import xml_rows
@@ -38,4 +38,7 @@ def read_instrument(path: PathLike) -> SampleFile | None:
         found = decode(content)
         rows = [] if found is None else read_rows(found[0], path, _MOST_ROWS)
     table = find_table(rows)
-    return read_samples(table, path) if table is not None and table.is_of_angles else None
+    if table is None or not table.is_of_angles:
+        return None
+    check_cells(table, path)
+    return read_samples(table, path)

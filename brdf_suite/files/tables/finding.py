@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.tables.columns import (
     TEXTS,
     WHOLE,
@@ -23,6 +24,7 @@ _FEWEST_ANGLES = 2
 _LEAST_BANDS = 3
 _HEX = re.compile(r"(?:#|0x)?(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})|#[0-9a-fA-F]{3,4}")
 _UNIT = re.compile(r"[\W_]*|[(\[]?(?:nm|deg|gu|units?|einheit|per ?cent)[)\]]?", re.IGNORECASE)
+_READ_AT_ANGLES = ("Lab.", "LCh.", "XYZ.", "spectrum")
 _LONE = ("Gray.g", "hex", *WHOLE.values())
 WANTED = (
     "hex, or R G B, L a b, L C h, X Y Z, C M Y K, H S L or H S B, or L15 a15 b15 and so on for several angles, or "
@@ -61,16 +63,30 @@ class Table:
     @property
     def is_of_angles(self) -> bool:
         """Whether its colours were read at several angles."""
-        angles = {c.geometry for c in self.columns if c.geometry and is_colour(c)}
+        angles = {c.geometry for c in self.columns if c.geometry and c.what.startswith(_READ_AT_ANGLES)}
         at = self.of("geometry")
         if at and not angles:
             angles = {angle for row in self.rows if (angle := parse_geometry(row.cell(at[0]))) is not None}
         return len(angles) >= _FEWEST_ANGLES
 
 
-def is_colour(column: TableColumn) -> bool:
-    """Return whether a column holds a colour or a part of one."""
-    return "." in column.what or column.what in _LONE or column.what == "spectrum"
+def check_cells(table: Table, path: PathLike) -> None:
+    """Refuse rows with more cells than headings, and headings that number readings in the place of angles.
+
+    The first are rows whose decimal commas were taken for separators; raises :class:`FileError` with the line.
+    """
+    width = len(table.columns)
+    for row in table.rows:
+        if any(row.cells[width:]):
+            count = len(row.cells)
+            reason = f"has {count} cells under {width} headings; a decimal comma may have been taken for a separator"
+            raise FileError(path, reason, f"line {row.line}")
+    angles = {c.geometry[1] for c in table.columns if c.geometry and c.what.startswith(_READ_AT_ANGLES)}
+    if len(angles) > 1 and angles <= set(range(10)):
+        numbers = ", ".join(f"{angle:g}" for angle in sorted(angles))
+        raise FileError(
+            path, f"the headings number readings {numbers}; wanted are angles, as 15, 25, 45", "the header"
+        )
 
 
 def find_table(rows: Sequence[TableRow]) -> Table | None:

@@ -131,6 +131,8 @@ def test_a_table_names_what_it_has_and_what_is_wanted(tmp_path: Path) -> None:
         ("name,R,G,B\na,1,two,3\n", "line 2", "expected 3 numbers of RGB"),
         ("name,hex\na,#12345\n", "line 2", "expected a hex code"),
         ("name,C,M,Y,K\na,0,0,0,150\n", "line 2", "from 0 to 100"),
+        ("name,L,a,b\na,43,25,66,5,54,75\n", "line 2", "7 cells under 4 headings"),
+        ("name,L1,a1,b1,L2,a2,b2\na,1,2,3,4,5,6\n", "the header", "number readings 1, 2"),
     ],
 )
 def test_a_cell_that_is_no_colour_is_named(text: str, place: str, reason: str) -> None:
@@ -145,6 +147,17 @@ def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
         (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
     ]  # fmt: skip
     assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+
+
+def test_marks_between_numbers_in_one_cell_and_small_tristimulus_values() -> None:
+    read = read_content(b"RAL,RGB,CMYK\nRAL 1000,205-186-136,0-9-34-20\n", "a.csv")
+    colour = read.palette.entries[0].content
+    assert colour.name == "RAL 1000"
+    assert colour.values == (205 / 255, 186 / 255, 136 / 255)
+    assert colour.others[0].values == (0.0, 0.09, 0.34, 0.2)
+    read = read_content(b"name,X,Y,Z\na,0.4,0.5,0.6\nb,0.9,1,1.08\n", "a.csv")
+    assert read.palette.entries[0].content.values == pytest.approx((40.0, 50.0, 60.0))
+    assert any("white of 1" in note for note in read.notes)
 
 
 @pytest.fixture(params=["export.csv", "export.xml", "export.cxf"])

@@ -22,7 +22,7 @@ from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.sample_entries import add_samples
 from brdf_suite.files.palettes.text.css import parse_colour
 from brdf_suite.files.tables.columns import WHOLE
-from brdf_suite.files.tables.finding import WANTED, Table, find_table
+from brdf_suite.files.tables.finding import WANTED, Table, check_cells, find_table
 from brdf_suite.files.tables.grid import TableRow, decode_head, parse_number, read_rows
 from brdf_suite.files.tables.readings import read_samples
 
@@ -31,8 +31,10 @@ _WITH_WHITE = ("Lab", "LCh", "XYZ")
 _CHANNELS = {"Gray": "g", "HSB": "hsb"}
 _BARE_HEX = re.compile(r"(?:0x)?([0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 _SHORT_NUMBER = re.compile(r"\d{1,5}")
-_IN_CELL = re.compile(r"[-+\u2212]?\d+(?:\.\d+)?%?")
+_IN_CELL = re.compile(r"\d+(?:\.\d+)?%?")
+_SIGNED_IN_CELL = re.compile(r"[-+\u2212]?\d+(?:\.\d+)?")
 MOST_ROWS = 12 * MOST_COLOURS
+_MOST_XYZ = 1.3
 _RANGE = {"RGB": 255.0, "CMYK": 100.0, "CMY": 100.0, "HSL": 100.0, "HSB": 100.0, "Gray": 255.0}
 """What is full where no value is a fraction of 1; of HSL and HSB all but the hue."""
 
@@ -57,6 +59,7 @@ def add_rows(rows: Sequence[TableRow], collector: Collector) -> tuple[Palette, t
         raise collector.fail(
             f"has the columns {shown}; wanted are name (or none) and {WANTED}", f"line {rows[0].line}"
         )
+    check_cells(table, collector.path)
     if table.is_of_angles:
         add_samples(collector, read_samples(table, collector.path), f"line {rows[0].line}")
         return collector.finish(table.about.get("group", ""))
@@ -150,9 +153,10 @@ class _FlatRows:
     def _texts(self, part: _Part, row: TableRow) -> list[str]:
         if part.whole is not None:
             cell = row.cell(part.whole)
-            return _IN_CELL.findall(
-                cell if "," not in cell or "." in cell or ";" not in cell else cell.replace(",", ".")
-            )
+            # With semicolons between the numbers, commas are their decimal marks.
+            cell = cell.replace(",", ".") if ";" in cell and "." not in cell else cell
+            # Between shares a hyphen is a mark, as in 205-186-136.
+            return (_SIGNED_IN_CELL if part.model in _WITH_WHITE else _IN_CELL).findall(cell)
         if part.model == "spectrum":
             return [row.cell(part.channels[name]) for name in sorted(part.channels, key=float)]
         return [row.cell(part.channels[name]) for name in _CHANNELS.get(part.model, part.model.lower())]
@@ -161,7 +165,7 @@ class _FlatRows:
         """Return what is full in a model's columns: 1, 100 or 255, by the whole table."""
         columns = self._table.columns
         places = list(part.channels.values()) if part.whole is None else [part.whole]
-        if part.model in _WITH_WHITE:
+        if part.model in ("Lab", "LCh"):
             return 1.0
         start = 1 if part.model in ("HSL", "HSB") else 0
         texts = [text for row in self._table.rows for text in self._texts(part, row)[start:]]
@@ -169,6 +173,11 @@ class _FlatRows:
         most = max(map(abs, numbers), default=0.0)
         if any(columns[i].percent for i in places) or (texts and all("%" in text for text in texts if text)):
             return 100.0
+        if part.model == "XYZ":
+            small = 0.0 < most <= _MOST_XYZ
+            if small:
+                self._collector.note("X, Y and Z are taken for those of a white of 1.")
+            return 0.01 if small else 1.0
         if part.model == "spectrum":
             # Reflectance of a flat colour passes 1 by fluorescence at most.
             return 1.0 if most <= 1.5 else 100.0
@@ -206,6 +215,8 @@ class _FlatRows:
             )
         if part.model in _WITH_WHITE:
             light, observer = self._white(part, row)
+            if part.model == "XYZ":
+                numbers = [n / part.full for n in numbers]
             return collector.colour(place, "", part.model, numbers, illuminant=light, observer_deg=observer)
         scaled = [n / part.full for n in numbers]
         if part.model in ("HSL", "HSB"):
