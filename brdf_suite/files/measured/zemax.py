@@ -68,7 +68,7 @@ class _Reader:
     def read(self) -> ScatteredSamples:
         """Return the samples."""
         content = self._head()
-        grids = []
+        grids: list[Floats] = []
         for block in _BLOCKS[content]:
             if grids:  # the first one ends the head
                 words = self._next(f"the block {block}")

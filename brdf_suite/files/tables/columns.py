@@ -13,6 +13,7 @@ import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 Geometry = tuple[float, float, float]
 """Light, aspecular angle and azimuth, degrees."""
@@ -107,6 +108,7 @@ _SPECTRAL = (
     "wavelength",
     "rnm",
 )
+_DATA = re.compile(r"[-+]?\d*[.,]\d+(?:[eE][-+]?\d+)?")
 _LONGEST_HEADING = 80
 _LEAST_BANDS = 3
 
@@ -190,7 +192,10 @@ def plain_word(text: str) -> str:
     return re.sub(r"[\W_]+", "", unicodedata.normalize("NFKC", text).casefold())
 
 
+@lru_cache(maxsize=1 << 14)
 def _parse(heading: str) -> _Heading:
+    if _DATA.fullmatch(heading):  # nearly all cells that are looked at for headings are data
+        return _Heading(TableColumn(heading), "")
     text = unicodedata.normalize("NFKC", heading).replace("\u2212", "-").replace("*", "").strip()
     column = TableColumn(heading, percent="%" in text)
     if len(text) > _LONGEST_HEADING or not text:
