@@ -11,8 +11,7 @@ value's name. A damaged or hostile file is refused whole, with the line.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -20,9 +19,9 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
 from brdf_suite.appearance.colour.spaces import lch_to_lab
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
-from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.texture import NO_TEXTURE, SCALE
-from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab, Paint
+from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
 from brdf_suite.files.cxf_specification import (
@@ -33,105 +32,23 @@ from brdf_suite.files.cxf_specification import (
     read_specifications,
 )
 from brdf_suite.files.hardened_xml import MOST_BYTES, Element, parse_xml
-from brdf_suite.files.paint_fields import Setting, build_paint, setting_from_text
-
-UNKNOWN_GLOSS = Gloss(90.0)
-"""What stands in where a file says nothing of gloss: a usual clearcoat."""
-
-_NAME, _NOTES = 200, 100_000
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\ud800-\udfff]+")
-_CONTROL_IN_LINES = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff]+")
-
-
-@dataclass(frozen=True)
-class CxfReading:
-    """One colour at one geometry.
-
-    ``lab`` is of D65 and the 10° observer; ``converted`` says how it was found where the file has it in another
-    form, else it is empty. ``wavelengths_nm`` and ``reflectance`` (1 is a perfect diffuser) are there where the file
-    has the spectrum.
-    """
-
-    illumination_deg: float
-    aspecular_deg: float
-    lab: Lab
-    converted: str = ""
-    wavelengths_nm: tuple[float, ...] | None = None
-    reflectance: tuple[float, ...] | None = None
-
-    @property
-    def geometry(self) -> str:
-        """The trade's short name of the geometry, as in ``45as15``."""
-        return Geometry(self.illumination_deg, self.aspecular_deg).name
-
-
-@dataclass(frozen=True)
-class CxfSample:
-    """A sample with at least one reading at a multi-angle geometry.
-
-    ``kind`` is the file's own word (Standard, Sample, Target …); ``gloss`` is None where the file does not state it.
-    ``texture`` is what this suite's texture instrument read, by the names of ``TextureReadings.by_name``: those that
-    the file has as tags.
-    ``settings`` are further fields of a paint, flakes among them, that this suite wrote as tags.
-    """
-
-    name: str
-    kind: str
-    readings: tuple[CxfReading, ...]
-    gloss: Gloss | None = None
-    notes: str = ""
-    source: str = ""
-    settings: Mapping[str, Setting] = field(default_factory=dict)
-    version: int | None = None
-    texture: Mapping[str, float] = field(default_factory=dict)
-
-    def paint(self, gloss: Gloss = UNKNOWN_GLOSS) -> Paint:
-        """Return the sample as a paint that can be designed further; ``gloss`` where the file has none.
-
-        Raises
-        ------
-        ValueRangeError
-            There are fewer than three readings.
-        DocumentError
-            One is out of a paint's range, or a setting is; ``place`` names the field.
-        """
-        if len(self.readings) < 3:
-            raise ValueRangeError(
-                self.name, f"a paint needs readings at 3 angles at least, there are {len(self.readings)}"
-            )
-        return build_paint(
-            plain_name(self.name, "unnamed"),
-            [(r.illumination_deg, r.aspecular_deg, r.lab) for r in self.readings],
-            self.gloss or gloss,
-            self.settings,
-            _CONTROL_IN_LINES.sub(" ", self.notes)[:_NOTES],
-            self.source,
-            path=self.name,
-            version=self.version,
-        )
-
-
-@dataclass(frozen=True)
-class CxfFile:
-    """The multi-angle samples of a file, in its order.
-
-    ``notes`` say what was converted or assumed; ``refused`` which samples are left out, and why.
-    """
-
-    samples: tuple[CxfSample, ...]
-    notes: tuple[str, ...] = ()
-    refused: tuple[str, ...] = ()
-
-
-def plain_name(name: str, otherwise: str) -> str:
-    """Return ``name`` as a paint can have it: on one line, at most 200 characters, not empty."""
-    short = " ".join(_CONTROL.sub(" ", name).split())[:_NAME].strip()
-    return short or otherwise
-
+from brdf_suite.files.paint_fields import setting_from_text
+from brdf_suite.files.samples import (
+    SAME_SAMPLE_DE,
+    AngleSample,
+    SampleFile,
+    SampleReading,
+    effect_notes,
+    plain_name,
+)
+from brdf_suite.files.tables.columns import EFFECTS, angle_text, interpret
+from brdf_suite.files.tables.grid import parse_number
 
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
 TAGS = "BRDF Suite"
 """The name of the TagCollection in which this suite keeps the fields of a paint that CxF3 has no place for."""
+INSTRUMENT = "Instrument"
+"""The name of the TagCollection with sparkle and graininess as another maker's instrument read them."""
 SETTING = "setting."
 """Goes before the names of settings among the tags, as in ``setting.flakes.size_um``."""
 TEXTURE = "texture."
@@ -141,11 +58,12 @@ SOURCE = "source"
 
 _IN_PLANE_DEG = 1e-6
 _COLOURS = ("ColorCIELab", "ColorCIELCh", "ColorCIEXYZ")
-_SPECTRA = ("ReflectanceSpectrum", "CustomSpectrum")
+SPECTRAL = ("ReflectanceSpectrum", "CustomSpectrum")
 _OTHER_KINDS = ("Emissive", "Transmittance")
 _GLOSS = re.compile(r"\b(20|60)\b")
 
-_Spectrum = tuple[tuple[float, ...], tuple[float, ...]]
+Spectrum = tuple[tuple[float, ...], tuple[float, ...]]
+"""Wavelengths, nm, and reflectance factors."""
 
 
 def is_cxf(head: bytes) -> bool:
@@ -153,7 +71,7 @@ def is_cxf(head: bytes) -> bool:
     return NAMESPACE.encode("ascii") in head or NAMESPACE.encode("utf-16-le") in head
 
 
-def read_cxf(path: PathLike) -> CxfFile:
+def read_cxf(path: PathLike) -> SampleFile:
     """Return the multi-angle samples of a CxF3 file.
 
     Raises
@@ -169,7 +87,7 @@ def read_cxf(path: PathLike) -> CxfFile:
     if resources is None or objects is None:
         raise FileError(path, "holds no sample", f"line {root.line}")
     specifications = read_specifications(resources, path)
-    samples: list[CxfSample] = []
+    samples: list[AngleSample] = []
     refused: list[str] = []
     others = 0
     for element in objects.all("Object"):
@@ -187,15 +105,23 @@ def read_cxf(path: PathLike) -> CxfFile:
         raise FileError(path, f"holds no sample read at several angles that can be used{why}")
     if others:
         refused.append(f"{others} samples that were not read by a multi-angle instrument are left out")
-    return CxfFile(tuple(samples), _notes(samples), tuple(refused))
+    return SampleFile(tuple(samples), _notes(samples), tuple(refused))
 
 
-def _notes(samples: list[CxfSample]) -> tuple[str, ...]:
+def _notes(samples: list[AngleSample]) -> tuple[str, ...]:
     notes = []
     ways = {reading.converted for sample in samples for reading in sample.readings if reading.converted}
     for way in sorted(ways):
         count = sum(any(r.converted == way for r in sample.readings) for sample in samples)
         notes.append(f"{count} of {len(samples)} samples: L*a*b* is {way}.")
+    notes += [
+        f"“{sample.name}” is the mean of up to {sample.measurements} readings at an angle; they differ from it by at "
+        f"most ΔE00 {sample.spread:.2f}."
+        for sample in samples
+        if sample.measurements > 1
+    ]
+    if any(sample.effects for sample in samples):
+        notes.append("Sparkle and graininess are on the instrument's own scale; they are kept as notes.")
     without = sum(sample.gloss is None for sample in samples)
     if without:
         notes.append(
@@ -212,15 +138,17 @@ class SampleReader:
         identity = element.attributes.get("Id", "")
         self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or "unnamed")
         self.refused: list[str] = []
+        self.measurements, self.spread = 1, 0.0
 
-    def read(self) -> CxfSample | None:
+    def read(self) -> AngleSample | None:
         """Return the sample, or None where it has no reading at a multi-angle geometry."""
         colours: dict[tuple[float, float], tuple[Lab, str]] = {}
-        spectra: dict[tuple[float, float], _Spectrum] = {}
+        repeated: dict[tuple[float, float], list[Lab]] = {}
+        spectra: dict[tuple[float, float], list[Spectrum]] = {}
         unusable: dict[tuple[float, float], str] = {}
         values = self._element.first("ColorValues")
         for value in values.children if values else []:
-            if value.name not in _COLOURS + _SPECTRA:
+            if value.name not in _COLOURS + SPECTRAL:
                 continue
             identity = value.attributes.get("ColorSpecification", "")
             if identity not in self._specifications:
@@ -232,17 +160,23 @@ class SampleReader:
             if angle is None:
                 continue
             key = (angle.illumination_deg, angle.aspecular_deg)
-            if value.name in _SPECTRA:
-                spectra.setdefault(key, self._spectrum(value, specification))
+            if value.name in SPECTRAL:
+                try:
+                    found = read_spectrum(value, specification, self._path)
+                except FileError as error:
+                    self.refused.append(f"a spectrum is left out: {error.reason} ({error.place})")
+                else:
+                    spectra.setdefault(key, []).append(found)
             elif not specification.is_d65_10:
                 unusable[key] = specification.light
             else:
-                self._take(colours, key, value)
-        for key, (bands, reflectance) in spectra.items():
+                self._take(colours, repeated, key, value)
+        averaged = {key: _mean_spectrum(found) for key, found in spectra.items()}
+        for key, (bands, reflectance) in averaged.items():
             if key not in colours:
-                lab = spectrum_to_lab(np.array(reflectance), np.array(bands))
-                lightness, a, b = lab.tolist()
-                colours[key] = ((lightness, a, b), "recomputed from the spectrum")
+                colours[key] = (_lab_of(reflectance, bands), "recomputed from the spectrum")
+                repeated[key] = [_lab_of(row, own) for own, row in spectra[key]]
+        self._average(colours, repeated)
         for (light, aspecular), why in unusable.items():
             if (light, aspecular) not in colours:
                 self.refused.append(
@@ -252,7 +186,8 @@ class SampleReader:
         if not colours:
             return None
         readings = tuple(
-            CxfReading(*key, lab, how, *spectra.get(key, (None, None))) for key, (lab, how) in colours.items()
+            SampleReading(*key, lab, how, *averaged.get(key, (None, None)))
+            for key, (lab, how) in colours.items()
         )
         return self._sample(readings)
 
@@ -278,7 +213,11 @@ class SampleReader:
         return None
 
     def _take(
-        self, colours: dict[tuple[float, float], tuple[Lab, str]], key: tuple[float, float], value: Element
+        self,
+        colours: dict[tuple[float, float], tuple[Lab, str]],
+        repeated: dict[tuple[float, float], list[Lab]],
+        key: tuple[float, float],
+        value: Element,
     ) -> None:
         names = {"ColorCIELab": "LAB", "ColorCIELCh": "LCH", "ColorCIEXYZ": "XYZ"}[value.name]
         how = {"LAB": "", "LCH": "from LCh", "XYZ": "from XYZ"}[names]
@@ -292,36 +231,32 @@ class SampleReader:
             except ValueRangeError as error:
                 raise self._fail(value, str(error).rstrip(".")) from error
         before = colours.get(key)
-        if before is not None and before[1] == how and before[0] != lab:
-            raise self._fail(value, f"a second, different colour at {key[0]:g}as{key[1]:g}")
+        if before is not None and before[1] == how:
+            repeated[key].append(lab)
         # L*a*b* itself is nearest to what was measured; what was made of it counts less.
-        if before is None or (before[1] and not how):
+        elif before is None or (before[1] and not how):
             colours[key] = (lab, how)
+            repeated[key] = [lab]
 
-    def _spectrum(self, value: Element, specification: Specification) -> _Spectrum:
-        path = self._path
-        if value.name == "CustomSpectrum":
-            points = value.all("SpectralPoint")
-            bands = [number(p, p.attributes.get("WL", ""), path, "WL") for p in points]
-            reflectance = [number(p, p.text, path, "a SpectralPoint") for p in points]
-        else:
-            start = value.attributes.get("StartWL")
-            first = specification.start_nm if start is None else number(value, start.strip(), path, "StartWL")
-            words = value.text.split()
-            if first is None or not specification.step_nm or specification.step_nm <= 0.0:
-                raise self._fail(
-                    value, f"neither it nor {specification.name[:80]} says at which wavelengths it was read"
-                )
-            step = specification.step_nm
-            reflectance = [number(value, word, path, "a reflectance") for word in words[: MOST_BANDS + 1]]
-            bands = [first + step * index for index in range(len(reflectance))]
-        if not 2 <= len(bands) <= MOST_BANDS:
-            raise self._fail(value, f"expected a spectrum of 2 to {MOST_BANDS} bands, not {len(bands)}")
-        if bands[0] < 100.0 or bands[-1] > 10_000.0 or any(b <= a for a, b in pairwise(bands)):
-            raise self._fail(value, "the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
-        return tuple(bands), tuple(reflectance)
+    def _average(
+        self,
+        colours: dict[tuple[float, float], tuple[Lab, str]],
+        repeated: Mapping[tuple[float, float], Sequence[Lab]],
+    ) -> None:
+        """Put the means of repeated readings in their place; raise :class:`FileError` where they disagree."""
+        for key, labs in repeated.items():
+            if len(labs) < 2:
+                continue
+            lightness, a, b = np.mean(labs, axis=0).tolist()
+            spread = float(np.max(delta_e_2000(np.array(labs), np.array([lightness, a, b]))))
+            if spread > SAME_SAMPLE_DE:
+                reason = f"a second, different colour at {key[0]:g}as{key[1]:g} (ΔE00 {spread:.1f} from their mean)"
+                raise self._fail(self._element, reason)
+            colours[key] = ((lightness, a, b), colours[key][1])
+            self.measurements = max(self.measurements, len(labs))
+            self.spread = max(self.spread, spread)
 
-    def _sample(self, readings: tuple[CxfReading, ...]) -> CxfSample:
+    def _sample(self, readings: tuple[SampleReading, ...]) -> AngleSample:
         element = self._element
         comment = element.first("Comment")
         tags = {
@@ -330,12 +265,16 @@ class SampleReader:
             if collection.attributes.get("Name") == TAGS
             for tag in collection.all("Tag")
         }
-        return CxfSample(
+        effects = self._effects()
+        lines = [comment.raw] if comment is not None and comment.raw else []
+        if (said := effect_notes(effects)) and not any(said in line for line in lines):
+            lines.append(said)
+        return AngleSample(
             name=self.name,
             kind=element.attributes.get("ObjectType", ""),
             readings=readings,
             gloss=self._gloss(),
-            notes=comment.raw if comment is not None else "",
+            notes="\n".join(lines),
             source=tags[SOURCE][1] if SOURCE in tags else "",
             settings={
                 name.removeprefix(SETTING): setting_from_text(text)
@@ -344,7 +283,21 @@ class SampleReader:
             },
             version=round(number(*tags[VERSION], self._path, VERSION)) if VERSION in tags else None,
             texture=self._texture(tags),
+            effects=effects,
+            measurements=self.measurements,
+            spread=self.spread,
         )
+
+    def _effects(self) -> dict[str, float]:
+        """Return sparkle and graininess that another maker's instrument wrote as tags, by their names there."""
+        found: dict[str, float] = {}
+        for collection in self._element.all("TagCollection"):
+            for tag in collection.all("Tag") if collection.attributes.get("Name") != TAGS else []:
+                column = interpret([tag.attributes.get("Name", "")])[0]
+                value = parse_number(tag.attributes.get("Value", ""))
+                if column.what in EFFECTS.values() and value is not None:
+                    found.setdefault(column.what + angle_text(column.geometry), value)
+        return found
 
     def _texture(self, tags: Mapping[str, tuple[Element, str]]) -> dict[str, float]:
         """Return readings of the same scale as the instrument's; others could not be compared with its."""
@@ -378,4 +331,39 @@ class SampleReader:
             raise self._fail(self._element, str(error).rstrip(".")) from error
 
 
-__all__ = ["CxfFile", "CxfReading", "CxfSample", "is_cxf", "read_cxf"]
+def read_spectrum(value: Element, specification: Specification, path: PathLike) -> Spectrum:
+    """Return the wavelengths, nm, and reflectance factors of a spectrum; raise :class:`FileError` with the line."""
+
+    def fail(reason: str) -> FileError:
+        return FileError(path, reason, f"line {value.line}")
+
+    if value.name == "CustomSpectrum":
+        points = value.all("SpectralPoint")
+        bands = [number(p, p.attributes.get("WL", ""), path, "WL") for p in points]
+        reflectance = [number(p, p.text, path, "a SpectralPoint") for p in points]
+    else:
+        start = value.attributes.get("StartWL")
+        first = specification.start_nm if start is None else number(value, start.strip(), path, "StartWL")
+        words = value.text.split()
+        if first is None or not specification.step_nm or specification.step_nm <= 0.0:
+            raise fail(f"neither it nor {specification.name[:80]} says at which wavelengths it was read")
+        step = specification.step_nm
+        reflectance = [number(value, word, path, "a reflectance") for word in words[: MOST_BANDS + 1]]
+        bands = [first + step * index for index in range(len(reflectance))]
+    if not 2 <= len(bands) <= MOST_BANDS:
+        raise fail(f"expected a spectrum of 2 to {MOST_BANDS} bands, not {len(bands)}")
+    if bands[0] < 100.0 or bands[-1] > 10_000.0 or any(b <= a for a, b in pairwise(bands)):
+        raise fail("the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
+    return tuple(bands), tuple(reflectance)
+
+
+def _mean_spectrum(found: Sequence[Spectrum]) -> Spectrum:
+    """Return the mean of spectra at the same wavelengths; of others the first."""
+    bands, first = found[0]
+    rows = [row for own, row in found if own == bands]
+    return bands, tuple(np.mean(rows, axis=0).tolist()) if len(rows) > 1 else first
+
+
+def _lab_of(reflectance: Sequence[float], bands: Sequence[float]) -> Lab:
+    lightness, a, b = spectrum_to_lab(np.array(reflectance), np.array(bands)).tolist()
+    return lightness, a, b

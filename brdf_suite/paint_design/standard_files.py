@@ -3,19 +3,29 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.files.samples import AngleSample, SampleFile, effect_notes
 from brdf_suite.paint_design.measured_start import estimated_gloss
 from brdf_suite.paint_design.standard import Standard, standard_of
-from brdf_suite.pipeline.material import Material, is_file, load_document, load_material, material_of
+from brdf_suite.pipeline.material import (
+    Material,
+    file_kind,
+    is_file,
+    load_document,
+    load_material,
+    load_palette_file,
+    material_of,
+)
 from brdf_suite.progress import Progress, report
 
-CXF_ENDING = ".cxf"
 _HEAD = 1 << 16
 BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
 
@@ -34,13 +44,13 @@ def load_standards(
     """
     path = Path(name_or_path)
     report(progress, 0.0, f"reading {path.name}")
-    ending = path.suffix.lower()
-    if ending == PALETTE_ENDING:
-        found = _of_palette(path)
-    elif ending == CXF_ENDING:
-        found = _of_cxf(path)
+    if path.suffix.lower() == PALETTE_ENDING:
+        found = _of_palette(load_palette(path), path)
     elif handed := _of_handover(path):
         found = handed
+    elif _is_foreign_palette(path):
+        read = load_palette_file(path)
+        found = _of_palette(read.palette, path, read.notes)
     else:
         document = load_document(name_or_path)
         if document is None:
@@ -49,6 +59,11 @@ def load_standards(
             found = (_of_paint(document, path.name if path.suffix else ""),)
     report(progress, 1.0, "read")
     return found
+
+
+def _is_foreign_palette(path: Path) -> bool:
+    own = path.suffix.lower() == PAINT_ENDING
+    return not own and is_file(os.fspath(path)) and file_kind(path) == "palette"
 
 
 def _of_paint(paint: AnyPaint, origin: str) -> Standard:
@@ -63,12 +78,11 @@ def _read_by_instrument(material: Material, origin: str) -> Standard:
     return Standard(material.name, origin, (), gloss, None, material.reflectance, notices)
 
 
-def _of_palette(path: Path) -> tuple[Standard, ...]:
-    palette = load_palette(path)
+def _of_palette(palette: Palette, path: Path, notes: tuple[str, ...] = ()) -> tuple[Standard, ...]:
     found = [_of_paint(to_paint(entry.content), ", ".join((path.name, *entry.group))) for entry in palette]
     if not found:
         raise FileError(path, "holds no paint, so there is no standard in it")
-    return tuple(found)
+    return tuple(replace(standard, notices=(*standard.notices, *notes)) for standard in found)
 
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:
@@ -80,23 +94,19 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
             head = stream.read(_HEAD)
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    from brdf_suite.files.cxf import (
-        is_cxf,
-    )  # with the readers 60 ms, which Designer's start does not wait for
+    # With the readers 60 ms, which Designer's start does not wait for.
     from brdf_suite.files.exports import FORMATS
+    from brdf_suite.files.instruments import read_instrument
 
-    if is_cxf(head):
-        return _of_cxf(path)
     for known in FORMATS:
-        if known.sniff is not None and known.read is not None and known.sniff(head):
+        if known.name != "cxf" and known.sniff is not None and known.read is not None and known.sniff(head):
             return tuple(_of_paint(paint, path.name) for paint in known.read(path).paints)
-    return ()
+    # What is measured reflectance goes by that, whatever headings it has.
+    file = read_instrument(path) if file_kind(path) == "palette" else None
+    return () if file is None else _of_samples(file, path)
 
 
-def _of_cxf(path: Path) -> tuple[Standard, ...]:
-    from brdf_suite.files.cxf import read_cxf
-
-    file = read_cxf(path)
+def _of_samples(file: SampleFile, path: Path) -> tuple[Standard, ...]:
     found: list[Standard] = []
     refused = [*file.refused]
     for sample in file.samples:
@@ -116,7 +126,15 @@ def _of_cxf(path: Path) -> tuple[Standard, ...]:
         converted = tuple(
             dict.fromkeys(reading.converted for reading in sample.readings if reading.converted)
         )
-        found.append(Standard(sample.name, path.name, readings, gloss, paint, None, (*converted, *refused)))
+        notices = (*converted, *_instrument_notes(sample), *refused)
+        found.append(Standard(sample.name, path.name, readings, gloss, paint, None, notices))
     if not found:
         raise SuiteError(f"{path}: no sample can be a standard: {'; '.join(refused)}.")
     return tuple(found)
+
+
+def _instrument_notes(sample: AngleSample) -> tuple[str, ...]:
+    """Return the spread of repeated measurements, and sparkle and graininess as the instrument read them."""
+    spread = f"mean of {sample.measurements} measurements, which differ from it by at most ΔE00 {sample.spread:.2f}"
+    effects = effect_notes(sample.effects)
+    return (*((spread,) if sample.measurements > 1 else ()), *((effects,) if effects else ()))

@@ -130,7 +130,9 @@ def load_material(
     text = os.fspath(name_or_path)
     found = _find(text)
     if isinstance(found, Entry):
-        return material_of_entry(found, text)
+        known = load_palette_file(text if is_file(text) else text.rpartition(ENTRY_MARK)[0])
+        entry = material_of_entry(found, text)
+        return replace(entry, notices=(*entry.notices, *known.notes))
     if found is None:
         if is_file(text):
             return load_measured(text, observer_deg)

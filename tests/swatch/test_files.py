@@ -181,6 +181,20 @@ def test_recovered_work_stays_where_its_file_is_still_being_read(swatch, tmp_pat
     assert not swatch.library.item(key).is_clean
 
 
+def test_an_instruments_export_opens_as_a_palette(swatch, tmp_path: Path, qtbot) -> None:
+    path = tmp_path / "export.xml"
+    readings = "".join(
+        f'<Reading Geometry="45as{angle}"><L>{60 - angle / 4}</L><a>1</a><b>-2</b></Reading>'
+        for angle in (15, 25, 45, 75, 110)
+    )
+    path.write_text(f'<Export><Sample Name="Silver">{readings}</Sample></Export>', "utf-8")
+    key = swatch.session.loader.ask_open(path)
+    qtbot.waitUntil(lambda: swatch.library.item(key).palette is not None)
+    (entry,) = swatch.library.palette(key).entries
+    assert entry.name == "Silver"
+    assert entry.content.lab_at(110.0) == (32.5, 1.0, -2.0)
+
+
 @pytest.mark.parametrize("key", ["new", "shipped", "again"])
 def test_an_empty_window_offers_what_to_do(swatch, qtbot, key: str) -> None:
     swatch.window.command("close").trigger()

@@ -10,6 +10,7 @@ own and read again, or a FileError that names a place. Each reading has 2 s and 
 from __future__ import annotations
 
 import argparse
+import plistlib
 import random
 import struct
 import sys
@@ -63,8 +64,61 @@ def small_palette() -> Palette:
     return Palette("Small", entries, (Group(("Empty",)),), "notes", "#aabbcc", 4)
 
 
+_TABLE = (
+    "Instrument;MA\nIlluminant;D65/10°\n\nName;L*-15;a*-15;b*-15;L*15;a*15;b*15;45as45 L*;45as45 a*;45as45 b*;Si15;G;"
+    "G20\n"
+    "Silver;130,5;0,1;-1,2;128,1;0,2;-1;61;0;-1,5;4,2;3,1;92\nSilver;130,4;0,1;-1,2;128;0,2;-1;61,1;0;-1,5;4,3;3;92\n"
+    "Blue;40;1;-30;38;1;-28;20;2;-20;;;\n"
+)
+_TREE = (
+    '<Export><Illuminant>D65</Illuminant><Sample Name="Silver"><Reading Geometry="45as15"><L>120</L><a>1</a><b>2</b>'
+    '</Reading><Angle value="45"><Lab L="60" a="0" b="1"/></Angle><Angle value="110"><Spectrum start="400" step="50">'
+    "0.1 0.1 0.2 0.1 0.1 0.1 0.1</Spectrum></Angle><Graininess>3.2</Graininess></Sample></Export>"
+)
+_COREL = (
+    '<palette name="Season" resid="2"><colorspaces><cs name="Ink"><color cs="CMYK" tints="0,1,1,0"/><color cs="LAB" '
+    'tints="0.5,0.6,0.4"/></cs></colorspaces><colors><page width="3"><color cs="RGB" tints="0.1,0.7,0.6" name="A"/>'
+    '<color cs="Ink" tints="1"/><color cs="Gray" tints="0.5" resid="1"/></page></colors><localization><resource id="1">'
+    "<EN>Grey</EN></resource></localization></palette>"
+)
+_AUTOCAD = (
+    "<colorBook><bookName>Season</bookName><colorPage><colorEntry><colorName>A</colorName><RGB8><red>208</red>"
+    "<green>94</green><blue>52</blue></RGB8></colorEntry><colorEntry><colorName>B</colorName><RGB8Encrypt><encrypt>x"
+    "</encrypt></RGB8Encrypt></colorEntry></colorPage></colorBook>"
+)
+_SCSS = (
+    '$red: #d40000 !default; // of 2026\n$alias: $red;\n@night: rgba(1, 2, 3, 0.5);\n/* maps */\n$map: ("a": #fff, b: '
+    "(c: hsl(20, 10%, 30%), d: darken($red, 5%)));\n"
+)
+
+
+def _cpl() -> bytes:
+    """A palette of inks of CorelDRAW 12."""
+    name = bytes([2]) + "Ab".encode("utf-16-le")
+    head = b"\xcd\xbc" + struct.pack("<I6I", 3, 0, 30, 1, 35, 2, 37) + name + struct.pack("<2H", 3, 2)
+    first = struct.pack("<IH6x4BH6x4B", 7, 5, 1, 2, 3, 0, 2, 10, 20, 30, 40)
+    second = struct.pack("<IH6x4BH6x4B", 8, 18, 100, 130, 120, 0, 6, 90, 0, 120, 130)
+    return head + first + name + second + name
+
+
+def _clr() -> bytes:
+    """A colour list of macOS."""
+    uid = plistlib.UID
+    colour = {"NSColorSpace": 1, "NSRGB": b"0.1 0.2 0.3\0", "NSComponents": b"0.1 0.2 0.3 1"}
+    colour |= {"NSCustomColorSpace": uid(7)}
+    objects = ["$null", {"NS.objects": [uid(2), uid(3)]}, "red", "grey", {"NS.objects": [uid(5), uid(6)]}, colour,
+               {"NSColorSpace": 3, "NSWhite": b"0.5 0.5"}, {"NSID": 7}]  # fmt: skip
+    top = {"NSColors": uid(4), "NSKeys": uid(1)}
+    return plistlib.dumps({"$objects": objects, "$top": top, "$version": 1}, fmt=plistlib.FMT_BINARY)
+
+
 def made_file(known: PaletteFormat) -> bytes:
     """The small palette in a format; by hand in those that are only read."""
+    by_hand = {"table": _TABLE, "instrument": _TREE, "corel": _COREL, "autocad": _AUTOCAD, "scss": _SCSS}
+    if known.name in by_hand:
+        return by_hand[known.name].encode()
+    if known.name in ("cpl", "clr"):
+        return _cpl() if known.name == "cpl" else _clr()
     if known.name == "act":
         return bytes(range(256)) * 3 + struct.pack(">HH", 7, 2)
     if known.name == "acb":

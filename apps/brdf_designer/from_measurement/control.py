@@ -13,7 +13,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.from_measurement.section import ANGLE_SETS, MeasuredSection, patterns
+from brdf_designer.from_measurement.section import ANGLE_SETS, MeasuredSection, start_patterns
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
@@ -73,9 +73,9 @@ class MeasuredControl(Feature, QObject):
 
     def ask(self) -> None:
         """Ask for something measured, and start a design from it."""
-        named = tr("Measured files and paints ({patterns})").format(patterns=patterns(PAINT_ENDING))
+        named = tr("Measured files and paints ({patterns})").format(patterns=start_patterns())
         path = self._session.documents.ask(named)
-        if path is not None:
+        if path is not None and not self.open_foreign(path):
             self.open(path)
 
     def open(self, name_or_path: str | Path) -> None:

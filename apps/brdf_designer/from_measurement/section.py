@@ -9,12 +9,9 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import button, combo, wrapped
-from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart
 from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG
-
-CXF_ENDING = ".cxf"
 
 ANGLE_SETS = (
     ("e2194", mark("3 angles: 15, 45, 110°")),
@@ -140,6 +137,15 @@ def patterns(*more: str) -> str:
     return " ".join(f"*{ending}" for ending in endings)
 
 
+def start_patterns() -> str:
+    """Return the patterns of whatever may hold readings to start a design from."""
+    from brdf_suite.files.palettes import FORMATS
+
+    return patterns(PAINT_ENDING, *(ending for known in FORMATS if known.paints for ending in known.endings))
+
+
 def standard_patterns() -> str:
     """Return the patterns of whatever may hold a standard."""
-    return patterns(PAINT_ENDING, PALETTE_ENDING, CXF_ENDING, ".csv")
+    from brdf_suite.files.palettes import FORMATS
+
+    return patterns(PAINT_ENDING, *(ending for known in FORMATS for ending in known.endings))

@@ -2,6 +2,7 @@
 
 RGB without a named space counts as sRGB. CMY, CMYK and Gray have no meaning without the profile of a press; they are
 shown by the plain rule of PostScript, R = (1 - C)(1 - K) in sRGB, which no printing ink follows: for the screen only.
+Where such a colour has L*a*b*, XYZ or a spectrum beside its own numbers, it looks as these say.
 Lab, LCh and XYZ of another white are adapted to D65: those of D50 and 2° by Bradford, because colour profiles and CSS
 are made with it and a colour must be here what it is there; all others by CAT16, as everywhere in this suite. Without a
 named white they count as D50 and 2°, as layout programs have them. A spectrum gives its colour exactly.
@@ -42,6 +43,8 @@ ADOBE_RGB_PRIMARIES = ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))
 """Chromaticities of Adobe RGB (1998), with the white of D65 and a power of 563/256."""
 _PROPHOTO_PRIMARIES = ((0.734699, 0.265301), (0.159597, 0.840403), (0.036598, 0.000105))
 _PROPHOTO_POWER = 1.8
+_GENERIC_PRIMARIES = ((0.625, 0.340), (0.280, 0.595), (0.155, 0.070))
+"""Of Apple's "Generic RGB", the RGB of its older files, with the white of D65 and a power of 1.8."""
 _D50_XY = (0.345704, 0.358540)
 
 WHITES: dict[tuple[str, int], tuple[float, float, float]] = {
@@ -75,13 +78,21 @@ def flat_labs(colours: Sequence[FlatColour]) -> Floats:
     """Return L*a*b* (n, 3), D65 and 10°, of flat colours; many of one model are as quick as one."""
     found = np.zeros((len(colours), 3))
     alike: dict[tuple[object, ...], list[int]] = {}
-    for index, colour in enumerate(colours):
+    seen = [measured_look(colour) or colour for colour in colours]
+    for index, colour in enumerate(seen):
         key = (colour.model, colour.space, colour.illuminant, colour.observer_deg, colour.wavelengths_nm)
         alike.setdefault(key, []).append(index)
     for indices in alike.values():
-        values = np.array([colours[index].values for index in indices], float)
-        found[indices] = _labs(colours[indices[0]], values)
+        values = np.array([seen[index].values for index in indices], float)
+        found[indices] = _labs(seen[indices[0]], values)
     return found
+
+
+def measured_look(colour: FlatColour) -> FlatColour | None:
+    """Return the further numbers that say how a colour of inks or grey looks; None where it has none, or needs none."""
+    if colour.model not in _PROFILE_WORDS:
+        return None
+    return next((other for other in colour.others if other.model in ("Lab", "LCh", "XYZ", "spectrum")), None)
 
 
 def to_paint(
@@ -121,7 +132,7 @@ def display_notes(colours: Sequence[FlatColour]) -> tuple[str, ...]:
     """Return what the user must know of how these colours are shown; a sentence for each matter."""
     notices = []
     for model, word in _PROFILE_WORDS.items():
-        count = sum(colour.model == model for colour in colours)
+        count = sum(colour.model == model and measured_look(colour) is None for colour in colours)
         if count:
             notices.append(
                 f"{count} {word} colour{'s are' if count > 1 else ' is'} shown without a profile, so only roughly; "
@@ -154,11 +165,12 @@ def _labs(like: FlatColour, values: Floats) -> Floats:
         return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target, transform)))
     encoded = _encoded_rgb(model, values)
     matrix, power = _known_space(like) or _srgb()
+    has_line = power == _PROPHOTO_POWER and "prophoto" in like.space.lower().replace(" ", "")
     if power is None:
         return working_to_lab(srgb_decode(encoded) @ matrix.T)
     # A power, with ProPhoto RGB's line near black.
     size = np.abs(encoded)
-    curved = np.where((power == _PROPHOTO_POWER) & (size < 16.0 / 512.0), size / 16.0, size**power)
+    curved = np.where(has_line & (size < 16.0 / 512.0), size / 16.0, size**power)
     return working_to_lab(np.copysign(curved, encoded) @ matrix.T)
 
 
@@ -169,8 +181,11 @@ def reference_white(colour: FlatColour) -> Floats:
 
 
 def decode_rgb(colour: FlatColour) -> tuple[float, float, float] | None:
-    """Return R, G, B of a colour whose own numbers are RGB or a rule of RGB (HSB, HSL, CMY, CMYK, Gray), else None."""
-    if colour.model in ("Lab", "LCh", "XYZ", "spectrum"):
+    """Return R, G, B of a colour whose own numbers are RGB or a rule of RGB (HSB, HSL, CMY, CMYK, Gray), else None.
+
+    None also where further numbers say better how inks look.
+    """
+    if measured_look(colour) is not None or colour.model in ("Lab", "LCh", "XYZ", "spectrum"):
         return None
     red, green, blue = _encoded_rgb(colour.model, np.array([colour.values]))[0].tolist()
     return red, green, blue
@@ -236,6 +251,8 @@ def _space(name: str) -> tuple[Floats, float | None] | None:
         white = to_xyz.sum(axis=1)
         adapted = adaptation(white, WORKING_TO_XYZ.sum(axis=1), "Bradford") @ to_xyz
         return np.asarray(np.linalg.solve(WORKING_TO_XYZ, adapted), np.float64), _PROPHOTO_POWER
+    if "genericrgb" in plain:
+        return rgb_to_working(_GENERIC_PRIMARIES, WHITE_XY), _PROPHOTO_POWER
     if "rec2020" in plain or "bt2020" in plain:
         return rgb_to_working(REC2020_PRIMARIES, WHITE_XY), 2.4
     return None

@@ -157,7 +157,9 @@ def add(command: CommandParser) -> None:
     """Declare the command and its parts."""
     command.description = (
         "Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
-        "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV."
+        "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, SCSS, LESS, JSON, CSV and TSV in any usual "
+        "columns, hex lists, CorelDRAW XML and CPL, AutoCAD, Sketch, Apple; and samples of multi-angle instruments in "
+        "tables, XML and CxF3."
     )
     command.examples = ("brdf-suite palette convert ral.sbz -o ral.ase", "brdf-suite palette info ral.ase")
     parts = command.add_subparsers(dest="part", metavar="convert|info|find", required=True)
@@ -183,6 +185,7 @@ def add(command: CommandParser) -> None:
         action="store_true",
         help="write each paint as three colours, at 15, 45 and 110°: for formats of one colour an entry",
     )
+    _add_profile(convert)
     add_json(convert)
     convert.set_defaults(run=run_convert)
     info = parts.add_parser(
@@ -192,14 +195,24 @@ def add(command: CommandParser) -> None:
     )
     info.examples = ("brdf-suite palette info ral.ase --csv > ral.csv",)
     info.add_argument("sources", metavar="PAINT|PALETTE", nargs="+", help=PAINTS)
+    _add_profile(info)
     add_json(info, csv=True)
     info.set_defaults(run=run_info)
     add_find(parts)
 
 
+def _add_profile(command: CommandParser) -> None:
+    command.add_argument(
+        "--cmyk-profile",
+        metavar="ICC",
+        type=Path,
+        help="the profile of a press, through which colours in CMYK are seen that bring none of their own",
+    )
+
+
 def run_convert(options: argparse.Namespace) -> int:
     """Convert and print lines or a JSON object."""
-    found = _read(options.sources)
+    found = _read(options.sources, options.cmyk_profile)
     if options.format is None and options.output is None:
         options.parser.error("-o FILE or --format is missing")
     known = format_for(options.output) if options.format is None else find_format(options.format)
@@ -235,7 +248,7 @@ def run_convert(options: argparse.Namespace) -> int:
 
 def run_info(options: argparse.Namespace) -> int:
     """Print what is in a palette."""
-    found = _read(options.sources)
+    found = _read(options.sources, options.cmyk_profile)
     name = " ".join(options.sources)
     palette = found.palette
     notes = [*found.notes, *_display_notes(palette)]
@@ -279,9 +292,9 @@ def run_info(options: argparse.Namespace) -> int:
     return 0
 
 
-def _read(sources: Sequence[str]) -> ReadPalette:
+def _read(sources: Sequence[str], profile: Path | None) -> ReadPalette:
     """Return the palette of one file; of several, of a folder or of paints one made of all of their entries."""
-    found = [_read_one(source) for source in sources]
+    found = [_read_one(source, profile) for source in sources]
     if len(found) == 1:
         return found[0]
     entries = tuple(replace(entry, id="") for one in found for entry in one.palette)
@@ -289,11 +302,11 @@ def _read(sources: Sequence[str]) -> ReadPalette:
     return ReadPalette(Palette("Paints", entries), notes, OWN)
 
 
-def _read_one(source: str) -> ReadPalette:
+def _read_one(source: str, profile: Path | None) -> ReadPalette:
     no_palette: FileError | None = None
     if is_file(source) and document_kind(source) != "paint":
         try:
-            return read_palette(source)
+            return read_palette(source, cmyk_profile=profile)
         except FileError as error:
             no_palette = error
     try:

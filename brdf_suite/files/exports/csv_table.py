@@ -27,6 +27,7 @@ from brdf_suite.errors import DocumentError, FileError, PathLike, SuiteError
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, readings_loss
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
+from brdf_suite.files.tables.grid import decode, decode_head
 from brdf_suite.progress import Progress
 
 _LARGEST = 64 << 20
@@ -113,10 +114,8 @@ def unguard_formula(text: str) -> str:
 
 def is_table(head: bytes) -> bool:
     """Return whether the first bytes of a file are those of a table of paints."""
-    try:
-        line = head.decode("utf-8-sig", "strict" if len(head) < 4000 else "ignore").splitlines()[0]
-    except (UnicodeDecodeError, IndexError):
-        return False
+    lines = decode_head(head).splitlines()
+    line = lines[0] if lines else ""
     return any(
         "name" in (cells := [cell.strip().strip('"') for cell in line.split(delimiter)])
         and any(COLUMN.fullmatch(cell) for cell in cells)
@@ -133,10 +132,10 @@ def read(path: PathLike) -> ImportedPaints:
         It is no such table, or a row is no paint; with the line and the column. Nothing is partly read.
     """
     content = read_bytes(path, _LARGEST)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise FileError(path, "is not text in UTF-8", f"byte {error.start}") from error
+    found = decode(content)
+    if found is None or found[1]:
+        raise FileError(path, "is not text in UTF-8 or UTF-16", "byte 0")
+    text = found[0]
     header = text.split("\n", 1)[0]
     delimiter = max(DELIMITERS, key=header.count)
     # A larger cell is met in no table of paints; the module's own bound raises an error of its own kind.

@@ -21,7 +21,17 @@ from brdf_suite.appearance.texture import SCALE, TextureReadings
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import VERSIONS
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, TEXTURE, VERSION, is_cxf, read_cxf
+from brdf_suite.files.cxf import (
+    INSTRUMENT,
+    NAMESPACE,
+    SETTING,
+    SOURCE,
+    TAGS,
+    TEXTURE,
+    VERSION,
+    is_cxf,
+    read_cxf,
+)
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, readings_loss
 from brdf_suite.files.hardened_xml import attribute, clean_text, text_content
 from brdf_suite.files.paint_fields import flatten_paint, setting_text
@@ -95,8 +105,12 @@ def write_object(
     now: str,
     specifications: dict[str, str],
     further_tags: Mapping[str, str] = MappingProxyType({}),
+    effects: Mapping[str, float] = MappingProxyType({}),
 ) -> str:
-    """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
+    """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id.
+
+    ``effects`` are sparkle and graininess as another maker's instrument read them.
+    """
     paint, values = item.paint, []
     tags = {VERSION: str(VERSIONS["brdfpaint"]), **({SOURCE: paint.source} if paint.source else {})}
     tags |= texture_tags(item.texture)
@@ -127,6 +141,7 @@ def write_object(
         + (f"        <cc:Comment>{text_content(paint.notes)}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
         + tag_collection({**tags, **further_tags})
+        + tag_collection({what: repr(value) for what, value in effects.items()}, INSTRUMENT)
         + "        <cc:PhysicalAttributes>\n"
         + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
         + (
@@ -146,13 +161,15 @@ def texture_tags(texture: TextureReadings | None) -> dict[str, str]:
     return {TEXTURE + "scale": SCALE, **numbers}
 
 
-def tag_collection(tags: Mapping[str, str]) -> str:
-    """Return the collection of this suite's own tags."""
+def tag_collection(tags: Mapping[str, str], name: str = TAGS) -> str:
+    """Return a collection of tags, this suite's own unless it has another name; empty for no tags at all."""
+    if not tags and name != TAGS:
+        return ""
     rows = "".join(
         f"          <cc:Tag Name={attribute(name)} Value={attribute(value)}/>\n"
         for name, value in tags.items()
     )
-    return f'        <cc:TagCollection Name="{TAGS}">\n{rows}        </cc:TagCollection>\n'
+    return f"        <cc:TagCollection Name={attribute(name)}>\n{rows}        </cc:TagCollection>\n"
 
 
 def write_specification(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:

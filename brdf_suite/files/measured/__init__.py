@@ -21,6 +21,7 @@ from brdf_suite.files.measured import (
     pgii,
     rgl,
     utia,
+    zemax,
 )
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
@@ -36,6 +37,7 @@ FORMATS: tuple[MeasuredFormat, ...] = (
     utia.FORMAT,
     cook_torrance.FORMAT,
     bird.FORMAT,
+    zemax.FORMAT,
     astm.FORMAT,
     alta.FORMAT,
     pgii.FORMAT,

@@ -14,12 +14,23 @@ from brdf_suite.documents.palette_store import LARGEST_PALETTE, without_collecti
 from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes.archive import kpl, sbz
-from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
+from brdf_suite.files.palettes.binary import acb, aco, act, apple_clr, ase, cpl, riff_pal
+from brdf_suite.files.palettes.cmyk_profile import profile_note, read_profile, seen_through
 from brdf_suite.files.palettes.conversions import split_angles as split_angles
 from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
-from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
-from brdf_suite.files.palettes.xml import cxf3, scribus, soc
+from brdf_suite.files.palettes.text import (
+    css,
+    csv_table,
+    gpl,
+    hex_list,
+    jasc_pal,
+    json_tokens,
+    scss,
+    sketch,
+    table,
+)
+from brdf_suite.files.palettes.xml import autocad, corel, cxf3, instrument, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
     OWN,
@@ -31,11 +42,20 @@ FORMATS: tuple[PaletteFormat, ...] = (
     cxf3.FORMAT,
     scribus.FORMAT,
     soc.FORMAT,
+    corel.FORMAT,
+    autocad.FORMAT,
+    instrument.FORMAT,
+    cpl.FORMAT,
+    apple_clr.FORMAT,
     riff_pal.FORMAT,
     jasc_pal.FORMAT,
     csv_table.FORMAT,
     css.FORMAT,
+    scss.FORMAT,
+    sketch.FORMAT,
     json_tokens.FORMAT,
+    table.FORMAT,
+    hex_list.FORMAT,
     aco.FORMAT,
     act.FORMAT,
 )
@@ -79,12 +99,16 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
         return named[0]
     if found:
         return found[0]
+    if ending in (".csv", ".tsv") and b"\0" not in content[:_HEAD]:
+        return table.FORMAT  # its reader says which columns there are and which are wanted
     titles = ", ".join(known.title for known in FORMATS)
     raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
 
 
-def read_palette(path: PathLike) -> ReadPalette:
+def read_palette(path: PathLike, *, cmyk_profile: PathLike | None = None) -> ReadPalette:
     """Return the palette in a file of any known format, whatever its name.
+
+    ``cmyk_profile`` is an ICC profile through which colours in CMYK are seen that bring none of their own.
 
     Raises
     ------
@@ -92,7 +116,13 @@ def read_palette(path: PathLike) -> ReadPalette:
         It cannot be read, is of no known format, or is damaged; with the place: byte, line or field. Nothing is partly
         read.
     """
-    return read_content(read_bytes(path, LARGEST_PALETTE), path)
+    read = read_content(read_bytes(path, LARGEST_PALETTE), path)
+    if cmyk_profile is None:
+        return read
+    profile = read_profile(cmyk_profile)
+    palette, count = seen_through(read.palette, {"": profile}, cmyk_profile)
+    notes = (profile_note(count, Path(cmyk_profile).name),) if count else ()
+    return ReadPalette(palette, (*read.notes, *notes), read.format)
 
 
 def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = None) -> ReadPalette:

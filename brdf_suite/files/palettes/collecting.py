@@ -22,6 +22,7 @@ from brdf_suite.documents.palette import (
     Palette,
 )
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.tables.grid import decode
 
 _Fields = ParamSpec("_Fields")
 _Made = TypeVar("_Made")
@@ -173,23 +174,21 @@ def _counted(sentence: str, count: int) -> str:
 
 
 def decode_text(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
-    """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is reported.
+    """Return a text file's text: UTF-8 or UTF-16, with or without a mark, else Latin-1, which is reported.
 
-    Raises :class:`FileError`: it holds a NUL byte, so it is no text.
+    Raises :class:`FileError`: it is no text: it holds a NUL byte, or half a letter of UTF-16.
     """
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        try:
-            return content.decode("utf-16")
-        except UnicodeDecodeError as error:
-            raise FileError(path, "is not text in UTF-16", f"byte {error.start}") from error
-    if b"\0" in content:
+    found = decode(content)
+    if found is None:
+        if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
+            raise FileError(path, "is not text in UTF-16", "byte 0")
         raise FileError(path, "holds a NUL byte, so it is not text", f"byte {content.index(0)}")
-    try:
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        if collector is not None:
-            collector.note("The file is not in UTF-8; its letters are taken for those of Latin-1.")
-        return content.decode("latin-1")
+    text, assumed = found
+    if assumed and collector is not None:
+        collector.note(
+            "The file is not in UTF-8; its letters are taken for those of Latin-1 as Windows has it (1252)."
+        )
+    return text
 
 
 def decode_lines(content: bytes, path: PathLike, collector: Collector) -> list[str]:

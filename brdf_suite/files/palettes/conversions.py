@@ -153,6 +153,30 @@ def labs_d50(lab: ArrayLike) -> Floats:
     return xyz_to_lab(xyz, WHITES["D50", 2])
 
 
+def unique_names(palette: Palette) -> list[str]:
+    """Return a name for each entry, none twice and none empty: what is there already gets a number.
+
+    >>> from brdf_suite.documents.palette import Palette
+    >>> reds = [FlatColour(name, "RGB", (1.0, 0.0, 0.0)) for name in ("Red", "Red", "")]
+    >>> unique_names(Palette("p", tuple(map(Entry, reds))))
+    ['Red', 'Red (2)', 'Colour 3']
+    """
+    own = {entry.name for entry in palette}
+    taken: set[str] = set()
+    numbers: dict[str, int] = {}
+    found = []
+    for place, entry in enumerate(palette, 1):
+        name = entry.name or f"Colour {place}"
+        stem, number = name, numbers.get(name, 1)
+        while name in taken or (name != entry.name and name in own):
+            number += 1
+            name = f"{stem} ({number})"
+        numbers[stem] = number
+        taken.add(name)
+        found.append(name)
+    return found
+
+
 def nested_sections(
     palette: Palette,
 ) -> Iterator[tuple[Group | None, tuple[Entry, ...], list[GroupPath], list[GroupPath]]]:

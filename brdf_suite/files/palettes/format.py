@@ -67,6 +67,8 @@ class PaletteFormat:
         content back (:mod:`brdf_suite.files.palettes.losses`).
     groups
         Whether there are groups, and groups within groups.
+    unique_names
+        Whether no two colours may have one name there, and none no name: such names are written with a number.
     paints
         Whether it holds the readings of a paint at several angles.
     order
@@ -83,6 +85,7 @@ class PaletteFormat:
     read: Callable[[bytes, PathLike], tuple[Palette, tuple[str, ...]]]
     write: Callable[[Palette], bytes] | None = None
     groups: Groups = "none"
+    unique_names: bool = False
     paints: bool = False
     order: Order = "kept"
 

@@ -44,7 +44,7 @@ def find_losses(palette: Palette, known: PaletteFormat, content: bytes, path: Pa
     if known.order == "none first":
         sections.sort(key=lambda section: section[0] is not None)
     entries = [entry for _, section in sections for entry in section]
-    losses = _of_entries(entries, list(back))
+    losses = _of_entries(entries, list(back), numbered=known.unique_names)
     # The order as far as names and groups show it.
     shown, there = ([(e.name, e.group) for e in one] for one in (palette, back))
     if [e.id for e in entries] != [e.id for e in palette] and shown != there:
@@ -58,7 +58,7 @@ def find_losses(palette: Palette, known: PaletteFormat, content: bytes, path: Pa
     return tuple(losses)
 
 
-def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
+def _of_entries(entries: list[Entry], back: list[Entry], *, numbered: bool) -> list[str]:
     counts: Counter[str] = Counter()
     models: Counter[tuple[str, str]] = Counter()
     for entry, other in zip(entries, back, strict=False):
@@ -78,7 +78,9 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
         "others": "Further numbers of {colour} in other models are left out.",
         "space": "The colour spaces of {colour} are left out.",
         "white": "The whites that {colour} {is} measured by are left out.",
-        "name": "The names of {entry} are left out or changed.",
+        "name": "The names of {entry} got a number: each must be there, and be unique."
+        if numbered
+        else "The names of {entry} are left out or changed.",
         "group": "The groups of {entry} are left out or changed.",
         "code": "The codes of {entry} are left out or changed.",
         "tags": "The tags of {entry} are left out.",

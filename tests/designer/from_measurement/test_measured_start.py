@@ -111,6 +111,27 @@ def test_a_handed_over_file_opens_its_paints(program, control, qtbot, tmp_path) 
     assert len(program.documents.row) == 2
 
 
+def test_an_instruments_export_by_the_menu_and_as_standard(program, control, asked, qtbot, tmp_path) -> None:
+    asked.path = tmp_path / "export.csv"
+    asked.path.write_text(
+        "Name;L*15;a*15;b*15;L*45;a*45;b*45;L*110;a*110;b*110;G\n"
+        "Silver;120,5;0;-1;62;0;-1,5;38;0;-2;3,1\nSilver;120,7;0;-1;62;0;-1,5;38;0;-2;3,3\n"
+        "Blue;40;1;-30;25;2;-28;10;3;-20;2\n",
+        "utf-16",
+    )
+    control.action.trigger()
+    silver, blue = (one.store.value for one in program.documents.row)
+    assert (silver.name, blue.name) == ("Silver", "Blue")
+    assert silver.lab_at(15.0) == pytest.approx((120.6, 0.0, -1.0))
+    assert "graininess 3.2" in silver.notes
+    assert "mean of 2 measurements" in program.window.messages.shown()["open"].what
+    standards = program.feature(StandardControl)
+    standards.load(asked.path)
+    qtbot.waitUntil(lambda: standards.standard is not None)
+    assert standards.standard.name == "Silver"
+    assert standards.standard.gloss is None
+
+
 def test_what_is_neither_is_reported(program, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")

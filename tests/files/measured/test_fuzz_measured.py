@@ -70,6 +70,12 @@ def test_damaged_files_are_refused_or_read_within_the_limits(
 SMALL = {
     "chip.astm": "NUM_POINTS 2\nVARS theta_i,phi_i,theta_s,phi_s,465nm,525nm,630nm\n"
     "0.1,0,0.2,3.0,0.5,0.25,0.125\n0.3,0,0.4,1.0,1,1,1\n",
+    "panel.bsdf": "Source Measured\nSymmetry PlaneSymmetrical\nSpectralContent XYZ\nScatterType BRDF\n"
+    "SampleRotation 1\n0\nAngleOfIncidence 2\n0 30\nScatterAzimuth 2\n0 180\nScatterRadial 3\n0 20 80\n"
+    + "".join(
+        f"Tristimulus{axis}\nDataBegin\nTIS 0.5\n9 2 0.1\n9 2 0.1\nTIS 0.5\n8 2 0.1\n8 1 0\nDataEnd\n"
+        for axis in "XYZ"
+    ),
     "foil.dat": "#format: theta phi DSF\n#intheta 30\n#inphi 0\n60 180 0.5\n30 180 4.0\n150 0 9\n",
     "pair.alta": "#DIM 6 3\n#PARAM_IN CARTESIAN\n#PARAM_OUT RGB_COLOR\n0 0 1 0.6 0 0.8 1.0 0.5 0.2\n",
     "half.alta": "#DIM 4 1\n#VS 1\n#PARAM_IN RUSIN_TH_PH_TD_PD\n0.2 0.3 0.4 1.5 1.0 0.1\n0.2 0.3 0.5 1.5 1.0 0.1\n",

@@ -60,7 +60,7 @@ def test_a_file_that_ends_anywhere_is_refused_or_read(known: PaletteFormat, fuzz
         result = fuzzing.outcome(content[:size], known)
         assert result in ("read", "refused"), size
         read += result == "read"
-    if known.name not in ("gpl", "css", "csv", "aco", "act", "acb"):
+    if known.name not in ("gpl", "css", "csv", "aco", "act", "acb", "hex", "table", "scss"):
         assert read <= 5, "but for white space at its end every part of such a file is needed"
 
 
@@ -109,6 +109,7 @@ CXF_UNKNOWN = (
     b'<Object Name="x" Id="a"><ColorValues><ColorCIELab ColorSpecification="no"><L>x</L></ColorCIELab>'
     b"</ColorValues></Object></ObjectCollection></Resources></CxF>"
 )
+AUTOCAD_LOCKED = b"<colorBook><colorPage><colorEntry><RGB8Encrypt/></colorEntry></colorPage></colorBook>"
 BOMB = b"""<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;&a;&a;&a;&a;">]>"""
 
 
@@ -118,6 +119,9 @@ BOMB = b"""<?xml version="1.0"?><!DOCTYPE x [<!ENTITY a "ha"><!ENTITY b "&a;&a;&
         ("soc", b"<color-table>&b;</color-table>", ""),
         ("scribus", b"<SCRIBUSCOLORS>&b;</SCRIBUSCOLORS>", ""),
         ("cxf", b'<CxF xmlns="http://colorexchangeformat.com/CxF3-core">&b;</CxF>', ""),
+        ("corel", b"<palette><colors>&b;</colors></palette>", ""),
+        ("autocad", b"<colorBook>&b;</colorBook>", ""),
+        ("instrument", b"<Export Angle='15'><L>&b;</L></Export>", ""),
         ("kpl", b"<ColorSet>&b;</ColorSet>", "colorset.xml"),
         ("sbz", b"<SwatchBook>&b;</SwatchBook>", "swatchbook.xml"),
     ],
@@ -170,6 +174,8 @@ def test_other_ways_of_packing_are_refused_by_name_however_damaged(method: int) 
 
 
 LONG = "n" * 1_000_000
+BLACK = {"red": 1 / 255, "green": 2 / 255, "blue": 3 / 255, "alpha": 1}
+TINTS = f"{1 / 255!r},{2 / 255!r},{3 / 255!r}"
 
 
 @pytest.mark.parametrize(
@@ -180,6 +186,17 @@ LONG = "n" * 1_000_000
         ("scribus", f'<SCRIBUSCOLORS><COLOR NAME="{LONG}" RGB="#010203"/></SCRIBUSCOLORS>'.encode()),
         ("css", f':root {{ --a: #010203; /* "{LONG[:150_000]}" */ }}'.encode()),
         ("json", json.dumps({LONG: "#010203"}).encode()),
+        ("sketch", json.dumps({"colors": [{"name": LONG, **BLACK}]}).encode()),
+        ("scss", f"${LONG}: #010203;".encode()),
+        (
+            "corel",
+            f'<palette><colors><color cs="RGB" tints="{TINTS}" name="{LONG}"/></colors></palette>'.encode(),
+        ),
+        (
+            "autocad",
+            f"<colorBook><colorPage><colorEntry><colorName>{LONG}</colorName><RGB8><red>1</red><green>2</green>"
+            "<blue>3</blue></RGB8></colorEntry></colorPage></colorBook>".encode(),
+        ),
         ("aco", struct.pack(">HH5HI", 2, 1, 0, 257, 514, 771, 0, len(LONG)) + LONG.encode("utf-16-be")),
     ],
 )
@@ -203,6 +220,10 @@ def test_a_cell_of_a_million_characters_is_refused() -> None:
         ("jasc", b"JASC-PAL\n0100\n1000000\n"),
         ("soc", b"<color-table>" + b'<color color="#000000"/>' * (MOST_COLOURS + 1) + b"</color-table>"),
         ("csv", b"name,L_45,a_45,b_45\n" + b"x,1,2,3\n" * (MOST_COLOURS + 1)),
+        ("table", b"name,hex\n" + b"x,#010203\n" * (MOST_COLOURS + 1)),
+        ("hex", b"#010203\n" * (MOST_COLOURS + 1)),
+        ("sketch", b'{"colors":[' + b"{}," * MOST_COLOURS + b"{}]}"),
+        ("cpl", b"\xcc\xdc" + struct.pack("<H", 60_000) + bytes(800_000)),
         ("json", b"[" + b'"#000000",' * MOST_COLOURS + b'"#000000"]'),
         ("ase", b"ASEF" + struct.pack(">HHI", 1, 0, 1_000_000) + bytes(6_000_000)),
         ("aco", struct.pack(">HH", 1, 60_000) + bytes(600_000)),
@@ -241,6 +262,16 @@ def test_too_many_colours_are_refused(name: str, content: bytes) -> None:
         ("csv", b"name,model,values\nx,RGB,0 1\n", "line 2", "3 numbers"),
         ("csv", b"name,model,values,observer_deg\nx,Lab,1 2 3,7\n", "line 2, column observer_deg", "nothing, not 7"),
         ("css", b":root {\n --a: #123; /* never ends", "line 2", "does not end"),
+        ("scss", b"$a: darken(#123, 5%);\n", "line 1", "no variable that is a colour"),
+        ("sketch", b'{"colors": [{"red": 1}]}', "colors[0]", "red, green and blue"),
+        ("hex", b"#010203\nwords\n", "line 2", "expected a hex code"),
+        ("hex", b"#01020304\n#05060708\n", "the codes", "nothing says whether"),
+        ("cpl", b"\xcc\xdc\x09\0" + bytes(40), "byte 2", "9 colours cannot lie"),
+        ("cpl", b"\xdd\xdc" + struct.pack("<I6I", 3, 0, 99_999, 1, 0, 2, 0), "byte 2", "beyond its end"),
+        ("corel", b'<palette><colors>\n<color cs="RGB" tints="0,1"/></colors></palette>', "line 2", "3 numbers of RGB"),
+        ("autocad", AUTOCAD_LOCKED, "line 1", "encrypted by the book's maker"),
+        ("clr", b"\x04\x0bstreamtyped" + bytes(60), "byte 0", "of an old kind"),
+        ("instrument", b"<Export><L>1</L></Export>", "line 1", "no element with a colour"),
         ("json", b'{"a": "#123456"', "line 1, column 16", "not valid JSON"),
         ("json", b'{"a": 3}', "the top level", "no colour"),
         ("cxf", CXF_UNKNOWN, "line 2", "not in the file"),

@@ -38,7 +38,7 @@ PALETTE = Palette(
         Entry(FlatColour("Lab", "Lab", (60.0, -30.5, 12.25), "", "D50", 2), group=("Inks",), notes="note"),
         Entry(FlatColour("Grey", "Gray", (0.25,)), group=("Inks",)),
         Entry(SPECTRUM),
-        Entry(PAINT, code="LY7W"),
+        Entry(PAINT, code="LY7W", foreign=(("instrument.effects", '{"graininess": 3.1}'),)),
     ),
     columns=4,
 )

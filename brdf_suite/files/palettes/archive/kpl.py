@@ -15,8 +15,9 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Foreign, GroupPath, Palette
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.cxf_specification import number
-from brdf_suite.files.hardened_xml import Element, attribute, read_root
+from brdf_suite.files.hardened_xml import Element, attribute, parse_xml, read_root
 from brdf_suite.files.palettes.archive.zipped import in_part, is_zip, pack_zip, unpack
+from brdf_suite.files.palettes.cmyk_profile import is_cmyk_profile, profile_note, seen_through
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
@@ -41,9 +42,38 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     try:
         collector = Collector(path)
         root = read_root(parts[_COLOURS], path, "ColorSet")
-        return _Reader(root, collector).palette(_kept_profiles(parts, collector))
+        palette, notes = _Reader(root, collector).palette(_kept_profiles(parts, collector))
+        return _seen_through_own(palette, notes, parts, path)
     except FileError as error:
         raise in_part(error, _COLOURS) from error
+
+
+def _seen_through_own(
+    palette: Palette, notes: tuple[str, ...], parts: dict[str, bytes], path: PathLike
+) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette with its colours in CMYK as the file's own profiles show them."""
+    profiles = {name: parts[file] for name, file in _profile_names(parts, path).items() if file in parts}
+    profiles = {name: data for name, data in profiles.items() if is_cmyk_profile(data)}
+    if not profiles:
+        return palette, notes
+    try:
+        seen, count = seen_through(palette, profiles, path)
+    except FileError as error:
+        return palette, (*notes, f"A profile in the file {error.reason}.")
+    return seen, (*notes, profile_note(count, "in the file")) if count else notes
+
+
+def _profile_names(parts: dict[str, bytes], path: PathLike) -> dict[str, str]:
+    """Return the files of profiles by the names of their colour spaces."""
+    names = {name: name for name in parts if _FILE.fullmatch(name)}
+    try:
+        root = parse_xml(parts.get(_PROFILES, b""), path)
+    except FileError:
+        return names
+    return names | {
+        element.attributes.get("name", ""): element.attributes.get("filename", "")
+        for element in root.all("Profile")
+    }
 
 
 def _kept_profiles(parts: dict[str, bytes], collector: Collector) -> list[tuple[str, str]]:

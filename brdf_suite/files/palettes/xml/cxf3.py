@@ -31,6 +31,7 @@ from brdf_suite.files.exports.format import ExportItem, Spectra
 from brdf_suite.files.hardened_xml import attribute, text_content
 from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
+from brdf_suite.files.palettes.sample_entries import SPECTRA, kept_effects
 from brdf_suite.files.palettes.xml.cxf3_reading import (
     CODE,
     COLOUR,
@@ -42,7 +43,6 @@ from brdf_suite.files.palettes.xml.cxf3_reading import (
     LABELS,
     NOTES,
     PALETTE,
-    SPECTRA,
     USAGE,
     read,
 )
@@ -84,7 +84,7 @@ def write(palette: Palette) -> bytes:
             if entry.notes:
                 tags[NOTES] = entry.notes
             item = ExportItem(paint, spectra=_spectra_of(entry, paint))
-            objects.append(write_object(item, identity, now, specifications, tags))
+            objects.append(write_object(item, identity, now, specifications, tags, kept_effects(entry)))
     about = {PALETTE: palette.name, NOTES: palette.notes, COLOUR: palette.colour}
     about[COLUMNS] = str(palette.columns) if palette.columns else ""
     if palette.groups:

@@ -13,11 +13,13 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import USAGES, Palette
 from brdf_suite.documents.palette_store import flat_from_json
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, CxfSample, SampleReader
+from brdf_suite.files.cxf import NAMESPACE, SPECTRAL, TAGS, VERSION, SampleReader, read_spectrum
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
+from brdf_suite.files.palettes.sample_entries import ANGLES_FOR_A_PAINT, sample_fields
+from brdf_suite.files.samples import AngleSample
 
 GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
     "palette.group", "palette.code", "palette.tags", "palette.usage", "palette.date", "palette.notes", "palette.flat",
@@ -27,10 +29,6 @@ GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
 PALETTE, COLUMNS, COLOUR, GROUPS = "palette.name", "palette.columns", "palette.colour", "palette.groups"
 """Of the file, with ``palette.notes``."""
 
-SPECTRA = "cxf.spectra"
-"""Under this name an entry keeps the spectra of a multi-angle sample, so that they can go back."""
-
-_ANGLES_FOR_A_PAINT = 3
 _UNCHANGED = 1e-6
 _NOT_READ = ("Emissive", "Transmittance")
 
@@ -109,13 +107,18 @@ class _Reader:
         }
         sample_reader = SampleReader(element, self._specifications, collector.path)
         sample = sample_reader.read()
-        for reason in sample_reader.refused[:1]:
+        for reason in sample_reader.refused[:3]:
             collector.note(f"{sample_reader.name}: {reason}.")
+        if sample is not None and sample.measurements > 1:
+            collector.note(
+                f"{sample.name}: the mean of up to {sample.measurements} readings at an angle, which differ from it by "
+                f"at most ΔE00 {sample.spread:.2f}."
+            )
         foreign: tuple[tuple[str, str], ...] = ()
         paint = None
-        if sample is not None and len(sample.readings) >= _ANGLES_FOR_A_PAINT:
+        if sample is not None and len(sample.readings) >= ANGLES_FOR_A_PAINT:
             paint = self._paint(sample, place)
-            foreign = _kept_spectra(sample)
+            foreign = sample_fields(sample)
         content = paint or self._flat(element, tags.get(FLAT, ""))
         if content is None:
             collector.note("{n} sample[|s] without a value that can be used [is|are] left out.")
@@ -136,7 +139,7 @@ class _Reader:
             foreign=foreign,
         )
 
-    def _paint(self, sample: CxfSample, place: str) -> Paint:
+    def _paint(self, sample: AngleSample, place: str) -> Paint:
         if sample.gloss is None:
             self._collector.note(
                 "{n} sample[ says|s say] nothing of gloss, and as a paint gets 90 GU at 20°."
@@ -196,7 +199,7 @@ class _Reader:
             "ColorAdobeRGB": ("RGB", ("R", "G", "B")),
             "ColorRGB": ("RGB", ("R", "G", "B")),
         }
-        if value.name == "ReflectanceSpectrum":
+        if value.name in SPECTRAL:
             return self._spectrum(value, specification)
         if value.name not in known:
             return None
@@ -216,18 +219,15 @@ class _Reader:
         return self._collector.colour(place, "", model, values, **white)
 
     def _spectrum(self, value: Element, specification: Specification | None) -> FlatColour | None:
-        path = self._collector.path
-        start = value.attributes.get("StartWL")
-        first = number(value, start.strip(), path, "StartWL") if start else None
-        if first is None and specification is not None:
-            first = specification.start_nm
-        step = specification.step_nm if specification is not None else None
-        if first is None or not step or step <= 0.0:
+        if specification is None:
             self._collector.note("{n} [spectrum|spectra] without wavelengths [is|are] left out.")
             return None
-        items = [number(value, word, path, "a reflectance") for word in value.text.split()[:2049]]
-        bands = tuple(first + step * index for index in range(len(items)))
-        return self._collector.colour(f"line {value.line}", "", "spectrum", items, wavelengths_nm=bands)
+        try:
+            bands, values = read_spectrum(value, specification, self._collector.path)
+            return self._collector.colour(f"line {value.line}", "", "spectrum", values, wavelengths_nm=bands)
+        except FileError as error:
+            self._collector.note(f"A spectrum is left out: {error.reason} ({error.place}).")
+            return None
 
 
 def _moment(text: str, tags: Mapping[str, str]) -> str:
@@ -247,11 +247,3 @@ def _own_flat(text: str, name: str, path: PathLike) -> FlatColour | None:
     except (ValueError, RecursionError, FileError):
         return None
     return own if own.name == name else None
-
-
-def _kept_spectra(sample: CxfSample) -> tuple[tuple[str, str], ...]:
-    rows = [(reading.wavelengths_nm, reading.reflectance) for reading in sample.readings]
-    first = rows[0][0]
-    if first is None or any(bands != first or values is None for bands, values in rows):
-        return ()
-    return ((SPECTRA, json.dumps({"bands": list(first), "rows": [list(row or ()) for _, row in rows]})),)

@@ -2,8 +2,9 @@
 
 Older files hold ``RGB="#rrggbb"`` or ``CMYK="#ccmmyykk"`` in bytes; newer ones ``SPACE="RGB"`` with R, G, B from 0 to
 255, ``SPACE="CMYK"`` with C, M, Y, K in percent, or ``SPACE="Lab"`` with L, A, B. The newer way counts where both are
-there. A colour is written the old way, so that every program reads it, and the newer way, too, where bytes do not hold
-it.
+there; numbers that it leaves out are 0. Scribus knows a colour by its name, so equal and missing names are written with
+a number. A colour is written the old way, so that every program reads it, and the newer way, too, where bytes do not
+hold it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,13 @@ from brdf_suite.errors import PathLike
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element, attribute, mentions, read_root
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import convert_to_plain, convert_to_rgb8, scale_text, unscale_text
+from brdf_suite.files.palettes.conversions import (
+    convert_to_plain,
+    convert_to_rgb8,
+    scale_text,
+    unique_names,
+    unscale_text,
+)
 from brdf_suite.files.palettes.format import PaletteFormat
 
 _ROOT = "SCRIBUSCOLORS"
@@ -48,10 +55,9 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
     space = given.get("SPACE", "")
 
     def numbers(keys: str, scale: int) -> list[float]:
-        missing = [key for key in keys if key not in given]
-        if missing:
-            raise collector.fail(f"a colour in {space} without {', '.join(missing)}", place)
-        texts = [given[key].strip() for key in keys]
+        if any(key not in given for key in keys):
+            collector.note("{n} colour[|s] without some of [its|their] numbers; these are 0, as in Scribus.")
+        texts = [given.get(key, "0").strip() for key in keys]
         for key, text in zip(keys, texts, strict=True):
             number(element, text, collector.path, key)  # so that invalid numbers are reported with their line
         return [unscale_text(text, scale) for text in texts]
@@ -78,12 +84,15 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
 
 def write(palette: Palette) -> bytes:
     """Return the content of a Scribus file."""
-    rows = "".join(f"  <COLOR {_attributes(entry)}/>\n" for entry in palette)
+    names = unique_names(palette)
+    rows = "".join(
+        f"  <COLOR {_attributes(entry, name)}/>\n" for entry, name in zip(palette, names, strict=True)
+    )
     text = f'<?xml version="1.0" encoding="UTF-8"?>\n<{_ROOT} Name={attribute(palette.name)}>\n{rows}</{_ROOT}>\n'
     return text.encode("utf-8")
 
 
-def _attributes(entry: Entry) -> str:
+def _attributes(entry: Entry, name: str) -> str:
     colour = convert_to_plain(entry, ("RGB", "CMYK", "Lab"))
     # In bytes for all readers, and with every digit for those that know how, where bytes are not enough.
     model = "CMYK" if colour.model == "CMYK" else "RGB"
@@ -101,7 +110,7 @@ def _attributes(entry: Entry) -> str:
         keys += f' SPACE="{colour.model}" {numbers}'
     spot = int(entry.usage == "spot")
     register = int((_REGISTER, "1") in entry.foreign)
-    return f'NAME={attribute(entry.name)} {keys} Spot="{spot}" Register="{register}"'
+    return f'NAME={attribute(name)} {keys} Spot="{spot}" Register="{register}"'
 
 
 FORMAT = PaletteFormat(
@@ -113,4 +122,5 @@ FORMAT = PaletteFormat(
     sniff=lambda head, _size: mentions(head, _ROOT),
     read=read,
     write=write,
+    unique_names=True,
 )

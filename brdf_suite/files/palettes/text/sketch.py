@@ -1,0 +1,77 @@
+"""Sketch palettes (``.sketchpalette``): colours as red, green, blue and alpha from 0 to 1, in newer ones with names."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from brdf_suite.documents.palette import Palette
+from brdf_suite.errors import PathLike
+from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.conversions import convert_to_plain
+from brdf_suite.files.palettes.format import PaletteFormat
+
+_KEYS = ("red", "green", "blue")
+_VERSION = "2.0"
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a Sketch file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    collector = Collector(path)
+    try:
+        value = json.loads(decode_text(content, path, collector))
+    except json.JSONDecodeError as error:
+        place = f"line {error.lineno}, column {error.colno}"
+        raise collector.fail(f"is not valid JSON ({error.msg.lower()})", place) from error
+    except (RecursionError, ValueError) as error:
+        raise collector.fail(f"is not JSON that can be read ({str(error)[:80]})", "line 1") from error
+    colours = value.get("colors") if isinstance(value, dict) else None
+    if not isinstance(colours, list):
+        raise collector.fail("has no list of colours", "colors")
+    collector.check_count(len(colours), "colors")
+    for index, item in enumerate(colours):
+        _add(item, collector, f"colors[{index}]")
+    for key in ("gradients", "images"):
+        kept = value.get(key)
+        if isinstance(kept, list) and kept:
+            collector.note(f"{len(kept)} {key} are left out.")
+    return collector.finish()
+
+
+def _add(item: Any, collector: Collector, place: str) -> None:
+    if not isinstance(item, dict) or not all(type(item.get(key)) in (int, float) for key in _KEYS):
+        raise collector.fail("expected red, green and blue as numbers", place)
+    if item.get("alpha", 1) != 1:
+        collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
+    name = item.get("name")
+    label = collector.name(name if isinstance(name, str) else "")
+    collector.add(place, collector.colour(place, label, "RGB", [item[key] for key in _KEYS]))
+
+
+def write(palette: Palette) -> bytes:
+    """Return the content of a Sketch palette, with names."""
+    colours = []
+    for entry in palette:
+        values = convert_to_plain(entry, ("RGB",)).values
+        held = [min(1.0, max(0.0, value)) for value in values]
+        colours.append({"name": entry.name, **dict(zip(_KEYS, held, strict=True)), "alpha": 1})
+    document = {"compatibleVersion": _VERSION, "pluginVersion": "2.22", "colors": colours}
+    return json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode("utf-8", "replace")
+
+
+FORMAT = PaletteFormat(
+    name="sketch",
+    title="Sketch palette",
+    endings=(".sketchpalette",),
+    models=("RGB",),
+    holds="Names in any script, sRGB with every digit.",
+    sniff=lambda head, _size: (
+        head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"{")
+        and b'"colors"' in head
+        and (
+            b'"compatibleVersion"' in head or (b'"red"' in head and b'"alpha"' in head and b'"$' not in head)
+        )
+    ),
+    read=read,
+    write=write,
+)

@@ -1,0 +1,229 @@
+"""Samples of multi-angle instruments: means, spread, what is left out and why; each as standard, paint and palette."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.appearance.colour.spectra import spectrum_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.cli.main import main
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import FileError
+from brdf_suite.files.instruments import read_instrument
+from brdf_suite.files.palettes import read_content, read_palette, write_palette
+from brdf_suite.files.samples import SampleFile
+from brdf_suite.paint_design.standard_files import load_standards
+from brdf_suite.pipeline.material import load_material
+
+HEAD = "Name;45as15 L*;45as15 a*;45as15 b*;45as45 L*;45as45 a*;45as45 b*;45as110 L*;45as110 a*;45as110 b*"
+SILVER = "Silver;120;0,5;-1;62;0;-1,5;38;-0,5;-2"
+
+
+def written(tmp_path: Path, text: str, name: str = "export.csv") -> Path:
+    path = tmp_path / name
+    path.write_text(text, "utf-8")
+    return path
+
+
+def samples(tmp_path: Path, text: str) -> SampleFile:
+    found = read_instrument(written(tmp_path, text))
+    assert found is not None
+    return found
+
+
+def test_measurements_of_one_sample_are_averaged_with_their_spread(tmp_path: Path) -> None:
+    second = "Silver;122;0,5;-1;62;0;-1,5;38;-0,5;-2"
+    found = samples(tmp_path, "\n".join((HEAD, SILVER, "Blue;40;1;-30;25;2;-28;10;3;-20", second)))
+    assert [sample.name for sample in found.samples] == ["Silver", "Blue"]
+    silver = found.samples[0]
+    assert silver.measurements == 2
+    assert silver.readings[0].lab == (121.0, 0.5, -1.0)
+    assert silver.spread == pytest.approx(
+        float(delta_e_2000((120.0, 0.5, -1.0), (121.0, 0.5, -1.0))), rel=1e-9
+    )
+    assert "Mean of 2 measurements" in silver.notes
+    assert any("mean of 2" in note for note in found.notes)
+
+
+def test_different_samples_of_one_name_stay_apart(tmp_path: Path) -> None:
+    other = "Silver;90;0,5;-1;50;0;-1,5;30;-0,5;-2"
+    found = samples(tmp_path, "\n".join((HEAD, SILVER, other)))
+    assert [sample.readings[0].lab[0] for sample in found.samples] == [120.0, 90.0]
+    assert any("stay apart" in note for note in found.notes)
+
+
+def test_statistics_and_damaged_readings_are_left_out_with_their_line(tmp_path: Path) -> None:
+    rows = (HEAD, SILVER, "Blue;40;x;-30;25;2;-28;10;3;-20", "Std. dev.;0,1;0,1;0,1;0,1;0,1;0,1;0,1;0,1;0,1")
+    found = samples(tmp_path, "\n".join(rows))
+    assert [len(sample.readings) for sample in found.samples] == [3, 2]
+    assert found.refused == (
+        "line 3: the colour at 45as15 is left out: 'x' stands in the place of a number",
+        "line 4: 'Std. dev.' is a statistic of the instrument, no measurement",
+    )
+
+
+def test_other_lights_and_other_planes_are_left_out(tmp_path: Path) -> None:
+    read = {"45as15": "D65/10", "45as45": "A/10", "45as60az125.3": "D65/10", "45as110": "D65"}
+    rows = "Name,Geometry,Illuminant,L,a,b\n" + "".join(
+        f"S,{at},{light},50,0,0\n" for at, light in read.items()
+    )
+    found = samples(tmp_path, rows)
+    assert [reading.geometry for reading in found.samples[0].readings] == ["45as15", "45as110"]
+    assert "it is of A and the 10° observer" in found.refused[0]
+    assert "out of the plane" in found.refused[1]
+    none = rows.replace("D65/10", "D50/2").replace("D65", "D50")
+    with pytest.raises(FileError, match="D50 and the 2° observer"):
+        read_instrument(written(tmp_path, none))
+
+
+def spectral(values: tuple[float, float, float], percent: str = "") -> str:
+    rows = [",".join(("Name", "Geometry", *(f"{nm}{percent}" for nm in range(400, 701, 10))))]
+    for geometry, value in zip(("45as15", "45as45", "45as110"), values, strict=True):
+        rows.append(",".join(("S", geometry, *[repr(value)] * 31)))
+    return "\n".join(rows)
+
+
+@pytest.mark.parametrize(
+    ("values", "percent", "factor"),
+    [((1.2, 0.3, 0.1), "", 1), ((120, 30, 10), "", 100), ((5, 3, 1), " %", 100)],
+)
+def test_spectra_are_fractions_or_per_cent(
+    tmp_path: Path, values: tuple[float, float, float], percent: str, factor: int
+) -> None:
+    found = samples(tmp_path, spectral(values, percent))
+    bands = np.arange(400.0, 701.0, 10.0)
+    for reading, value in zip(found.samples[0].readings, values, strict=True):
+        assert reading.reflectance == pytest.approx([value / factor] * 31)
+        assert reading.lab == pytest.approx(spectrum_to_lab(np.full(31, value / factor), bands))
+
+
+def test_spectra_that_may_be_either_are_refused_with_what_to_do(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match=r"may be per cent or fractions.*write % into a heading"):
+        read_instrument(written(tmp_path, spectral((5.0, 0.8, 0.4))))
+
+
+def test_one_bad_spectrum_leaves_the_rest(tmp_path: Path) -> None:
+    rows = spectral((1.2, 0.3, 0.1)).splitlines()
+    rows[2] = rows[2].replace("0.3", "?", 1)
+    found = samples(tmp_path, "\n".join(rows))
+    assert [reading.geometry for reading in found.samples[0].readings] == ["45as15", "45as110"]
+    assert found.refused == ("line 3: a spectrum with '?' in the place of a number is left out",)
+
+
+def test_a_table_names_what_it_has_and_what_is_wanted(tmp_path: Path) -> None:
+    with pytest.raises(
+        FileError, match=r"has the columns 'part', 'price'; wanted are name.*hex, or R G B"
+    ) as caught:
+        read_palette(written(tmp_path, "part,price\nbolt,3\n"))
+    assert caught.value.place == "line 1"
+    with pytest.raises(FileError, match="there twice, and no heading says"):
+        read_palette(written(tmp_path, "name,L,a,b,L,a,b\nx,1,2,3,4,5,6\n"))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "reason"),
+    [
+        ("name,R,G,B\na,1,2,3\nb,1,2,999\n", "line 3", "from 0 to 255"),
+        ("name,R,G,B\na,1,two,3\n", "line 2", "expected 3 numbers of RGB"),
+        ("name,hex\na,#12345\n", "line 2", "expected a hex code"),
+        ("name,C,M,Y,K\na,0,0,0,150\n", "line 2", "from 0 to 100"),
+        ("name,L,a,b\na,43,25,66,5,54,75\n", "line 2", "7 cells under 4 headings"),
+        ("name,L1,a1,b1,L2,a2,b2\na,1,2,3,4,5,6\n", "the header", "number readings 1, 2"),
+    ],
+)
+def test_a_cell_that_is_no_colour_is_named(text: str, place: str, reason: str) -> None:
+    with pytest.raises(FileError, match=reason) as caught:
+        read_content(text.encode(), "a.csv")
+    assert caught.value.place == place
+
+
+def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
+    read = read_content(b"name,hex\nblack,0\nnight,1122\nred,d40000\n", "a.csv")
+    assert [entry.content.values for entry in read.palette] == [
+        (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
+    ]  # fmt: skip
+    assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+
+
+def test_marks_between_numbers_in_one_cell_and_small_tristimulus_values() -> None:
+    read = read_content(b"RAL,RGB,CMYK\nRAL 1000,205-186-136,0-9-34-20\n", "a.csv")
+    colour = read.palette.entries[0].content
+    assert colour.name == "RAL 1000"
+    assert colour.values == (205 / 255, 186 / 255, 136 / 255)
+    assert colour.others[0].values == (0.0, 0.09, 0.34, 0.2)
+    read = read_content(b"name,X,Y,Z\na,0.4,0.5,0.6\nb,0.9,1,1.08\n", "a.csv")
+    assert read.palette.entries[0].content.values == pytest.approx((40.0, 50.0, 60.0))
+    assert any("white of 1" in note for note in read.notes)
+
+
+@pytest.fixture(params=["export.csv", "export.xml", "export.cxf"])
+def file(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """A sample in each kind of file."""
+    text = "\n".join((HEAD + ";Si15;G", SILVER + ";4,2;3,1"))
+    path = written(tmp_path, text)
+    if request.param.endswith(".cxf"):
+        read = read_palette(path).palette
+        path = tmp_path / request.param
+        write_palette(read, path)
+    elif request.param.endswith(".xml"):
+        readings = "".join(
+            f'<Reading Geometry="45as{angle}"><L>{lab[0]}</L><a>{lab[1]}</a><b>{lab[2]}</b></Reading>'
+            for angle, lab in ((15, (120, 0.5, -1)), (45, (62, 0, -1.5)), (110, (38, -0.5, -2)))
+        )
+        effects = '<Sparkle Angle="15"><Si>4.2</Si></Sparkle><Graininess>3.1</Graininess>'
+        text = f'<Export><Sample Name="Silver">{readings}{effects}</Sample></Export>'
+        path = written(tmp_path, text, request.param)
+    return path
+
+
+def test_a_sample_is_a_standard_a_paint_and_a_palette(file: Path) -> None:
+    standard = load_standards(file)[0]
+    assert standard.name == "Silver"
+    assert [reading.lab for reading in standard.readings] == [
+        (120.0, 0.5, -1.0),
+        (62.0, 0.0, -1.5),
+        (38.0, -0.5, -2.0),
+    ]
+    assert any("graininess 3.1" in notice for notice in standard.notices)
+    material = load_material(file)
+    assert isinstance(material.document, Paint)
+    assert material.document.lab_at(45.0) == (62.0, 0.0, -1.5)
+    assert "sparkle intensity 15° 4.2" in material.document.notes
+    # A paint that was written has a gloss.
+    assert file.suffix == ".cxf" or any("90 GU" in notice for notice in material.notices)
+    entry = read_palette(file).palette.entries[0]
+    assert json.loads(dict(entry.foreign)["instrument.effects"]) == {
+        "sparkle intensity 15°": 4.2,
+        "graininess": 3.1,
+    }
+
+
+def test_commands_take_it(file: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert main(["measure", str(file), "--json"]) == 0
+    assert main(["judge", str(file), str(file)]) == 0
+    assert main(["design", "start", str(file), "-o", str(tmp_path / "out.brdfpaint")]) == 0
+    assert main(["export", str(file), "-o", str(tmp_path / "out.csv")]) == 0
+    assert main(["palette", "find", "fine_silver", "--in", str(file)]) == 0
+    assert "Silver" in capsys.readouterr().out
+
+
+def test_effects_go_into_cxf_and_come_back_once(file: Path, tmp_path: Path) -> None:
+    first = read_palette(file).palette
+    again = tmp_path / "again.cxf"
+    write_palette(first, again)
+    back = read_palette(again).palette
+    assert back.entries[0].content == first.entries[0].content
+    assert (
+        dict(back.entries[0].foreign)["instrument.effects"]
+        == dict(first.entries[0].foreign)["instrument.effects"]
+    )
+
+
+def test_files_of_other_kinds_are_no_instrument(tmp_path: Path) -> None:
+    assert read_instrument(written(tmp_path, "name,hex\na,#010203\n")) is None
+    assert read_instrument(written(tmp_path, '{"a": "#010203"}', "a.json")) is None
+    assert read_instrument(written(tmp_path, "some words\nand more\n", "a.txt")) is None
