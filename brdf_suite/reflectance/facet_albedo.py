@@ -134,7 +134,9 @@ def single_scattering_albedo(
     change = _at_roughness(distribution, alpha)
     if fresnel is None:
         return 1.0 + _between(change.sum(axis=-1), cosine)
-    return np.asarray(fresnel(np.asarray(cosine, float)) + _between(change @ fresnel(FRESNEL_COSINES), cosine))
+    return np.asarray(
+        fresnel(np.asarray(cosine, float)) + _between(change @ fresnel(FRESNEL_COSINES), cosine)
+    )
 
 
 @lru_cache(maxsize=256)

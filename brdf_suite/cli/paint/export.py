@@ -25,7 +25,7 @@ def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Write paints for other programs: CxF3 with one specification per angle, CSV, JSON; LuxCore car "
-        "paint, MaterialX OpenPBR, glTF clearcoat and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
+        "paint, MaterialX OpenPBR, glTF clearcoat, USD Preview Surface and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
         "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer."
     )
     command.examples = (

@@ -1,8 +1,8 @@
-"""Fit of a matt layer and a lobe of two colours under a clearcoat: glTF, OpenPBR and USD Preview Surface.
+"""Fit of a matt layer and a lobe under a clearcoat: glTF, OpenPBR and USD Preview Surface.
 
-The width of the lobe, and OpenPBR's reflectance along the normal, are searched; for each the two colours are found by
-linear least squares, and from the best few all parameters together. A paint that a matt layer matches as well, a solid
-one, has no lobe.
+The width of the lobe, OpenPBR's reflectance along the normal and USD's metalness are searched; for each the colours are
+found by linear least squares, and from the best few all parameters together. A paint that a matt layer matches as well,
+a solid one, has no lobe, or no metal.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from brdf_suite.reflectance.renderers.facet_lobe import FacetLobe
 
 _WIDTHS = np.geomspace(0.08, 1.0, 10)
 _GREYS = (0.15, 0.35, 0.6)
+_METALS = (0.3, 0.6, 0.95)
 _NARROWEST, _WIDEST, _BRIGHTEST = 0.02, 1.0, 0.95
 _TRIED = 2
 _SOLID_GAIN = 0.85
@@ -37,11 +38,12 @@ def fit_coated_facets(paint: Paint, kind: Kind) -> Fitted[CoatedFacets]:
     start = CoatedFacets(kind, black, black, 1.0, coat_ior, min(max(layers.roughness, 1e-3), 1.0))
     integrals = _Integrals(target, start)
     solid, solid_score = _refine(_coloured(start, integrals), integrals)
-    trials = [
-        _coloured(replace(start, alpha=float(alpha), specular=(0.5, 0.5, 0.5), grey=grey), integrals)
-        for alpha in _WIDTHS
-        for grey in (_GREYS if kind == "openpbr" else (0.0,))
-    ]
+    wide = [replace(start, alpha=float(alpha), specular=(0.5, 0.5, 0.5)) for alpha in _WIDTHS]
+    if kind == "openpbr":
+        wide = [replace(model, grey=grey) for model in wide for grey in _GREYS]
+    elif kind == "usd":
+        wide = [replace(model, specular=black, metalness=metal) for model in wide for metal in _METALS]
+    trials = [_coloured(model, integrals) for model in wide]
     trials.sort(key=lambda model: target.score(integrals.values(model)))
     best, score = min((_refine(model, integrals) for model in trials[:_TRIED]), key=lambda pair: pair[1])
     if score > _SOLID_GAIN * solid_score:
@@ -76,39 +78,49 @@ def _coloured(model: CoatedFacets, integrals: _Integrals) -> CoatedFacets:
     bare = replace(model, diffuse=black, specular=black, grey=0.0)
     fixed = bare.sum_terms(terms, target.cos_o)
     rest = target.value / target.scale[:, None] - fixed
-    for _ in range(3 if model.has_lobe else 1):  # what the lobe takes from the matt layer depends on its colour
+    two = model.kind != "usd" and model.has_lobe
+    for _ in range(3 if two else 1):  # what the lobe takes from the matt layer depends on its colour
         white = replace(model, diffuse=(1.0, 1.0, 1.0)).sum_terms(terms, target.cos_o)
         dark = replace(model, diffuse=black).sum_terms(terms, target.cos_o)
         columns = [(white - dark)[:, 0]]
-        if model.has_lobe:
+        if two:
             level = np.maximum(np.asarray(model.specular), 1e-3)
             columns.append(((dark - fixed) / level)[:, int(np.argmax(level))])
         found = first_weights(np.stack(columns, axis=-1), target, rest)
         model = replace(model, diffuse=_rgb(found[0]))
-        if model.has_lobe:
+        if two:
             model = replace(model, specular=_rgb(np.maximum(found[1], 1e-3)))
     return model
 
 
 def _refine(model: CoatedFacets, integrals: _Integrals) -> tuple[CoatedFacets, float]:
     """Return the model of the least error near ``model``, and the error."""
-    openpbr = model.kind == "openpbr"
-    start = np.array(
-        [*model.diffuse, *((*model.specular, math.log(model.alpha)) if model.has_lobe else ())]
-        + ([model.grey] if model.has_lobe and openpbr else [])
-    )
-    low = np.array([*[0.0] * 3, *[1e-4] * 3, math.log(_NARROWEST), 0.01])[: len(start)]
-    high = np.array([*[1.0] * 6, math.log(_WIDEST), _BRIGHTEST])[: len(start)]
+    kind, colours = model.kind, 3 if model.kind == "usd" or not model.has_lobe else 6
+    start = [*model.diffuse, *model.specular][:colours]
+    low, high = [0.0] * 3 + [1e-4] * (colours - 3), [1.0] * colours
+    if model.has_lobe:
+        start, low, high = (
+            [*start, math.log(model.alpha)],
+            [*low, math.log(_NARROWEST)],
+            [*high, math.log(_WIDEST)],
+        )
+    if kind == "openpbr" and model.has_lobe:
+        start, low, high = [*start, model.grey], [*low, 0.01], [*high, _BRIGHTEST]
+    if kind == "usd" and model.metalness > 0.0:
+        start, low, high = [*start, model.metalness], [*low, 0.0], [*high, 1.0]
 
     def made(x: Floats) -> CoatedFacets:
-        if len(x) == 3:
-            return replace(model, diffuse=_rgb(x))
-        grey = float(x[7]) if openpbr else 0.0
-        return replace(
-            model, diffuse=_rgb(x[:3]), specular=_rgb(x[3:6]), alpha=math.exp(float(x[6])), grey=grey
-        )
+        found = replace(model, diffuse=_rgb(x[:3]))
+        if colours == 6:
+            found = replace(found, specular=_rgb(x[3:6]))
+        if len(x) > colours:
+            found = replace(found, alpha=math.exp(float(x[colours])))
+        if len(x) > colours + 1:
+            last = float(x[colours + 1])
+            found = replace(found, grey=last) if kind == "openpbr" else replace(found, metalness=last)
+        return found
 
-    x, error = integrals.target.least(lambda x: integrals.values(made(x)), start, low, high)
+    x, error = integrals.target.least(lambda x: integrals.values(made(x)), *map(np.array, (start, low, high)))
     return made(x), error
 
 

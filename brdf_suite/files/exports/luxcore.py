@@ -103,9 +103,7 @@ def _refine(model: CarPaint, target: Target) -> tuple[CarPaint, float]:
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    return fitted_losses(
-        item, "LuxCore's car paint (two lobes under a coat)", fit_carpaint(item.modelled)
-    )
+    return fitted_losses(item, "LuxCore's car paint (two lobes under a coat)", fit_carpaint(item.modelled))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:

@@ -46,7 +46,9 @@ def sky_light(directions: Floats) -> Floats:
     """Return the radiance (...) without the sun at world directions (..., 3), y up; 1 at the zenith."""
     up = directions[..., 1]
     share = np.clip((up + 0.04) / 0.08, 0.0, 1.0)
-    return np.asarray(GROUND + (share * share * (3.0 - 2.0 * share)) * ((1.0 + 2.0 * up.clip(0.0)) / 3.0 - GROUND))
+    return np.asarray(
+        GROUND + (share * share * (3.0 - 2.0 * share)) * ((1.0 + 2.0 * up.clip(0.0)) / 3.0 - GROUND)
+    )
 
 
 def sun_direction(place: tuple[float, float] = SUN_PLACE) -> Floats:
@@ -67,9 +69,7 @@ def light_map(height: int) -> Floats:
     theta = (rows + 0.5) / (4 * height) * math.pi
     # The centre column looks along +z and u grows towards -x.
     phi = ((columns + 0.5) / (8 * height) - 0.5) * 2.0 * math.pi
-    where = np.stack(
-        (-np.sin(theta) * np.sin(phi), np.cos(theta), np.sin(theta) * np.cos(phi)), axis=-1
-    )
+    where = np.stack((-np.sin(theta) * np.sin(phi), np.cos(theta), np.sin(theta) * np.cos(phi)), axis=-1)
     light = sky_light(where)
     light[where @ sun_direction() > math.cos(math.radians(SUN_RADIUS_DEG))] += sun_radiance()
     return np.asarray(light.reshape(height, 4, 2 * height, 4).mean(axis=(1, 3)))

@@ -1,6 +1,6 @@
 """One GGX lobe as renderers with multiple scattering evaluate it.
 
-    f = D V F · c,    F = f0 + (1 - f0) r(wo·h),
+    f = D V F · c,    F = f0 + (f90 - f0) r(wo·h),
 
 D of Trowbridge and Reitz for α, V the height-correlated visibility of Smith, r a rise from 0 along the normal to 1 at
 grazing: Schlick's (1 - wo·h)⁵, or that of a dielectric. Light that meets a second facet comes back by the factor c,
@@ -75,23 +75,25 @@ class FacetLobe:
         rise = self.rise(0.5 * length)
         return np.stack((lobe, lobe * rise, lobe * rise * rise), axis=-1)
 
-    def sum_terms(self, terms: Floats, f0: Floats, cos_o: Floats) -> Floats:
+    def sum_terms(self, terms: Floats, f0: Floats, cos_o: Floats, f90: Floats | float = 1.0) -> Floats:
         """Return f (n, c) of ``terms`` (n, 3), or their integrals, for ``f0`` (c,) at the view's cosine (n,)."""
         plain, once, twice = (terms[:, k, None] for k in range(3))
-        rest = 1.0 - f0
+        rest = f90 - f0
         single = f0 * plain + rest * once
         lost = self._lost(cos_o)[:, None]
         if self.compensation == "turquin":
-            return np.asarray(single + lost * (f0 * f0 * plain + 2.0 * f0 * rest * once + rest * rest * twice))
+            return np.asarray(
+                single + lost * (f0 * f0 * plain + 2.0 * f0 * rest * once + rest * rest * twice)
+            )
         mean = f0 + rest * self._mean_rise
         again = mean * self._mean_once / (1.0 - mean * (1.0 - self._mean_once))
         return np.asarray(single * (1.0 + lost * again))
 
-    def albedo(self, f0: Floats, cos_o: Floats) -> Floats:
+    def albedo(self, f0: Floats, cos_o: Floats, f90: Floats | float = 1.0) -> Floats:
         """Return the share (n, c) of light that the lobe sends to views of cosine (n,)."""
         once = single_scattering_albedo("ggx", self.alpha, cos_o)
         risen = single_scattering_albedo("ggx", self.alpha, cos_o, self.rise)
-        return np.asarray(f0 + (1.0 - f0) * np.clip(risen / once, 0.0, 1.0)[:, None])
+        return np.asarray(f0 + (f90 - f0) * np.clip(risen / once, 0.0, 1.0)[:, None])
 
     def _lost(self, cos_o: Floats) -> Floats:
         once = single_scattering_albedo("ggx", self.alpha, cos_o)
