@@ -90,11 +90,9 @@ def in_blender(model: Path, light: Path, samples: int, folder: Path | None) -> F
     """Render an exported model in Blender; return light and coverage (h, w, 4)."""
     output = model.with_suffix(".blender.exr")
     kept = [] if folder is None else ["--environment", str(folder)]
-    subprocess.run(
-        [sys.executable, str(ROOT / "tools" / "blender.py"), str(model), str(light), str(output)]
-        + ["--size", str(SIZE), "--samples", str(samples), *kept],
-        check=True, capture_output=True,
-    )  # fmt: skip
+    numbers = ["--size", str(SIZE), "--samples", str(samples)]
+    command = [sys.executable, str(ROOT / "tools" / "blender.py"), str(model), str(light), str(output)]
+    subprocess.run([*command, *numbers, *kept], check=True, capture_output=True)
     return read(output)
 
 

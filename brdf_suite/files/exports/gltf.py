@@ -1,8 +1,8 @@
-"""glTF 2.0 with ``KHR_materials_clearcoat``, ``_specular`` and ``_ior``: a sphere in the paint, for viewers and engines.
+"""glTF 2.0 with ``KHR_materials_clearcoat``, ``_specular`` and ``_ior``: a sphere in the paint, for viewers.
 
 The base colour is that of the matt layer, with metallic 0; flakes are the lobe of ``KHR_materials_specular``, whose
-colour, f0 of ``KHR_materials_ior`` times ``specularColorFactor``, is free, so that face and flop differ in hue. Without flakes
-``specularFactor`` is 0: there is no second interface below the coat. The fit
+colour, f0 of ``KHR_materials_ior`` times ``specularColorFactor``, is free, so that face and flop differ in hue. Without
+flakes ``specularFactor`` is 0: there is no second interface below the coat. The fit
 (:mod:`brdf_suite.files.exports.coated_facets_fit`) takes glTF as Blender's Cycles evaluates it, with multiple
 scattering. All the rest, the readings too, stands in the material's ``extras`` under ``brdf_suite``, as in the JSON
 export, and is read back from there.

@@ -2,8 +2,8 @@
 
 One colour, for the matt layer and, by ``metallic``, the flakes, and one roughness, under a clearcoat of index ``ior``.
 The specular workflow, which has two colours, is left out by many programs. The surface is fitted as MaterialX evaluates
-it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide; the axis up is
-y, and a unit is a metre. Colours are linear Rec. 709.
+it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide; the axis up
+is y, and a unit is a metre. Colours are linear Rec. 709.
 """
 
 from __future__ import annotations

@@ -16,9 +16,9 @@ Surface; it has one colour, d, for the matt layer and the metal M, and S is unco
 | multiple scattering | Kulla and Conty | Turquin | Turquin |
 | width of S | α | √(α² + 2 α_c²) for a coat of α_c | α |
 
-M rises after Schlick; MaterialX takes a conductor's curve, up to 7 % higher in dark channels. Where 0 < μ < 1, MaterialX mixes μ
-into S, from s (R² (1 - μ) + μ) to s, s = 1 - μ + μ d. Layers take light from those below on the way to the view only,
-so the models are not reciprocal.
+M rises after Schlick; MaterialX takes a conductor's curve, up to 7 % higher in dark channels. Where 0 < μ < 1, it
+mixes μ into S, from s (R² (1 - μ) + μ) to s, s = 1 - μ + μ d. Layers take light from those below on the way to the
+view only, so the models are not reciprocal.
 """
 
 from __future__ import annotations

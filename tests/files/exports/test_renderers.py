@@ -15,8 +15,8 @@ import pytest
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.files.exports import FORMATS
-from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import load_shipped_paint
@@ -112,7 +112,6 @@ _USD_PREVIEW = """<?xml version="1.0"?>
 
 
 def test_the_shader_of_materialx_reflects_as_the_fitted_openpbr(tmp_path: Path) -> None:
-    pytest.importorskip("MaterialX")
     path = tmp_path / "a.mtlx"
     BY_NAME["openpbr"].write([ExportItem(PAINT)], path, None)
     wi, wo, found = _shaded(path)
@@ -123,7 +122,6 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_openpbr(tmp_path: Path) 
 
 
 def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Path) -> None:
-    pytest.importorskip("MaterialX")
     BY_NAME["usd"].write([ExportItem(PAINT)], tmp_path / "a.usda", None)
     inputs = re.findall(r"(color3f|float) inputs:(\w+) = (\S.*)", (tmp_path / "a.usda").read_text())
     assert len(inputs) == 6
@@ -142,7 +140,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Pa
 
 def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Directions (n, 3) to light and view, and the light (n, 3) that MaterialX's shader of the file reflects."""
-    import MaterialX as mx
+    mx = pytest.importorskip("MaterialX")
     from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
 
     from brdf_suite.realtime.gl.context import create_context, release_context
