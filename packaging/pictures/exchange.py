@@ -47,7 +47,7 @@ PAINTS = {
     "metallic": ("silver_metallic", "blue_metallic", "gold_metallic"),
     "pearl": ("pearl", "white_pearl", "emerald_pearl"),
 }
-SIZE = 96
+SIZE, BLOCK = 96, 3
 DISTANCE, WIDTH, RADIUS = 2.0, 0.22, 0.1
 CAPTION, GAP = 18, 4
 
@@ -177,13 +177,23 @@ def in_luxcore(model: Path, name: str, light: Path, samples: int) -> Floats:
 
 
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
-    """Return the mean ΔE00 where both are whole, exposed for the first, and both as shown (h, w, 3)."""
-    inside = (first[..., 3] > 0.999) & (other[..., 3] > 0.999)
-    light = first[..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
+    """Return the mean ΔE00 of blocks where both are whole, exposed for the first, and both as shown (h, w, 3)."""
+    calm = [_blocks(picture) for picture in (first, other)]
+    inside = (calm[0][..., 3] > 0.999) & (calm[1][..., 3] > 0.999)
+    light = calm[0][..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
     factor = 0.18 / float(np.median(light[inside]))
+    lab, other_lab = (
+        working_to_lab(np.clip(picture[inside][:, :3] * factor, 0.0, 1.0) @ REC709_TO_WORKING.T)
+        for picture in calm
+    )
     shown = [np.clip(picture[..., :3] * factor, 0.0, 1.0) for picture in (first, other)]
-    lab, other_lab = (working_to_lab(picture[inside] @ REC709_TO_WORKING.T) for picture in shown)
     return float(delta_e_2000(lab, other_lab).mean()), shown[0], shown[1]
+
+
+def _blocks(picture: Floats) -> Floats:
+    """Return the means of blocks of pixels, in which noise counts little."""
+    count = SIZE // BLOCK
+    return np.asarray(picture.reshape(count, BLOCK, count, BLOCK, 4).mean(axis=(1, 3)))
 
 
 def tile(shown: Floats, coverage: Floats, text: str) -> Image.Image:
@@ -204,7 +214,8 @@ def main() -> int:
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "docs" / "images")
     parser.add_argument("--paints", default=",".join(name for names in PAINTS.values() for name in names))
     parser.add_argument("--clients", default="blender,luxcore")
-    parser.add_argument("--samples", type=int, default=512)
+    parser.add_argument("--samples", type=int, default=256)
+    parser.add_argument("--name", default="exchange", help="the picture's name, without its ending")
     parser.add_argument("--blender", type=Path, default=None, metavar="FOLDER")
     options = parser.parse_args()
     start()
@@ -214,25 +225,24 @@ def main() -> int:
     rows = []
     with tempfile.TemporaryDirectory(prefix="exchange-") as temporary:
         work = Path(temporary)
-        straight, turned = work / "light.exr", work / "light_luxcore.exr"
-        mi.Bitmap(light).write(str(straight))
-        mi.Bitmap(np.ascontiguousarray(_for_luxcore(light))).write(str(turned))
+        lit = work / "light.exr"
+        mi.Bitmap(light).write(str(lit))
         for name in options.paints.split(","):
             paint = load_shipped_paint(name)
             truth = ours(name, light, options.samples)
             shown: list[tuple[str, Floats, float]] = []
             if "blender" in clients:
                 formats["gltf"].write([ExportItem(paint)], work / f"{name}.gltf", None)
-                picture = in_blender(work / f"{name}.gltf", straight, options.samples, options.blender)
+                picture = in_blender(work / f"{name}.gltf", lit, options.samples, options.blender)
                 shown.append(("Blender", picture, fit_coated_facets(paint, "gltf").on_sphere))
             if "usd" in clients:
                 formats["usd"].write([ExportItem(paint)], work / f"{name}.usda", None)
-                picture = in_blender(work / f"{name}.usda", straight, options.samples, options.blender)
+                picture = in_blender(work / f"{name}.usda", lit, options.samples, options.blender)
                 shown.append(("Blender, USD", picture, fit_coated_facets(paint, "usd").on_sphere))
             if "luxcore" in clients:
                 formats["luxcore"].write([ExportItem(paint)], work / f"{name}.scn", None)
                 material = paint.name.replace(" ", "_")
-                picture = in_luxcore(work / f"{name}.scn", material, turned, options.samples)
+                picture = in_luxcore(work / f"{name}.scn", material, lit, options.samples)
                 shown.append(("LuxCore", picture, fit_carpaint(paint).on_sphere))
             tiles = []
             for client, picture, told in shown:
@@ -248,13 +258,8 @@ def main() -> int:
     for y, row in enumerate(rows):
         for x, picture in enumerate(row):
             whole.paste(picture, (x * (width + GAP), y * (height + GAP)))
-    whole.save(options.folder / "exchange.png", optimize=True)
+    whole.save(options.folder / f"{options.name}.png", optimize=True)
     return 0
-
-
-def _for_luxcore(light: Floats) -> Floats:
-    """Return the map as LuxCore looks it up."""
-    return light
 
 
 if __name__ == "__main__":
