@@ -43,9 +43,9 @@ from brdf_suite.reflectance.instruments.rendered_sphere import light_map
 
 ROOT = Path(__file__).resolve().parents[2]
 PAINTS = {
-    "solid": ("solid_red", "solid_white", "solid_yellow"),
-    "metallic": ("silver_metallic", "blue_metallic", "gold_metallic"),
-    "pearl": ("pearl", "white_pearl", "emerald_pearl"),
+    "solid": ("solid_red", "solid_white"),
+    "metallic": ("silver_metallic", "blue_metallic"),
+    "pearl": ("pearl", "emerald_pearl"),
 }
 SIZE, BLOCK = 96, 3
 DISTANCE, WIDTH, RADIUS = 2.0, 0.22, 0.1
@@ -206,6 +206,16 @@ def tile(shown: Floats, coverage: Floats, text: str) -> Image.Image:
     return whole
 
 
+def sheet(rows: list[list[Image.Image]]) -> Image.Image:
+    """Return rows of pictures of one size."""
+    width, height = rows[0][0].size
+    whole = Image.new("RGB", (len(rows[0]) * (width + GAP) - GAP, len(rows) * (height + GAP) - GAP), "white")
+    for y, row in enumerate(rows):
+        for x, picture in enumerate(row):
+            whole.paste(picture, (x * (width + GAP), y * (height + GAP)))
+    return whole
+
+
 def main() -> int:
     """Render, compare and draw."""
     parser = argparse.ArgumentParser(
@@ -252,13 +262,7 @@ def main() -> int:
                 tiles.append(tile(other, picture[..., 3], f"{client}: dE00 {seen:.1f}"))
                 print(f"| {name} | {client} | {told:.2f} | {seen:.2f} |", flush=True)
             rows.append(tiles)
-    width, height = rows[0][0].size
-    columns = len(rows[0])
-    whole = Image.new("RGB", (columns * (width + GAP) - GAP, len(rows) * (height + GAP) - GAP), "white")
-    for y, row in enumerate(rows):
-        for x, picture in enumerate(row):
-            whole.paste(picture, (x * (width + GAP), y * (height + GAP)))
-    whole.save(options.folder / f"{options.name}.png", optimize=True)
+            sheet(rows).save(options.folder / f"{options.name}.png", optimize=True)
     return 0
 
 

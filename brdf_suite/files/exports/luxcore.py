@@ -4,8 +4,10 @@ A scene takes the lines over with ``Scene.Parse``; an object is painted by ``sce
 linear Rec. 709. The model is :mod:`brdf_suite.reflectance.renderers.carpaint`, checked against LuxCore's own renderer.
 
 Lobe 3 is the clearcoat: ks3 = 1, R3 the reflectance along the normal, m3 its roughness α, at which the peak of D is
-that of the paint's Beckmann lobe. kd, ks1 and ks2 are found with R1 = R2 = 1 by linear least squares for each pair
-m1 > m2 of a grid; from the best few all parameters are refined together.
+that of the paint's Beckmann lobe. Lobe 1 is the flakes, with R1 = 1. Lobe 2 stays black: with three lobes LuxCore 2.11
+draws the third twice as often as it counts it and never the second, so that a path-traced clearcoat is twice as
+bright as its formula, and a second lobe too dark. With two lobes it draws what it counts. kd and ks1 are found by
+linear least squares for each m1 of a grid; from the best few all parameters are refined together.
 """
 
 from __future__ import annotations
@@ -51,17 +53,15 @@ def fit_carpaint(paint: Paint) -> Fitted[CarPaint]:
     """
     target, layers = target_of(paint), build_paint(paint)
     r3, m3 = normal_reflectance(layers.ior), min(max(layers.roughness, 1e-3), 1.0)
-    start = CarPaint(_BLACK, (_BLACK, _BLACK, _WHITE), (1.0, 1.0, r3), (1.0, 0.5, m3))
-    of_width = {float(m): _integral(target, float(m), 1.0) for m in _WIDTHS}
+    start = CarPaint(_BLACK, (_BLACK, _BLACK, _WHITE), (1.0, 1.0, r3), (1.0, 1.0, m3))
     matt, coat = target.integrals(start.terms)[:, 0], _integral(target, m3, r3)
     rest = target.value / target.scale[:, None] - coat[:, None]
     trials = []
-    for m1 in of_width:
-        for m2 in (m for m in of_width if m < m1):
-            columns = np.stack((matt, of_width[m1], of_width[m2]), axis=-1)
-            weights = first_weights(columns, target, rest)
-            score = target.score(columns @ weights + coat[:, None])
-            trials.append((score, _made(start, np.concatenate((weights.ravel(), np.log([m1, m2]))))))
+    for m1 in _WIDTHS:
+        columns = np.stack((matt, _integral(target, float(m1), 1.0)), axis=-1)
+        weights = first_weights(columns, target, rest)
+        score = target.score(columns @ weights + coat[:, None])
+        trials.append((score, _made(start, np.append(weights.ravel(), math.log(m1)))))
     trials.sort(key=lambda pair: pair[0])
     best, _ = min((_refine(model, target) for _, model in trials[:_TRIED]), key=lambda pair: pair[1])
     return fitted(paint, target, best, best.sum_terms(target.integrals(best.terms)))
@@ -73,28 +73,24 @@ def _integral(target: Target, m: float, r: float) -> Floats:
 
 
 def _made(model: CarPaint, x: Floats) -> CarPaint:
-    """Return the model with kd, ks1, ks2 and the logarithms of m1 and m2 (11 numbers)."""
-    kd, ks1, ks2 = ((float(r), float(g), float(b)) for r, g, b in x[:9].reshape(3, 3))
-    m1, m2 = np.exp(x[9:]).tolist()
-    return replace(model, kd=kd, ks=(ks1, ks2, model.ks[2]), m=(m1, m2, model.m[2]))
+    """Return the model with kd, ks1 and the logarithm of m1 (7 numbers)."""
+    kd, ks1 = ((float(r), float(g), float(b)) for r, g, b in x[:6].reshape(2, 3))
+    return replace(model, kd=kd, ks=(ks1, *model.ks[1:]), m=(math.exp(x[6]), *model.m[1:]))
 
 
 def _refine(model: CarPaint, target: Target) -> tuple[CarPaint, float]:
     """Return the model of the least error near ``model``, and the error."""
-    matt = np.concatenate((model.kd, model.ks[0], model.ks[1]))
-    start = np.concatenate((matt, np.log(model.m[:2])))
-    low = np.array([*[0.0] * 9, *[math.log(_NARROWEST)] * 2])
-    high = np.array([*[1.0] * 9, *[math.log(_WIDEST)] * 2])
+    start = np.array([*model.kd, *model.ks[0], math.log(model.m[0])])
+    low = np.array([*[0.0] * 6, math.log(_NARROWEST)])
+    high = np.array([*[1.0] * 6, math.log(_WIDEST)])
     fixed = target.integrals(model.terms)
     kept: dict[float, Floats] = {}
 
-    def column(m: float) -> Floats:
+    def values(x: Floats) -> Floats:
+        m = float(x[6])
         if m not in kept:
             kept[m] = _integral(target, math.exp(m), 1.0)
-        return kept[m]
-
-    def values(x: Floats) -> Floats:
-        terms = np.stack((fixed[:, 0], column(float(x[9])), column(float(x[10])), fixed[:, 3]), axis=-1)
+        terms = np.concatenate((fixed[:, :1], kept[m][:, None], fixed[:, 2:]), axis=-1)
         return _made(model, x).sum_terms(terms)
 
     x, error = target.least(values, start, low, high)
@@ -103,7 +99,7 @@ def _refine(model: CarPaint, target: Target) -> tuple[CarPaint, float]:
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    return fitted_losses(item, "LuxCore's car paint (two lobes under a coat)", fit_carpaint(item.modelled))
+    return fitted_losses(item, "LuxCore's car paint (one lobe under a coat)", fit_carpaint(item.modelled))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
@@ -143,7 +139,7 @@ FORMAT = ExportFormat(
     name="luxcore",
     title="LuxCore car paint",
     ending=".scn",
-    holds="A diffuse layer, two coloured lobes and a clearcoat, fitted on a sphere.",
+    holds="A diffuse layer, a coloured lobe and a clearcoat, fitted on a sphere.",
     losses=losses,
     write=write,
     many=True,
