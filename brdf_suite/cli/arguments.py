@@ -147,6 +147,7 @@ USUAL = {
     "luxcore": ("scn", "lux"),
     "rgl": ("bsdf",),
     "gltf": ("glb",),
+    "usd": ("usda",),
     "brdfpalette": ("palette",),
     "merl": ("binary",),
 }

@@ -118,13 +118,25 @@ def facet_albedo(
     return FacetAlbedo(fresnel, of_fresnel, lost, np.asarray(again / (math.pi * max(mean_lost, 1e-12))))
 
 
-def single_scattering_albedo(distribution: Distribution, alpha: float, cosine: npt.ArrayLike) -> Floats:
-    """Return E (...) of facets that reflect all light (F = 1), without multiple scattering, at ``cosine`` (...).
+def single_scattering_albedo(
+    distribution: Distribution,
+    alpha: float,
+    cosine: npt.ArrayLike,
+    fresnel: Callable[[Floats], Floats] | None = None,
+) -> Floats:
+    """Return E (...) of facets of reflectance ``fresnel`` (all light if None), without multiple scattering.
+
+    ``cosine`` (...) is that of the view, or of the light; ``fresnel`` gives F (...) of cosines (...).
 
     >>> bool(single_scattering_albedo("ggx", 0.03, 0.9) > 0.998)
     True
     """
-    return 1.0 + _between(_at_roughness(distribution, alpha).sum(axis=-1), cosine)
+    change = _at_roughness(distribution, alpha)
+    if fresnel is None:
+        return 1.0 + _between(change.sum(axis=-1), cosine)
+    return np.asarray(
+        fresnel(np.asarray(cosine, float)) + _between(change @ fresnel(FRESNEL_COSINES), cosine)
+    )
 
 
 @lru_cache(maxsize=256)

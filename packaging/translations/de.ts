@@ -1812,6 +1812,10 @@
         <translation>glTF, Klarlack</translation>
     </message>
     <message>
+        <source>USD Preview Surface</source>
+        <translation>USD Preview Surface</translation>
+    </message>
+    <message>
         <source>RGL measured material</source>
         <translation>RGL, gemessenes Material</translation>
     </message>

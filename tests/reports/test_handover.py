@@ -50,7 +50,7 @@ def blue() -> Paint:
 
 def test_every_format_has_a_name_and_an_ending_of_its_own() -> None:
     names = [known.name for known in formats()]
-    assert names == ["cxf", "csv", "json", "luxcore", "openpbr", "gltf", "rgl", "html", "pdf"]
+    assert names == ["cxf", "csv", "json", "luxcore", "openpbr", "gltf", "usd", "rgl", "html", "pdf"]
     assert len({known.ending for known in formats()}) == len(names)
     assert format_of("a.PDF").name == "pdf"
     with pytest.raises(FileError, match="names no format"):

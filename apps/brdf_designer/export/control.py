@@ -33,7 +33,7 @@ _NOT_IN_NAMES = re.compile(r'[\x00-\x1f<>:"/\\|?*]+')
 # As the core has them; it is imported when the section is opened, not at the start of the program.
 NAMES = (
     ("cxf", ".cxf"), ("csv", ".csv"), ("json", ".json"), ("luxcore", ".scn"), ("openpbr", ".mtlx"),
-    ("gltf", ".gltf"), ("rgl", ".bsdf"), ("html", ".html"), ("pdf", ".pdf"),
+    ("gltf", ".gltf"), ("usd", ".usda"), ("rgl", ".bsdf"), ("html", ".html"), ("pdf", ".pdf"),
 )  # fmt: skip
 
 

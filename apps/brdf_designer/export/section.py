@@ -21,6 +21,7 @@ TITLES = {
     "luxcore": mark("LuxCore car paint"),
     "openpbr": mark("MaterialX, OpenPBR surface"),
     "gltf": mark("glTF, clearcoat"),
+    "usd": mark("USD Preview Surface"),
     "rgl": mark("RGL measured material"),
     "html": mark("Report, HTML"),
     "pdf": mark("Report, PDF"),

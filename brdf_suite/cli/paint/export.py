@@ -25,15 +25,15 @@ def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "Write paints for other programs: CxF3 with one specification per angle, CSV, JSON; LuxCore car "
-        "paint, MaterialX OpenPBR, glTF clearcoat and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
-        "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer."
+        "paint, MaterialX OpenPBR, glTF clearcoat, USD Preview Surface and RGL .bsdf for renderers; a one-page report "
+        "as HTML or PDF. What a format cannot hold is reported. L*a*b* are of D65 and the 10° observer."
     )
     command.examples = (
         "brdf-suite export blue -o blue.cxf",
         "brdf-suite export summer.brdfpalette -o - --format csv > summer.csv",
         "brdf-suite export blue --list-losses --format mtlx",
     )
-    several = "several go into one CSV, CxF3, JSON, .scn or .mtlx"
+    several = "several go into one CSV, CxF3, JSON, .scn, .mtlx or .usda"
     add_arguments(command, {"sources PAINT|PALETTE...": f"{PAINTS}; {several}"})
     add_output(command, "the file to write", stream=_ending, required=False)
     command.wanted.add("output")

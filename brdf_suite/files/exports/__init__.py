@@ -6,7 +6,7 @@ from pathlib import Path
 
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import open_plain
-from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl
+from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl, usd_preview
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
 
 FORMATS: tuple[ExportFormat, ...] = (
@@ -16,6 +16,7 @@ FORMATS: tuple[ExportFormat, ...] = (
     luxcore.FORMAT,
     openpbr.FORMAT,
     gltf.FORMAT,
+    usd_preview.FORMAT,
     rgl.FORMAT,
 )
 """In the order in which they are offered."""

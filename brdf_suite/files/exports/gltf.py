@@ -1,14 +1,18 @@
-"""glTF 2.0 with ``KHR_materials_clearcoat``: a sphere in the paint, for viewers and game engines.
+"""glTF 2.0 with ``KHR_materials_clearcoat``, ``_specular`` and ``_ior``: a sphere in the paint, for viewers.
 
-Base colour, metalness and roughness are fitted (:mod:`brdf_suite.files.exports.metal_rough_fit`); the clearcoat of glTF
-has the index 1.5. All the rest, the readings too, stands in the material's ``extras`` under ``brdf_suite``, as in the
-JSON export, and is read back from there.
+The base colour is that of the matt layer, with metallic 0; flakes are the lobe of ``KHR_materials_specular``, whose
+colour, f0 of ``KHR_materials_ior`` times ``specularColorFactor``, is free, so that face and flop differ in hue. Without
+flakes ``specularFactor`` is 0: there is no second interface below the coat. The fit
+(:mod:`brdf_suite.files.exports.coated_facets_fit`) takes glTF as Blender's Cycles evaluates it, with multiple
+scattering. All the rest, the readings too, stands in the material's ``extras`` under ``brdf_suite``, as in the JSON
+export, and is read back from there.
 """
 
 from __future__ import annotations
 
 import base64
 import json
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -17,11 +21,13 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, model_loss
-from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
-from brdf_suite.files.exports.model_fit import format_differences
+from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints
+from brdf_suite.files.exports.model_fit import shape_losses
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.renderers.coated_facets import GLTF_COAT_IOR, GLTF_LOBE_IOR
+from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
 from brdf_suite.release import __version__
 
 EXTRAS = "brdf_suite"
@@ -31,32 +37,27 @@ _RADIUS_M = 0.1
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
-    found = fit_gltf(item.modelled)
-    notices = [
-        *model_loss(item),
-        format_differences(item.paint, found.differences, "glTF's clearcoat (one colour for every angle)"),
-        f"The clearcoat of glTF has the index {GLTF_IOR:g}, whatever the paint's.",
-        "Viewers show no change of hue over the angle, and no flakes: readings, gloss, flakes and texts go along in "
-        "the material's extras, which only this suite reads.",
-    ]
-    if found.clipped:
-        notices.append(
-            "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
-        )
-    return (*notices, *json_document.losses(item))
+    found = fit_coated_facets(item.modelled, "gltf")
+    return (
+        *shape_losses(item, "glTF in a renderer with multiple scattering (Blender)", found),
+        f"The clearcoat of glTF has the index {GLTF_COAT_IOR:g}, whatever the paint's.",
+        "Viewers show no flakes: readings, gloss, flakes and texts go along in the material's extras, which only this "
+        "suite reads.",
+        *json_document.losses(item),
+    )
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
     (item,) = items
-    model = fit_gltf(item.modelled)
+    model = fit_coated_facets(item.modelled, "gltf").model
     vertices, triangles = _sphere()
     data = vertices.tobytes() + triangles.tobytes()
     half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()
     # On a unit sphere the normals are the positions; the node makes it smaller.
     document = {
         "asset": {"version": "2.0", "generator": f"BRDF Suite {__version__}"},
-        "extensionsUsed": ["KHR_materials_clearcoat"],
+        "extensionsUsed": ["KHR_materials_clearcoat", "KHR_materials_ior", "KHR_materials_specular"],
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"name": item.name, "mesh": 0, "scale": bound}],
@@ -67,15 +68,20 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
             {
                 "name": item.name,
                 "pbrMetallicRoughness": {
-                    "baseColorFactor": [*model.colour, 1.0],
-                    "metallicFactor": model.metalness,
-                    "roughnessFactor": model.roughness,
+                    "baseColorFactor": [*model.diffuse, 1.0],
+                    "metallicFactor": 0.0,
+                    "roughnessFactor": math.sqrt(model.alpha),
                 },
                 "extensions": {
                     "KHR_materials_clearcoat": {
                         "clearcoatFactor": 1.0,
-                        "clearcoatRoughnessFactor": model.coat_roughness,
-                    }
+                        "clearcoatRoughnessFactor": math.sqrt(model.coat_alpha),
+                    },
+                    "KHR_materials_ior": {"ior": GLTF_LOBE_IOR},
+                    "KHR_materials_specular": {
+                        "specularFactor": 1.0 if model.has_lobe else 0.0,
+                        "specularColorFactor": [f0 / normal_reflectance(GLTF_LOBE_IOR) for f0 in model.specular],
+                    },
                 },
                 "extras": {EXTRAS: json_document.document(items)},
             }
@@ -144,7 +150,7 @@ FORMAT = ExportFormat(
     name="gltf",
     title="glTF, clearcoat (KHR_materials_clearcoat)",
     ending=".gltf",
-    holds="One base colour, metalness and roughness under a clearcoat of index 1.5; the readings in extras.",
+    holds="A matt colour and a lobe of another under a clearcoat of index 1.5; the readings in extras.",
     losses=losses,
     write=write,
     read=read,

@@ -1,26 +1,20 @@
 """LuxCore: the paint as a material of type ``carpaint``, a text of properties for a scene (``.scn``).
 
 A scene takes the lines over with ``Scene.Parse``; an object is painted by ``scene.objects.NAME.material``. Colours are
-linear Rec. 709.
-
-The model (checked against LuxCore's own renderer to six digits) is a sum of a diffuse layer and three lobes,
-
-    f_r = kd / π + Σ ks_i D(h; m_i) G(wi; m_i) G(wo; m_i) F(wo·h; R_i) / (4 cosθi cosθo),
-
-D = m² / (π (m² cos²θh + 1 - cos²θh)²) of Schlick 1994 (that of Trowbridge and Reitz),
-G(w) = cosθ / (cosθ (1 - m²) + m²), F = R + (1 - R)(1 - wo·h)^5; the absorption of its coat is switched off (ka 0, d 0).
-The structure is that of Günther et al. 2005.
+linear Rec. 709. The model is :mod:`brdf_suite.reflectance.renderers.carpaint`, checked against LuxCore's own renderer.
 
 Lobe 3 is the clearcoat: ks3 = 1, R3 the reflectance along the normal, m3 its roughness α, at which the peak of D is
-that of the paint's Beckmann lobe. kd, ks1 and ks2 are found with R1 = R2 = 1 by non-negative least squares of relative
-errors for each pair m1 > m2 of a grid; the pair with the smallest mean square of ΔE00 is refined on finer ones.
+that of the paint's Beckmann lobe. Lobe 1 is the flakes, with R1 = 1. Lobe 2 stays black: with three lobes LuxCore 2.11
+draws the third twice as often as it counts it and never the second, so that a path-traced clearcoat is twice as
+bright as its formula, and a second lobe too dark. With two lobes it draws what it counts. kd and ks1 are found by
+linear least squares for each m1 of a grid; from the best few all parameters are refined together.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -31,109 +25,81 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import PathLike
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.model_fit import (
-    ModelFitSamples,
+    Fitted,
+    Target,
+    first_weights,
+    fitted,
     fitted_losses,
-    ggx,
-    half_vector,
-    leaves_rec_709,
     material_names,
-    normal_reflectance,
-    sample_paint,
-    schlick,
+    target_of,
 )
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.renderers.carpaint import CarPaint, lobe
+from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
 from brdf_suite.release import __version__
 
-_NARROWEST, _WIDEST = 0.06, 1.0
-_GRID, _FINER = 13, 7
-_ROUNDS = 3
-# Darkest values count as if they had this share of the lightest, so that noise in black does not lead the fit.
-_FLOOR = 0.01
-_BLACK = (0.0, 0.0, 0.0)
-
-Rgb = tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class CarPaint:
-    """Fitted car paint parameters, colours in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
-
-    kd: Rgb
-    ks: tuple[Rgb, Rgb, Rgb]
-    r: Rgb
-    m: Rgb
-    differences: tuple[float, ...]
-    clipped: bool
-
-    def eval(self, wi: Floats, wo: Floats) -> Floats:
-        """Return f_r (n, 3) in 1/sr, linear Rec. 709, without the cosine, at directions above the horizon."""
-        value = np.asarray(self.kd) / math.pi + np.zeros((len(wi), 1))
-        for ks, r, m in zip(self.ks, self.r, self.m, strict=True):
-            value = value + lobe(wi, wo, m, r)[:, None] * np.asarray(ks)
-        return np.asarray(value)
-
-
-def lobe(wi: Floats, wo: Floats, m: float, r: float) -> Floats:
-    """Return one lobe (n,) of weight 1."""
-    cos_h, cos_d = half_vector(wi, wo)
-    cos_i, cos_o = wi[:, 2], wo[:, 2]
-    rough = m * m
-    shadowed = cos_i / (cos_i * (1.0 - rough) + rough) * cos_o / (cos_o * (1.0 - rough) + rough)
-    return np.asarray(ggx(cos_h, m) * shadowed * schlick(cos_d, r) / (4.0 * cos_i * cos_o))
+_WIDTHS = np.geomspace(0.04, 1.0, 11)
+_NARROWEST, _WIDEST = 0.02, 1.0
+_TRIED = 2
+_BLACK, _WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 
 
 @lru_cache(maxsize=32)
-def fit_carpaint(paint: Paint) -> CarPaint:
+def fit_carpaint(paint: Paint) -> Fitted[CarPaint]:
     """Return the car paint that is nearest to a designed paint.
 
     Raises :class:`~brdf_suite.errors.UnreachableError` where there is no such paint.
     """
-    layers = build_paint(paint)
-    samples = sample_paint(paint, layers)
-    r3, m3 = normal_reflectance(layers.ior), min(layers.roughness, 1.0)
-    left = np.maximum(samples.f - lobe(samples.wi, samples.wo, m3, r3)[:, None], 0.0)
-    first = second = np.geomspace(_NARROWEST, _WIDEST, _GRID)
-    ratio = float(first[1] / first[0])
-    best = (math.inf, CarPaint(_BLACK, (_BLACK,) * 3, (1.0, 1.0, r3), (1.0, 0.5, m3), (), False))
-    for _ in range(_ROUNDS):
-        for m1, m2 in ((m1, m2) for m1 in first for m2 in second if m2 < 0.999 * m1):
-            kd, ks1, ks2 = ((float(r), float(g), float(b)) for r, g, b in _weights(samples, left, m1, m2))
-            widths = (float(m1), float(m2), float(m3))
-            found = CarPaint(kd, (ks1, ks2, (1.0, 1.0, 1.0)), (1.0, 1.0, r3), widths, (), False)
-            best = min(
-                best, (samples.score(found.eval(samples.wi, samples.wo)), found), key=lambda pair: pair[0]
-            )
-        first, second = (
-            np.clip(np.geomspace(m / ratio, m * ratio, _FINER), _NARROWEST, _WIDEST) for m in best[1].m[:2]
-        )
-        ratio **= 2.0 / (_FINER - 1)
-    value = best[1].eval(samples.wi, samples.wo)
-    return replace(best[1], differences=samples.at_readings(value), clipped=leaves_rec_709(samples))
+    target, layers = target_of(paint), build_paint(paint)
+    r3, m3 = normal_reflectance(layers.ior), min(max(layers.roughness, 1e-3), 1.0)
+    start = CarPaint(_BLACK, (_BLACK, _BLACK, _WHITE), (1.0, 1.0, r3), (1.0, 1.0, m3))
+    matt, coat = target.integrals(start.terms)[:, 0], _integral(target, m3, r3)
+    rest = target.value / target.scale[:, None] - coat[:, None]
+    trials = []
+    for m1 in _WIDTHS:
+        columns = np.stack((matt, _integral(target, float(m1), 1.0)), axis=-1)
+        weights = first_weights(columns, target, rest)
+        score = target.score(columns @ weights + coat[:, None])
+        trials.append((score, _made(start, np.append(weights.ravel(), math.log(m1)))))
+    trials.sort(key=lambda pair: pair[0])
+    best, _ = min((_refine(model, target) for _, model in trials[:_TRIED]), key=lambda pair: pair[1])
+    return fitted(paint, target, best, best.sum_terms(target.integrals(best.terms)))
 
 
-def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Floats:
-    """Return weights (3 columns kd, ks1, ks2; 3 channels), between 0 and 1, of the least relative error to ``left``."""
-    from scipy.optimize import nnls  # much to import, and only these exports fit
+def _integral(target: Target, m: float, r: float) -> Floats:
+    """Return a lobe of weight 1 (n,), integrated over each pixel's light."""
+    return target.integrals(lambda wi, wo: lobe(wi, wo, m, r))
 
-    columns = np.stack(
-        [np.full(len(left), 1.0 / math.pi), *(lobe(samples.wi, samples.wo, m, 1.0) for m in (m1, m2))],
-        axis=-1,
-    )
-    found = np.empty((3, 3))
-    for channel in range(3):
-        target = left[:, channel]
-        scale = np.sqrt(samples.weight) / (target + _FLOOR * max(float(left.max()), 1e-6))
-        found[:, channel] = nnls(columns * scale[:, None], target * scale)[0]
-    return np.minimum(found, 1.0)
+
+def _made(model: CarPaint, x: Floats) -> CarPaint:
+    """Return the model with kd, ks1 and the logarithm of m1 (7 numbers)."""
+    kd, ks1 = ((float(r), float(g), float(b)) for r, g, b in x[:6].reshape(2, 3))
+    return replace(model, kd=kd, ks=(ks1, *model.ks[1:]), m=(math.exp(x[6]), *model.m[1:]))
+
+
+def _refine(model: CarPaint, target: Target) -> tuple[CarPaint, float]:
+    """Return the model of the least error near ``model``, and the error."""
+    start = np.array([*model.kd, *model.ks[0], math.log(model.m[0])])
+    low = np.array([*[0.0] * 6, math.log(_NARROWEST)])
+    high = np.array([*[1.0] * 6, math.log(_WIDEST)])
+    fixed = target.integrals(model.terms)
+    kept: dict[float, Floats] = {}
+
+    def values(x: Floats) -> Floats:
+        m = float(x[6])
+        if m not in kept:
+            kept[m] = _integral(target, math.exp(m), 1.0)
+        terms = np.concatenate((fixed[:, :1], kept[m][:, None], fixed[:, 2:]), axis=-1)
+        return _made(model, x).sum_terms(terms)
+
+    x, error = target.least(values, start, low, high)
+    return _made(model, x), error
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    found = fit_carpaint(item.modelled)
-    return fitted_losses(
-        item, "LuxCore's car paint (two lobes under a coat)", found.differences, found.clipped
-    )
+    return fitted_losses(item, "LuxCore's car paint (one lobe under a coat)", fit_carpaint(item.modelled))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
@@ -146,11 +112,12 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def _block(item: ExportItem, name: str, paint: CarPaint) -> str:
-    differences = ", ".join(f"{value:.2f}" for value in paint.differences)
+def _block(item: ExportItem, name: str, found: Fitted[CarPaint]) -> str:
+    differences = ", ".join(f"{value:.2f}" for value in found.differences)
+    paint = found.model
     lines = [
         f"# {' '.join(item.name.split())}, by BRDF Suite {__version__}",
-        f"# dE00 to the paint at its readings: {differences}",
+        f"# dE00 to the paint: {found.on_sphere:.2f} on a sphere; at its readings: {differences}",
         f'scene.materials.{name}.type = "carpaint"',
         f"scene.materials.{name}.kd = {_numbers(paint.kd)}",
     ]
@@ -172,7 +139,7 @@ FORMAT = ExportFormat(
     name="luxcore",
     title="LuxCore car paint",
     ending=".scn",
-    holds="A diffuse layer, two coloured lobes and a clearcoat, fitted to the readings.",
+    holds="A diffuse layer, a coloured lobe and a clearcoat, fitted on a sphere.",
     losses=losses,
     write=write,
     many=True,

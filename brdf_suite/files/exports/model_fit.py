@@ -1,16 +1,23 @@
-"""Fit targets for the simpler models of renderers: a designed paint at many directions, and the error measure.
+"""Fit of renderers' models to a designed paint, on spheres in several lights and at the paint's readings.
 
-Where a format holds a model of its own (car paint of LuxCore, OpenPBR, the clearcoat of glTF), its parameters are those
-that come nearest to the paint, coat included: at the paint's own readings first, then between them in the same plane,
-and with less weight under a steeper and a shallower light, where the paint itself is only a model.
+A model is fitted where it is seen: on spheres in the light of
+:mod:`brdf_suite.reflectance.instruments.rendered_sphere`, with the sun where the losses are told and in three other
+places, so that every pair of directions counts by how much of a sphere shows it, the halo around the mirror direction
+and the rim too. The readings count as an eighth of all. The error is the difference in L*, C* and h, each divided by
+the weight of CIE94, whose squares are smooth; the losses are ΔE00.
+
+The models are linear in all but few of their parameters: integrals of their terms over the light are made once for each
+width of a lobe, and colours are found from them.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -25,115 +32,204 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.format import ExportItem, flake_loss, model_loss
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.instruments.rendered_sphere import (
+    SUN_PLACE,
+    RenderedSphere,
+    exposure,
+    rendered_sphere,
+    sphere_difference,
+)
+from brdf_suite.reflectance.protocol import Reflectance
 
-_STEP_DEG = 10.0
-_BETWEEN, _OTHER_LIGHTS = 0.05, 0.005
-"""Weights of what lies between the readings, and of other lights; a reading counts 1."""
-_LIGHTS_DEG = (20.0, 65.0)
-_LOWEST_VIEW_DEG = 75.0
+_SUNS = (SUN_PLACE, (20.0, 15.0), (100.0, 25.0), (-150.0, 30.0))
+_POINTS, _DIRECTIONS = 80, 112
+_READINGS_SHARE = 0.125
+_STEPS = 12
+_ORDINARY = 2.0
+"""Differences beyond this many units count less than by their squares."""
+_FLOOR = 0.02
+"""Darkest values count in the first, linear fit as if they had this share of the median."""
+
+
+M = TypeVar("M", bound=Reflectance)
 
 
 @dataclass(frozen=True, eq=False)
-class ModelFitSamples:
-    """Directions (n, 3), f_r of the paint (n, 3) in linear Rec. 709, and weights (n,); the ``readings`` come first."""
+class Target:
+    """What models are fitted to: pixels of spheres, then readings.
 
+    Attributes
+    ----------
+    spheres
+        In one light each.
+    wi, wo
+        Directions (r, 3) of the readings.
+    cos_o
+        Cosine (n,) of the view from the normal, of all pixels and readings.
+    value
+        Linear Rec. 709 (n, 3), exposed: a pixel's 1 is the white of a screen, a reading's the perfect diffuser.
+    scale
+        What the models' values (n,) are multiplied by to compare.
+    weight
+        Weight (n,); 1 in all.
+    limit
+        Where light becomes white (n,): 1 for pixels, none for readings.
+    """
+
+    spheres: tuple[RenderedSphere, ...]
     wi: Floats
     wo: Floats
-    f: Floats
+    cos_o: Floats
+    value: Floats
+    scale: Floats
     weight: Floats
-    readings: int
+    limit: Floats
 
-    def difference(self, f: Floats) -> Floats:
-        """Return ΔE00 (n,) of another model's f_r (n, 3), linear Rec. 709, from the paint."""
-        return delta_e_2000(_lab(self.f), _lab(np.maximum(f, 0.0)))
+    def integrals(self, terms: Callable[[Floats, Floats], Floats]) -> Floats:
+        """Return terms of a model (n, k) of directions (n, 3), integrated over each pixel's light."""
+        return np.concatenate([*(sphere.summed(terms) for sphere in self.spheres), terms(self.wi, self.wo)])
 
-    def score(self, f: Floats) -> float:
-        """Return the weighted mean of squared ΔE00: what a fit makes small."""
-        return float(self.weight @ self.difference(f) ** 2 / self.weight.sum())
+    def residuals(self, found: Floats) -> Floats:
+        """Return the weighted differences (3 n,) in lightness, chroma and hue of a model's values (n, 3)."""
+        lab, other = self._lab(self.value), self._lab(found * self.scale[:, None])
+        chroma, other_chroma = (np.hypot(x[:, 1], x[:, 2]) for x in (lab, other))
+        along = other_chroma - chroma
+        # ΔH from Δa and Δb without a root: across the mean hue.
+        both = np.sqrt(np.maximum(chroma * other_chroma, 1e-6))
+        hue = (lab[:, 1] * other[:, 2] - lab[:, 2] * other[:, 1]) / np.maximum(both, 1.0)
+        lightness = (other[:, 0] - lab[:, 0]) / (1.0 + 0.005 * np.abs(lab[:, 0] - 50.0))
+        parts = (lightness, along / (1.0 + 0.045 * chroma), hue / (1.0 + 0.015 * chroma))
+        return np.concatenate([part * np.sqrt(self.weight) for part in parts])
 
-    def at_readings(self, f: Floats) -> tuple[float, ...]:
-        """Return ΔE00 at each reading of the paint, in its order."""
-        return tuple(self.difference(f)[: self.readings].tolist())
+    def least(
+        self, values: Callable[[Floats], Floats], start: Floats, low: Floats, high: Floats
+    ) -> tuple[Floats, float]:
+        """Return parameters between ``low`` and ``high`` near ``start`` whose values (n, 3) are nearest, and the error.
 
+        Large differences count less than by their squares, since the figure that is told is a mean.
+        """
+        from scipy.optimize import least_squares  # much to import, and only exports fit
 
-def sample_paint(paint: Paint, layers: PaintReflectance) -> ModelFitSamples:
-    """Return what the models are fitted to: the paint's readings, and directions between and beyond them."""
-    read = [(m.illumination_deg, m.aspecular_deg) for m in paint.measurements]
-    usual = read[0][0]
-    sides = [abs(aspecular) for _, aspecular in read]
-    nearest, farthest = min(sides), max(sides)
-    between = [(usual, float(angle)) for angle in np.arange(nearest, farthest + 1e-6, _STEP_DEG)]
-    beyond = [
-        (light, float(angle))
-        for light in _LIGHTS_DEG
-        for angle in np.arange(
-            max(nearest, 15.0), min(farthest, light + _LOWEST_VIEW_DEG) + 1e-6, 2.0 * _STEP_DEG
+        found = least_squares(
+            lambda x: self.residuals(values(x)),
+            np.clip(start, low + 1e-9, high - 1e-9),
+            bounds=(low, high),
+            x_scale="jac",
+            max_nfev=_STEPS,
+            loss="soft_l1",
+            f_scale=_ORDINARY / math.sqrt(len(self.weight)),
         )
-    ]
-    angles = np.array([*read, *between, *beyond])
+        return found.x, 2.0 * float(found.cost)
+
+    def score(self, found: Floats) -> float:
+        """Return the mean squared difference of a model's values (n, 3)."""
+        return float(np.square(self.residuals(found)).sum())
+
+    def readings(self, found: Floats) -> tuple[float, ...]:
+        """Return ΔE00 of a model's values (n, 3) at each reading of the paint, in its order."""
+        count = len(self.wi)
+        own = self._lab(self.value)[-count:]
+        return tuple(delta_e_2000(own, self._lab(found * self.scale[:, None])[-count:]).tolist())
+
+    def _lab(self, value: Floats) -> Floats:
+        shown = np.minimum(np.maximum(value, 0.0), self.limit[:, None])
+        return working_to_lab(shown @ REC709_TO_WORKING.T)
+
+
+@lru_cache(maxsize=8)
+def target_of(paint: Paint) -> Target:
+    """Return what models of a designed paint are fitted to; :class:`UnreachableError` where it cannot be built."""
+    layers = build_paint(paint)
+    spheres = tuple(rendered_sphere(sun, _POINTS, _DIRECTIONS) for sun in _SUNS)
+    pixels = [sphere.pixels(layers) for sphere in spheres]
+    exposures = [exposure(one) for one in pixels]
+    angles = np.array([(m.illumination_deg, m.aspecular_deg) for m in paint.measurements])
     wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
-    f = layers.eval(wi, wo)
-    # At its own readings the paint is what was read, to the last bit.
-    f[: len(read)] = lab_to_working([m.lab for m in paint.measurements]) / math.pi
-    weight = np.concatenate(
-        [np.ones(len(read)), np.full(len(between), _BETWEEN), np.full(len(beyond), _OTHER_LIGHTS)]
+    read = lab_to_working([m.lab for m in paint.measurements])
+    value = np.concatenate([*(one * factor for one, factor in zip(pixels, exposures, strict=True)), read])
+    many, few = _POINTS * len(spheres), len(read)
+    return Target(
+        spheres,
+        wi,
+        wo,
+        np.concatenate([*(sphere.cos_o for sphere in spheres), wo[:, 2]]),
+        value @ WORKING_TO_SRGB.T,
+        np.concatenate([np.repeat(exposures, _POINTS), np.full(few, math.pi)]),
+        np.concatenate([np.full(many, (1.0 - _READINGS_SHARE) / many), np.full(few, _READINGS_SHARE / few)]),
+        np.concatenate([np.ones(many), np.full(few, math.inf)]),
     )
-    return ModelFitSamples(wi, wo, f @ WORKING_TO_SRGB.T, weight, len(read))
 
 
-def leaves_rec_709(samples: ModelFitSamples) -> bool:
-    """Return whether a reading of the paint is more saturated than Rec. 709, in which the models are written."""
-    return bool(samples.f[: samples.readings].min() < -1e-6)
+def first_weights(columns: Floats, target: Target, rest: Floats) -> Floats:
+    """Return weights (k, 3), 0 to 1, of ``columns`` (n, k) whose sum is nearest to ``rest`` (n, 3), relatively.
+
+    ``rest`` is in the model's own scale, what its fixed parts leave of the target.
+    """
+    from scipy.optimize import nnls  # much to import, and only exports fit
+
+    found = np.empty((columns.shape[1], 3))
+    floor = _FLOOR * 0.18
+    for channel in range(3):
+        scaled = np.maximum(target.value[:, channel], 0.0)
+        share = np.sqrt(target.weight) / (np.minimum(scaled, target.limit) + floor)
+        # A white pixel need not be as bright as it is.
+        share = np.where(scaled > target.limit, 0.2 * share, share) * target.scale
+        found[:, channel] = nnls(columns * share[:, None], rest[:, channel] * share)[0]
+    return np.minimum(found, 1.0)
 
 
-def format_differences(paint: Paint, differences: tuple[float, ...], what: str) -> str:
-    """Return the sentence that states how far a model is from the paint at its readings."""
+@dataclass(frozen=True, eq=False)
+class Fitted(Generic[M]):
+    """A fitted model, ΔE00 at the paint's readings, the mean ΔE00 on the sphere, and whether a colour is clipped."""
+
+    model: M
+    differences: tuple[float, ...]
+    on_sphere: float
+    clipped: bool
+
+
+def fitted(paint: Paint, target: Target, model: M, found: Floats) -> Fitted[M]:
+    """Return a model and its values (n, 3) with its differences from the paint."""
+    count = len(target.wi)
+    return Fitted(
+        model,
+        target.readings(found),
+        sphere_difference(build_paint(paint), model),
+        bool(target.value[-count:].min() < -1e-6),
+    )
+
+
+def format_differences(paint: Paint, differences: tuple[float, ...], on_sphere: float, what: str) -> str:
+    """Return the sentence that states how far a model is from the paint on a sphere and at its readings."""
     at = ", ".join(
         f"{difference:.1f} at {m.aspecular_deg:g}°"
         + ("" if m.illumination_deg == 45.0 else f" (light {m.illumination_deg:g}°)")
         for m, difference in zip(paint.measurements, differences, strict=True)
     )
-    return f"{what} comes as near as ΔE00 {at}."
+    return f"{what}: mean ΔE00 {on_sphere:.1f} on a sphere in the sun; {at}."
 
 
-def fitted_losses(
-    item: ExportItem, what: str, differences: tuple[float, ...], clipped: bool
-) -> tuple[str, ...]:
+def fitted_losses(item: ExportItem, what: str, found: Fitted[M]) -> tuple[str, ...]:
     """Return what is lost of a paint in a format that holds a fitted model and nothing beside it."""
-    losses = [*model_loss(item), format_differences(item.paint, differences, what)]
-    if clipped:
+    return (
+        *shape_losses(item, what, found),
+        *flake_loss(item),
+        "Gloss readings, notes and source are left out.",
+    )
+
+
+def shape_losses(item: ExportItem, what: str, found: Fitted[M]) -> tuple[str, ...]:
+    """Return what is lost of a paint's colours in a fitted model."""
+    losses = [
+        *model_loss(item),
+        format_differences(item.paint, found.differences, found.on_sphere, what),
+    ]
+    if found.clipped:
         losses.append(
             "A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge."
         )
-    return (*losses, *flake_loss(item), "Gloss readings, notes and source are left out.")
-
-
-def half_vector(wi: Floats, wo: Floats) -> tuple[Floats, Floats]:
-    """Return cos θh (n,) and cos θd (n,) of directions (n, 3)."""
-    total = wi + wo
-    length = np.linalg.norm(total, axis=-1)
-    return total[..., 2] / length, 0.5 * length
-
-
-def ggx(cos_h: Floats, alpha: float | Floats) -> Floats:
-    """Return D of Trowbridge and Reitz, α² / (π (cos²θh (α² - 1) + 1)²)."""
-    alpha2 = np.square(alpha)
-    return np.asarray(alpha2 / (math.pi * (cos_h * cos_h * (alpha2 - 1.0) + 1.0) ** 2))
-
-
-def schlick(cos_d: Floats, at_normal: float | Floats) -> Floats:
-    """Return Fresnel's reflectance after Schlick 1994."""
-    return np.asarray(at_normal + (1.0 - at_normal) * (1.0 - cos_d) ** 5)
-
-
-def normal_reflectance(ior: float) -> float:
-    """Return ((n - 1) / (n + 1))²."""
-    return ((ior - 1.0) / (ior + 1.0)) ** 2
-
-
-def _lab(f: Floats) -> Floats:
-    return working_to_lab(math.pi * f @ REC709_TO_WORKING.T)
+    return tuple(losses)
 
 
 _NOT_A_NAME = re.compile(r"[^A-Za-z0-9_]+")

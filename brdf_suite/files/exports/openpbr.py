@@ -1,36 +1,41 @@
 """MaterialX export (``.mtlx``): the paint as an OpenPBR surface for renderers and film-industry tools.
 
-A metal of one roughness and one colour, mixed with a matt base, under a clearcoat of the paint's own index and
-roughness. ``specular_ior`` is that of the coat, so that there is no second interface below it, and the darkening of
-base by coat is off, since the readings were taken through the coat. Colours are linear Rec. 709. How the parameters are
-found stands in :mod:`brdf_suite.files.exports.metal_rough_fit`.
+A matt base and a specular lobe of its own colour, under a clearcoat of the paint's index and roughness. Metalness is 0:
+the lobe is a dielectric whose ``specular_ior`` is high against that of the coat, coloured by ``specular_color``; a
+solid paint has the coat's own index, so that there is no second interface. The darkening of the base by the coat is
+off, since the readings were taken through it. Colours are linear Rec. 709. The parameters are those of
+:mod:`brdf_suite.files.exports.coated_facets_fit`.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from xml.sax.saxutils import quoteattr
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import PathLike
+from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
-from brdf_suite.files.exports.metal_rough_fit import MetalRough, fit_openpbr
-from brdf_suite.files.exports.model_fit import fitted_losses, material_names
+from brdf_suite.files.exports.model_fit import Fitted, fitted_losses, material_names
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.renderers.coated_facets import CoatedFacets
+from brdf_suite.reflectance.renderers.facet_lobe import index_of
 from brdf_suite.release import __version__
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what an OpenPBR surface cannot hold of a paint; it is fitted for this."""
-    found = fit_openpbr(item.modelled)
-    what = "OpenPBR (one colour for every angle, so no change of hue)"
-    return fitted_losses(item, what, found.differences, found.clipped)
+    return fitted_losses(item, "OpenPBR in MaterialX", fit_coated_facets(item.modelled, "openpbr"))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
     names = material_names([item.name for item in items])
-    blocks = [_block(item, name, fit_openpbr(item.modelled)) for item, name in zip(items, names, strict=True)]
+    blocks = [
+        _block(item, name, fit_coated_facets(item.modelled, "openpbr"))
+        for item, name in zip(items, names, strict=True)
+    ]
     text = (
         '<?xml version="1.0"?>\n<materialx version="1.39" colorspace="lin_rec709">\n'
         f"{''.join(blocks)}</materialx>\n"
@@ -39,22 +44,26 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     return ()
 
 
-def _block(item: ExportItem, name: str, model: MetalRough) -> str:
+def _block(item: ExportItem, name: str, found: Fitted[CoatedFacets]) -> str:
+    model = found.model
     floats = {
         "base_weight": 1.0,
-        "base_metalness": model.metalness,
+        "base_metalness": 0.0,
         "specular_weight": 1.0,
-        "specular_roughness": model.roughness,
-        "specular_ior": model.coat_ior,
+        "specular_roughness": math.sqrt(model.alpha),
+        "specular_ior": model.coat_ior * index_of(model.grey),
         "coat_weight": 1.0,
-        "coat_roughness": model.coat_roughness,
+        "coat_roughness": math.sqrt(model.coat_alpha),
         "coat_ior": model.coat_ior,
         "coat_darkening": 0.0,
     }
-    colour = ", ".join(f"{value:.9g}" for value in model.colour)
-    inputs = [f'    <input name="base_color" type="color3" value="{colour}"/>']
+    colours = {"base_color": model.diffuse, "specular_color": model.specular}
+    inputs = [
+        f'    <input name="{key}" type="color3" value="{", ".join(f"{value:.9g}" for value in colour)}"/>'
+        for key, colour in colours.items()
+    ]
     inputs += [f'    <input name="{key}" type="float" value="{value:.9g}"/>' for key, value in floats.items()]
-    differences = ", ".join(f"{value:.2f}" for value in model.differences)
+    differences = ", ".join(f"{value:.2f}" for value in found.differences)
     comment = f"{item.name}, by BRDF Suite {__version__}; ΔE00 at its readings: {differences}"
     lines = "\n".join(inputs)
     return (
@@ -70,7 +79,7 @@ FORMAT = ExportFormat(
     name="openpbr",
     title="MaterialX, OpenPBR surface",
     ending=".mtlx",
-    holds="One base colour, metalness and roughness under a clearcoat, fitted to the readings.",
+    holds="A matt colour and a lobe of another under a clearcoat, fitted on a sphere.",
     losses=losses,
     write=write,
     many=True,

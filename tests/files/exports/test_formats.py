@@ -67,10 +67,10 @@ def test_what_is_lost_is_reported_in_sentences(known: ExportFormat) -> None:
     )
     if known.read is None:
         assert any("left out" in sentence for sentence in reported)
-    if known.name in ("luxcore", "openpbr", "gltf"):
+    if known.name in ("luxcore", "openpbr", "gltf", "usd"):
         assert any("ΔE00" in sentence for sentence in reported)
         assert any("flakes" in sentence for sentence in reported)
-    if known.name in ("luxcore", "openpbr", "rgl"):
+    if known.name in ("luxcore", "openpbr", "usd", "rgl"):
         assert any("orange peel" in sentence for sentence in reported)
 
 

@@ -1,0 +1,108 @@
+"""Render a glTF or USD file in Blender's Cycles: ``tools/blender.py MODEL LIGHT.exr OUTPUT.exr [--size 128]``.
+
+The light is a latitude-longitude map, laid out as the suite's; the camera looks along -z (y up) at the origin, from
+``--distance`` metres, and sees ``--width`` metres there. The picture is linear Rec. 709 with alpha. Blender is the
+package ``bpy`` (374 MB), installed by uv into an environment that is deleted afterwards; ``--environment FOLDER`` uses,
+or makes and keeps, one there. It needs the Python version that the package is built for, 3.11 for Blender 5.0.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PACKAGE = "bpy==5.0.*"
+
+
+def main() -> int:
+    """Render here where this is Blender's Python, else in an environment that has it."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("model", type=Path)
+    parser.add_argument("light", type=Path)
+    parser.add_argument("output", type=Path)
+    parser.add_argument("--size", type=int, default=128)
+    parser.add_argument("--samples", type=int, default=512)
+    parser.add_argument("--distance", type=float, default=2.0)
+    parser.add_argument("--width", type=float, default=0.22)
+    parser.add_argument("--environment", type=Path, default=None, metavar="FOLDER")
+    options = parser.parse_args()
+    try:
+        import bpy  # noqa: F401  # only to know where this runs
+    except ImportError:
+        if options.environment is not None:
+            return elsewhere(options.environment)
+        with tempfile.TemporaryDirectory(prefix="blender-") as folder:
+            return elsewhere(Path(folder) / "environment")
+    render(options)
+    return 0
+
+
+def elsewhere(folder: Path) -> int:
+    """Run this script in an environment with Blender, made where it is missing; return its exit status."""
+    python = folder / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+    if not python.is_file():
+        uv = [sys.executable, "-m", "uv"]
+        subprocess.run([*uv, "venv", "--python", "3.11", str(folder)], check=True)
+        subprocess.run([*uv, "pip", "install", "--python", str(python), PACKAGE], check=True)
+    return subprocess.run([str(python), __file__, *sys.argv[1:]], check=False).returncode
+
+
+def render(options: argparse.Namespace) -> None:
+    """Render with ``bpy``; Blender's axes have z up: its (x, y, z) is our (x, -z, y)."""
+    import bpy
+    from mathutils import Vector
+
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    path = str(options.model.resolve())
+    if options.model.suffix in (".usda", ".usd"):
+        bpy.ops.wm.usd_import(filepath=path)
+    else:
+        bpy.ops.import_scene.gltf(filepath=path)
+    for thing in scene.objects:
+        if thing.type == "MESH":
+            for face in thing.data.polygons:
+                face.use_smooth = True
+
+    world = bpy.data.worlds.new("light")
+    scene.world = world
+    world.use_nodes = True
+    nodes, links = world.node_tree.nodes, world.node_tree.links
+    image = bpy.data.images.load(str(options.light.resolve()))
+    image.colorspace_settings.name = "Non-Color"
+    texture, place = nodes.new("ShaderNodeTexEnvironment"), nodes.new("ShaderNodeMapping")
+    texture.image, texture.interpolation = image, "Linear"
+    # Our centre column looks along Blender's -y, Blender's along +x.
+    place.inputs["Rotation"].default_value = (0.0, 0.0, math.radians(90.0))
+    links.new(nodes.new("ShaderNodeTexCoord").outputs["Generated"], place.inputs["Vector"])
+    links.new(place.outputs["Vector"], texture.inputs["Vector"])
+    links.new(texture.outputs["Color"], nodes["Background"].inputs["Color"])
+
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    scene.collection.objects.link(camera)
+    camera.location = (0.0, -options.distance, 0.0)
+    camera.rotation_euler = Vector((0.0, 1.0, 0.0)).to_track_quat("-Z", "Y").to_euler()
+    camera.data.angle = 2.0 * math.atan(0.5 * options.width / options.distance)
+    scene.camera = camera
+
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = options.samples, False, False
+    cycles.sample_clamp_indirect = cycles.sample_clamp_direct = cycles.blur_glossy = 0.0
+    cycles.pixel_filter_type = "BOX"
+    scene.render.film_transparent = True
+    scene.render.resolution_x = scene.render.resolution_y = options.size
+    scene.render.resolution_percentage = 100
+    scene.view_settings.view_transform = "Raw"
+    settings = scene.render.image_settings
+    settings.file_format, settings.color_mode, settings.color_depth = "OPEN_EXR", "RGBA", "32"
+    scene.render.filepath = str(options.output.resolve())
+    bpy.ops.render.render(write_still=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
