@@ -23,9 +23,7 @@ SCRIPTS = (
 @pytest.mark.parametrize("script", SCRIPTS)
 def test_a_comparison_prints_its_tables(script: str) -> None:
     command = [sys.executable, "-W", "error", script, "--paints", "2"]
-    done = subprocess.run(
-        command, cwd=HERE / "comparisons", capture_output=True, text=True, timeout=240, check=False
-    )
+    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode == 0, done.stderr
     rows = [line for line in done.stdout.splitlines() if line.startswith("| ")]
     assert len(rows) >= 4
@@ -33,7 +31,7 @@ def test_a_comparison_prints_its_tables(script: str) -> None:
 
 
 def test_the_plots_are_drawn(tmp_path: Path) -> None:
-    script = HERE.parents[1] / "packaging" / "plots" / "fit.py"
+    script = HERE.parents[2] / "packaging" / "plots" / "fit.py"
     command = [sys.executable, str(script), str(tmp_path), "--paints", "2"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode == 0, done.stderr
@@ -43,7 +41,7 @@ def test_the_plots_are_drawn(tmp_path: Path) -> None:
 
 @pytest.fixture
 def experiment(monkeypatch: pytest.MonkeyPatch) -> object:
-    monkeypatch.syspath_prepend(str(HERE / "comparisons"))
+    monkeypatch.syspath_prepend(str(HERE))
     import lobe_experiment
 
     return lobe_experiment
