@@ -247,7 +247,7 @@ def acquire(hand: Hand, program: Any, folder: Path) -> None:
     hand.press("Try a Simulated Acquisition")
     hand.wait(lambda: program.feature(AcquireControl).assistant is not None)
     assistant = program.feature(AcquireControl).assistant
-    hand.wait(lambda: "fit" in assistant.bench.results or bool(assistant.window.messages.shown()), 400.0)
+    hand.wait(lambda: "fit" in assistant.bench.results or bool(assistant.window.messages.shown()), 1200.0)
     said = hand.ask(lambda: "; ".join(one.what for one in assistant.window.messages.shown().values()))
     if said:
         raise MissingError(said)
