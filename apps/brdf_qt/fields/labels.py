@@ -69,6 +69,7 @@ class PlainLabel(QLabel):
     def set_mark(self, what: Mark | None) -> None:
         """Show a mark before the text, None: none. Screen readers say its word."""
         if what is not self._mark:
+            self.ensurePolished()  # at its first showing the style would take the room away again
             self._mark = what
             margins = self.contentsMargins()
             margins.setLeft(0 if what is None else SIZE + 4)
@@ -148,6 +149,7 @@ class DrawnLabel(PlainLabel):
         return self._text
 
     def sizeHint(self) -> QSize:
+        self.ensurePolished()
         margins, around = self.contentsMargins(), 2 * self.margin()
         wide = margins.left() + margins.right() + around + self.text_width(self._text)
         return QSize(wide, margins.top() + margins.bottom() + around + self.fontMetrics().height())

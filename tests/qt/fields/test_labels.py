@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from brdf_qt.fields.labels import DrawnLabel, ElidedLabel
-from brdf_qt.fields.marks import Mark
+from brdf_qt.fields.marks import SIZE, Mark
 from brdf_qt.window.status_line import StatusLine
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QAccessible
@@ -64,6 +64,19 @@ def test_a_status_cell_keeps_the_room_of_its_longest_text(qtbot) -> None:
     assert layouts.of(lambda: cell.set("Fit ΔE00 ≤ 0.13, 2.5 ms", "what it is")) == 0
     assert "what it is" in cell.toolTip()
     assert layouts.of(lambda: cell.set("Fit ΔE00 ≤ 0.13, 2.5 ms, stopped by the time limit")) > 0
+
+
+def test_a_mark_that_comes_before_the_first_showing_keeps_its_room(qtbot) -> None:
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    line = StatusLine()
+    window.setStatusBar(line)
+    window.show()
+    cell = line.cell("Gamut", elastic=True)
+    cell.set("Outside sRGB: 110°", mark=Mark.OUTSIDE)
+    QApplication.processEvents()
+    assert cell.isVisible()
+    assert cell.contentsRect().left() >= SIZE
 
 
 def test_it_wants_the_room_that_a_label_of_qt_wants(window) -> None:
