@@ -16,6 +16,8 @@ from brdf_designer.assembly import Designer
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
+from brdf_suite.pipeline.material import load_shipped_paint
+
 HERE = Path(__file__).parent
 SLOW = {
     "trimesh",
@@ -166,6 +168,13 @@ def test_a_kill_in_the_middle_of_a_drag_keeps_the_work_of_every_tab(qtbot, dialo
     assert designer.store.value.lab_at(15.0)[0] in (40.0, 41.0)
     assert not any(document.store.is_clean for document in row)
     assert designer.window.isWindowModified()
+    # Each has its history: the drag is one step, and before it is the shipped paint.
+    for document in row:
+        edited = document.store.value
+        document.store.undo()
+        assert document.store.value == load_shipped_paint(edited.name.lower())
+        document.store.redo()
+        assert document.store.value == edited
     designer.close()
 
 

@@ -204,14 +204,13 @@ class UnsavedWork:
     def _restore_saved(self, key: str) -> None:
         """Give a saved palette its history back, where that ends at what the file holds, and nothing was done yet."""
         item = self._library.item(key)
-        file = None if item is None or item.path is None else self._histories.get(item.path)
-        if item is None or item.palette is None or file is None:
+        if item is None or item.palette is None or item.path is None or item.path not in self._histories:
             return
+        file = self._histories.pop(item.path)
         store = item.palette.store
         kept = self._finder.kept(file, store.value)
         if kept is not None and kept.history.place == kept.history.saved and not store.stack.count():
             self._library.restore_history(item, kept, store.path, store.stamp)
-        del self._histories[item.path]
         file.unlink(missing_ok=True)
 
     def recover(self, found: Recovered[Palette]) -> str:

@@ -299,7 +299,12 @@ class PictureControl(Feature, QObject):
         if surface is not None:
             page = self._window.panel.pages["light"]
             self.lamps = PictureLamps(
-                self, surface, page, lambda: self._contents.form, lambda: self._bounds_and_size()[0]
+                self,
+                self.view_changed,
+                surface,
+                page,
+                lambda: self._contents.form,
+                lambda: self._bounds_and_size()[0],
             )
 
     def _take_drawer(self, drawer: PictureDrawer) -> None:

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, ClassVar, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from brdf_qt.gl.gestures import is_click
 from brdf_qt.gl.lamp_handles import LampHandles, SeenPlace, ray_through
 from brdf_qt.gl.surface import GlSurface
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, Qt, SignalInstance
 from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtWidgets import QMenu, QWidget
 
@@ -27,9 +27,8 @@ if TYPE_CHECKING:
 
 
 class ShownView(Protocol):
-    """The view of the picture; ``view_changed(old, new)`` where it is another."""
+    """The view of the picture."""
 
-    view_changed: ClassVar[Signal]
     view: View
 
     def move(self, view: View) -> None:
@@ -37,11 +36,15 @@ class ShownView(Protocol):
 
 
 class PictureLamps(QObject):
-    """The lamps of the picture's view; ``page`` is the tab of the light, ``form`` gives the mesh that is drawn."""
+    """The lamps of the picture's view; ``page`` is the tab of the light, ``form`` gives the mesh that is drawn.
+
+    ``view_changed(old, new)``: another view is shown.
+    """
 
     def __init__(
         self,
         picture: ShownView,
+        view_changed: SignalInstance,
         surface: GlSurface,
         page: QWidget,
         form: Callable[[], Mesh | None],
@@ -56,7 +59,7 @@ class PictureLamps(QObject):
         page.installEventFilter(self)
         surface.canvas_changed.connect(self._listen)
         self._listen(surface.canvas)
-        picture.view_changed.connect(self._view_changed)
+        view_changed.connect(self._view_changed)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Notice clicks of the right button, and leave every event to the camera's gestures."""

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
 from brdf_qt.program.translation import decimal
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPainterPath, QPalette, QPen, QResizeEvent
-from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
+from PySide6.QtWidgets import (
+    QGraphicsItem,
+    QGraphicsSceneResizeEvent,
+    QGraphicsView,
+    QStyleOptionGraphicsItem,
+    QWidget,
+)
 
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.cuts.pens import colour_of, grey_pen, hatching_brush, pen_of
@@ -57,8 +64,23 @@ class LineItem(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no typ
 class ThinnedAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """An axis whose logarithmic numbers keep apart: 1, 2 and 5 of each decade where pyqtgraph would write all nine.
 
-    The numbers have the decimal sign of the program's language.
+    The numbers have the decimal sign of the program's language. A title that is longer than the axis is not shown
+    rather than cut off.
     """
+
+    def resizeEvent(self, event: QGraphicsSceneResizeEvent | None = None) -> None:
+        super().resizeEvent(event)
+        self._show_title()
+
+    def setLabel(self, *words: Any, **more: Any) -> None:
+        super().setLabel(*words, **more)
+        self._show_title()
+
+    def _show_title(self) -> None:
+        if self.label is not None:  # it is, once the plot is closed
+            upright = self.orientation in ("left", "right")
+            room = self.size().height() if upright else self.size().width()
+            self.label.setOpacity(1.0 if self.label.boundingRect().width() <= room else 0.0)
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
         return [decimal(word) for word in super().tickStrings(values, scale, spacing)]

@@ -48,12 +48,12 @@ class ViewRecovery(ViewerFeature):
     ) -> None:
         super().__init__(state, window)
         self._paint, self._studio, self._views = paint, studio, views
+        self._kept_paint = self._first_paint = ""
         report = partial(self._report, key="autosave")
         self.recovery: Recovery[View] = Recovery(
             state.history, FORMAT, report, self, keeps_history=True, folder="autosave_views"
         )
         self.recovery.beside = lambda: {_PAINT: self._kept_paint}
-        self._kept_paint = self._first_paint = ""
         self._left: Recovered[View] | None = None
         self._when_lit: Callable[[], object] | None = None
         state.contents_changed.connect(self._contents_changed)
