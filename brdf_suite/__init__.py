@@ -1,6 +1,7 @@
 """Design, measure, fit and render automotive paint: ``import brdf_suite as bs``.
 
-What is named here is the library, and stays as it is from one minor version to the next; everything below may change.
+What is named here, and what its functions return, is the library, and stays as it is from one minor version to the
+next; everything else below may change.
 Each name is imported at its first use. Docstrings state shapes, units, ranges and errors, with an example.
 
 >>> import brdf_suite as bs
