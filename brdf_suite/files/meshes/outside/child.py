@@ -90,8 +90,9 @@ def read_outside(path: PathLike, library: str, kind: str, tessellation_mm: float
     with np.errstate(invalid="ignore"):  # of numbers that are none
         parts = _raw_parts(path, found)
     up, metres = header.get("up"), header.get("metres")
-    usable = isinstance(metres, int | float) and 1e-9 <= metres <= 1e9
-    return OutsideMesh(parts, up if up in ("y", "z") else None, float(metres) if usable else None)
+    if not isinstance(metres, int | float) or not 1e-9 <= metres <= 1e9:
+        metres = None
+    return OutsideMesh(parts, up if up in ("y", "z") else None, metres)
 
 
 def _raw_parts(path: PathLike, found: list[OutsidePart]) -> list[RawPart]:
@@ -138,7 +139,8 @@ def _run(
     with tempfile.TemporaryDirectory(prefix="brdf-suite-") as folder:
         answer = Path(folder) / "answer"
         command = child_command(WORKER, library, file, str(answer), json.dumps(options))
-        hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
+        # On Windows a process of its own would show a window.
+        hidden = {"creationflags": 0x08000000} if sys.platform == "win32" else {}
         try:
             done = subprocess.run(
                 command,
