@@ -31,6 +31,7 @@ HEADER_BYTES = 8
 SECONDS = 120.0
 """Of reading; the tessellation of a whole car's CAD surfaces takes about a minute."""
 _KINDS = ("<f4", "<f8", "|i1", "|u1", "<i2", "<u2", "<i4", "<u4", "<i8")
+_NO_WINDOW = 0x08000000
 _NO_PART = "its answer is damaged"
 
 
@@ -139,8 +140,6 @@ def _run(
     with tempfile.TemporaryDirectory(prefix="brdf-suite-") as folder:
         answer = Path(folder) / "answer"
         command = child_command(WORKER, library, file, str(answer), json.dumps(options))
-        # On Windows a process of its own would show a window.
-        hidden = {"creationflags": 0x08000000} if sys.platform == "win32" else {}
         try:
             done = subprocess.run(
                 command,
@@ -150,7 +149,8 @@ def _run(
                 timeout=SECONDS,
                 check=False,
                 cwd=folder,
-                **hidden,
+                # On Windows a process of its own would show a window.
+                creationflags=_NO_WINDOW if sys.platform == "win32" else 0,
             )
         except subprocess.TimeoutExpired as error:
             raise FileError(path, f"reading it takes more than {SECONDS:g} s; make it smaller") from error
