@@ -12,7 +12,6 @@ import re
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import cast
 
 import numpy as np
 
@@ -62,7 +61,7 @@ def named_material(material: str, part: str) -> Material | None:
     ('trim', 'rubber')
     """
     if material in MATERIALS:
-        return cast(Material, material)
+        return material
     for name in (material, part):
         words = [word.lower() for word in _WORD.findall(name)]
         for result, starts in _ROWS:
@@ -106,7 +105,7 @@ def _paints(
     parts: Sequence[RawPart], words: Sequence[Material | None], groups: list[_Group]
 ) -> list[Material]:
     """Return paint, second paint or neutral for each group of parts that neither name nor look has sorted."""
-    by_name = defaultdict(float)
+    by_name: dict[ForeignLook, float] = defaultdict(float)
     for part, word in zip(parts, words, strict=True):
         if word == "paint":
             by_name[part.look] += _area(part)

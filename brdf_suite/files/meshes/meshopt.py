@@ -152,7 +152,7 @@ def _undone(planes: _Bytes, last: _Bytes, channel: int) -> _Bytes:
 
 def _unzigzag(values: NDArray[Any]) -> NDArray[Any]:
     one = values.dtype.type(1)
-    return (values >> one) ^ (values.dtype.type(0) - (values & one))
+    return np.asarray((values >> one) ^ (values.dtype.type(0) - (values & one)))
 
 
 def _filtered(vertices: _Bytes, filter_name: str) -> NDArray[Any]:
@@ -162,7 +162,7 @@ def _filtered(vertices: _Bytes, filter_name: str) -> NDArray[Any]:
     if filter_name == "EXPONENTIAL":
         words = vertices.view("<i4")
         with np.errstate(over="ignore"):
-            return np.ldexp((words << 8 >> 8).astype(np.float32), words >> 24).astype("<f4")
+            return np.asarray(np.ldexp((words << 8 >> 8).astype(np.float32), words >> 24), "<f4")
     if filter_name != "OCTAHEDRAL" or stride not in (4, 8):
         raise ValueError(f"the filter {filter_name} on vertices of {stride} bytes")
     kind = np.dtype("i1" if stride == 4 else "<i2")

@@ -144,7 +144,7 @@ def _look(material: Any) -> ForeignLook:
     said = getattr(material, "kwargs", None) or {}
 
     def number(key: str) -> float | None:
-        found = said.get(key)
+        found: Any = said.get(key)
         try:
             value = float(found[0] if isinstance(found, list) else found)
         except (TypeError, ValueError, LookupError):

@@ -428,3 +428,14 @@ def test_a_byte_offset_that_no_file_has_is_refused_in_our_own_files(tmp_path: Pa
     file.write_bytes(head + text + struct.pack("<I4s", len(binary), b"BIN\0") + bytes(binary))
     with pytest.raises(FileError, match="damaged mesh file"):
         read_mesh(file)
+
+
+def test_a_required_extension_that_is_not_read_is_named_in_letters_that_can_be_shown(tmp_path: Path) -> None:
+    for name, shown in (
+        ("EXT_mesh_gpu_instancing", "EXT_mesh_gpu_instancing"),
+        ("EXT\x7f\n", r"'EXT\x7f\n'"),
+    ):
+        with pytest.raises(FileError) as error:
+            read_mesh(gltf(tmp_path, extensionsRequired=[name]))
+        assert f"requires the extension {shown}, which is not read" in str(error.value)
+        assert str(error.value).isprintable()

@@ -95,7 +95,8 @@ def _look(material: dict[str, Any], linear: bool) -> dict[str, Any]:
     for key, name in (("metallic", "METALLIC_FACTOR"), ("roughness", "ROUGHNESS_FACTOR")):
         if isinstance(material.get(name), float):
             fields[key] = material[name]
-    opacity = material.get("OPACITY", colour[3] if fields.get("colour") and len(colour) > 3 else 1.0)
+    alpha = colour[3] if isinstance(colour, list | tuple) and len(colour) > 3 else 1.0
+    opacity = material.get("OPACITY", alpha)
     # Nothing that is to be seen lets all light through; some programs mean the opposite by their number.
     if isinstance(opacity, float) and 0.0 < opacity < 1.0:
         fields["passing"] = 1.0 - opacity

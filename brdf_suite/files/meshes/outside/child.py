@@ -31,6 +31,7 @@ HEADER_BYTES = 8
 SECONDS = 120.0
 """Of reading; the tessellation of a whole car's CAD surfaces takes about a minute."""
 _KINDS = ("<f4", "<f8", "|i1", "|u1", "<i2", "<u2", "<i4", "<u4", "<i8")
+_NO_WINDOW = 0x08000000
 _NO_PART = "its answer is damaged"
 
 
@@ -90,8 +91,9 @@ def read_outside(path: PathLike, library: str, kind: str, tessellation_mm: float
     with np.errstate(invalid="ignore"):  # of numbers that are none
         parts = _raw_parts(path, found)
     up, metres = header.get("up"), header.get("metres")
-    usable = isinstance(metres, int | float) and 1e-9 <= metres <= 1e9
-    return OutsideMesh(parts, up if up in ("y", "z") else None, float(metres) if usable else None)
+    if not isinstance(metres, int | float) or not 1e-9 <= metres <= 1e9:
+        metres = None
+    return OutsideMesh(parts, up if up in ("y", "z") else None, metres)
 
 
 def _raw_parts(path: PathLike, found: list[OutsidePart]) -> list[RawPart]:
@@ -138,7 +140,6 @@ def _run(
     with tempfile.TemporaryDirectory(prefix="brdf-suite-") as folder:
         answer = Path(folder) / "answer"
         command = child_command(WORKER, library, file, str(answer), json.dumps(options))
-        hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
         try:
             done = subprocess.run(
                 command,
@@ -148,7 +149,8 @@ def _run(
                 timeout=SECONDS,
                 check=False,
                 cwd=folder,
-                **hidden,
+                # On Windows a process of its own would show a window.
+                creationflags=_NO_WINDOW if sys.platform == "win32" else 0,
             )
         except subprocess.TimeoutExpired as error:
             raise FileError(path, f"reading it takes more than {SECONDS:g} s; make it smaller") from error

@@ -41,7 +41,7 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
         raise Refused("damaged: its surfaces could not be cut into triangles") from error
     found = []
     for part in parts:
-        arrays = {"positions": part.positions.astype(np.float32), "triangles": part.triangles}
+        arrays: dict[str, Any] = {"positions": part.positions.astype(np.float32), "triangles": part.triangles}
         if part.normals is not None:
             arrays["normals"] = part.normals.astype(np.float32)
         look = part.look

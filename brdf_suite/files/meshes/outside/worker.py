@@ -33,6 +33,9 @@ _ANSWER = 1 << 30
 
 def main(arguments: list[str]) -> int:
     """Read the file that the arguments name and write the answer; return the exit status."""
+    if len(arguments) != 4:
+        print(__doc__, flush=True)
+        return 0 if "--help" in arguments else 2
     library, file, answer, options = arguments
     _limit()
     np.seterr(all="ignore")  # what is not finite is left out, and said, by the parent
