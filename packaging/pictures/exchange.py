@@ -177,7 +177,10 @@ def in_luxcore(model: Path, name: str, light: Path, samples: int) -> Floats:
 
 
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
-    """Return the mean ΔE00 of blocks, of their pixels that are whole in both, exposed for the first, and both as shown (h, w, 3)."""
+    """Return the mean ΔE00, exposed for the first, and both as shown (h, w, 3).
+
+    It is that of the blocks, each the mean of its pixels that are whole in both, and counted by their number.
+    """
     inside = (first[..., 3] > 0.999) & (other[..., 3] > 0.999)
     light = first[..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
     factor = 0.18 / float(np.median(light[inside]))
