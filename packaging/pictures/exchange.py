@@ -177,23 +177,29 @@ def in_luxcore(model: Path, name: str, light: Path, samples: int) -> Floats:
 
 
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
-    """Return the mean ΔE00 of blocks where both are whole, exposed for the first, and both as shown (h, w, 3)."""
-    calm = [_blocks(picture) for picture in (first, other)]
-    inside = (calm[0][..., 3] > 0.999) & (calm[1][..., 3] > 0.999)
-    light = calm[0][..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
+    """Return the mean ΔE00, exposed for the first, and both as shown (h, w, 3).
+
+    It is that of the blocks, each the mean of its pixels that are whole in both, and counted by their number.
+    """
+    inside = (first[..., 3] > 0.999) & (other[..., 3] > 0.999)
+    light = first[..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
     factor = 0.18 / float(np.median(light[inside]))
+    pixels = _blocks(inside[..., None].astype(float))[..., 0]
+    used = pixels > 0.0
     lab, other_lab = (
-        working_to_lab(np.clip(picture[inside][:, :3] * factor, 0.0, 1.0) @ REC709_TO_WORKING.T)
-        for picture in calm
+        working_to_lab(np.clip(factor * mean, 0.0, 1.0) @ REC709_TO_WORKING.T)
+        for picture in (first, other)
+        for mean in (_blocks(picture[..., :3] * inside[..., None])[used] / pixels[used][:, None],)
     )
+    seen = np.average(delta_e_2000(lab, other_lab), weights=pixels[used])
     shown = [np.clip(picture[..., :3] * factor, 0.0, 1.0) for picture in (first, other)]
-    return float(delta_e_2000(lab, other_lab).mean()), shown[0], shown[1]
+    return float(seen), shown[0], shown[1]
 
 
 def _blocks(picture: Floats) -> Floats:
     """Return the means of blocks of pixels, in which noise counts little."""
     count = SIZE // BLOCK
-    return np.asarray(picture.reshape(count, BLOCK, count, BLOCK, 4).mean(axis=(1, 3)))
+    return np.asarray(picture.reshape(count, BLOCK, count, BLOCK, -1).mean(axis=(1, 3)))
 
 
 def tile(shown: Floats, coverage: Floats, text: str) -> Image.Image:
