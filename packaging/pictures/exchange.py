@@ -3,8 +3,8 @@
     python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,luxcore] [--blender FOLDER] [folder]
 
 A sphere in each paint, path-traced from the paint itself, beside that of each client rendering what was exported, in
-the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. ``--blender`` is the folder
-of an environment for tools/blender.py, made and kept there; without it Blender is installed each time.
+the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. ``--blender`` is the
+folder of an environment for tools/blender.py, made and kept there; without it Blender is installed each time.
 """
 
 from __future__ import annotations
