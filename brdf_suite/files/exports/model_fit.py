@@ -111,8 +111,11 @@ class FitTarget:
         """
         from scipy.optimize import least_squares  # much to import, and only exports fit
 
+        def differences(x: Floats) -> Floats:
+            return self.residuals(values(x))
+
         found = least_squares(
-            lambda x: self.residuals(values(x)),
+            differences,
             np.clip(start, low + 1e-9, high - 1e-9),
             bounds=(low, high),
             x_scale="jac",
