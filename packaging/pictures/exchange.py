@@ -3,8 +3,8 @@
     python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,luxcore] [--blender FOLDER] [folder]
 
 A sphere in each paint, path-traced from the paint itself, beside that of each client rendering what was exported, in
-the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are told. ``--blender`` is the folder
-of an environment for tools/blender.py, made and kept there; without it Blender is installed each time.
+the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. ``--blender`` is the
+folder of an environment for tools/blender.py, made and kept there; without it Blender is installed each time.
 """
 
 from __future__ import annotations
@@ -261,12 +261,12 @@ def main() -> int:
                 picture = in_luxcore(work / f"{name}.scn", material, lit, options.samples)
                 shown.append(("LuxCore", picture, fit_carpaint(paint).on_sphere))
             tiles = []
-            for client, picture, told in shown:
+            for client, picture, reported in shown:
                 seen, first, other = difference(truth, picture)
                 if not tiles:
                     tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
                 tiles.append(tile(other, picture[..., 3], f"{client}: dE00 {seen:.1f}"))
-                print(f"| {name} | {client} | {told:.2f} | {seen:.2f} |", flush=True)
+                print(f"| {name} | {client} | {reported:.2f} | {seen:.2f} |", flush=True)
             rows.append(tiles)
             sheet(rows).save(options.folder / f"{options.name}.png", optimize=True)
     return 0

@@ -15,10 +15,10 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
-from brdf_suite.files.exports.model_fit import Fitted, Target, first_weights, fitted, target_of
+from brdf_suite.files.exports.model_fit import FitTarget, Fitted, first_weights, fitted, target_of
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.renderers.coated_facets import GLTF_COAT_IOR, CoatedFacets, Kind, matt_term
-from brdf_suite.reflectance.renderers.facet_lobe import FacetLobe
+from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe
 
 _WIDTHS = np.geomspace(0.08, 1.0, 10)
 _GREYS = (0.15, 0.35, 0.6)
@@ -54,11 +54,11 @@ def fit_coated_facets(paint: Paint, kind: Kind) -> Fitted[CoatedFacets]:
 class _Integrals:
     """Integrals of a model's terms, kept: those of the lobe depend on its width and grey, the others on no colour."""
 
-    def __init__(self, target: Target, model: CoatedFacets) -> None:
+    def __init__(self, target: FitTarget, model: CoatedFacets) -> None:
         self.target = target
         self._matt = target.integrals(matt_term)
         self._coat = target.integrals(model.coat.terms)
-        self._lobes: dict[FacetLobe, Floats] = {}
+        self._lobes: dict[RendererLobe, Floats] = {}
 
     def values(self, model: CoatedFacets) -> Floats:
         """Return the model's values (n, 3)."""

@@ -25,8 +25,8 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import PathLike
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.model_fit import (
+    FitTarget,
     Fitted,
-    Target,
     first_weights,
     fitted,
     fitted_losses,
@@ -67,7 +67,7 @@ def fit_carpaint(paint: Paint) -> Fitted[CarPaint]:
     return fitted(paint, target, best, best.sum_terms(target.integrals(best.terms)))
 
 
-def _integral(target: Target, m: float, r: float) -> Floats:
+def _integral(target: FitTarget, m: float, r: float) -> Floats:
     """Return a lobe of weight 1 (n,), integrated over each pixel's light."""
     return target.integrals(lambda wi, wo: lobe(wi, wo, m, r))
 
@@ -78,7 +78,7 @@ def _made(model: CarPaint, x: Floats) -> CarPaint:
     return replace(model, kd=kd, ks=(ks1, *model.ks[1:]), m=(math.exp(x[6]), *model.m[1:]))
 
 
-def _refine(model: CarPaint, target: Target) -> tuple[CarPaint, float]:
+def _refine(model: CarPaint, target: FitTarget) -> tuple[CarPaint, float]:
     """Return the model of the least error near ``model``, and the error."""
     start = np.array([*model.kd, *model.ks[0], math.log(model.m[0])])
     low = np.array([*[0.0] * 6, math.log(_NARROWEST)])

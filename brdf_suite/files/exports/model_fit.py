@@ -1,7 +1,7 @@
 """Fit of renderers' models to a designed paint, on spheres in several lights and at the paint's readings.
 
 A model is fitted where it is seen: on spheres in the light of
-:mod:`brdf_suite.reflectance.instruments.rendered_sphere`, with the sun where the losses are told and in three other
+:mod:`brdf_suite.reflectance.instruments.rendered_sphere`, with the sun where the losses are reported and in three other
 places, so that every pair of directions counts by how much of a sphere shows it, the halo around the mirror direction
 and the rim too. The readings count as an eighth of all. The error is the difference in L*, C* and h, each divided by
 the weight of CIE94, whose squares are smooth; the losses are ΔE00.
@@ -56,7 +56,7 @@ M = TypeVar("M", bound=Reflectance)
 
 
 @dataclass(frozen=True, eq=False)
-class Target:
+class FitTarget:
     """What models are fitted to: pixels of spheres, then readings.
 
     Attributes
@@ -107,12 +107,15 @@ class Target:
     ) -> tuple[Floats, float]:
         """Return parameters between ``low`` and ``high`` near ``start`` whose values (n, 3) are nearest, and the error.
 
-        Large differences count less than by their squares, since the figure that is told is a mean.
+        Large differences count less than by their squares, since the figure that is reported is a mean.
         """
         from scipy.optimize import least_squares  # much to import, and only exports fit
 
+        def differences(x: Floats) -> Floats:
+            return self.residuals(values(x))
+
         found = least_squares(
-            lambda x: self.residuals(values(x)),
+            differences,
             np.clip(start, low + 1e-9, high - 1e-9),
             bounds=(low, high),
             x_scale="jac",
@@ -138,7 +141,7 @@ class Target:
 
 
 @lru_cache(maxsize=8)
-def target_of(paint: Paint) -> Target:
+def target_of(paint: Paint) -> FitTarget:
     """Return what models of a designed paint are fitted to; :class:`UnreachableError` where it cannot be built."""
     layers = build_paint(paint)
     spheres = tuple(rendered_sphere(sun, _POINTS, _DIRECTIONS) for sun in _SUNS)
@@ -149,7 +152,7 @@ def target_of(paint: Paint) -> Target:
     read = lab_to_working([m.lab for m in paint.measurements])
     value = np.concatenate([*(one * factor for one, factor in zip(pixels, exposures, strict=True)), read])
     many, few = _POINTS * len(spheres), len(read)
-    return Target(
+    return FitTarget(
         spheres,
         wi,
         wo,
@@ -161,7 +164,7 @@ def target_of(paint: Paint) -> Target:
     )
 
 
-def first_weights(columns: Floats, target: Target, rest: Floats) -> Floats:
+def first_weights(columns: Floats, target: FitTarget, rest: Floats) -> Floats:
     """Return weights (k, 3), 0 to 1, of ``columns`` (n, k) whose sum is nearest to ``rest`` (n, 3), relatively.
 
     ``rest`` is in the model's own scale, what its fixed parts leave of the target.
@@ -189,7 +192,7 @@ class Fitted(Generic[M]):
     clipped: bool
 
 
-def fitted(paint: Paint, target: Target, model: M, found: Floats) -> Fitted[M]:
+def fitted(paint: Paint, target: FitTarget, model: M, found: Floats) -> Fitted[M]:
     """Return a model and its values (n, 3) with its differences from the paint."""
     count = len(target.wi)
     return Fitted(

@@ -59,7 +59,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
 def _material(item: ExportItem, name: str, found: Fitted[CoatedFacets]) -> str:
     model = found.model
     differences = ", ".join(f"{value:.2f}" for value in found.differences)
-    told = f"{item.name}; dE00 {found.on_sphere:.2f} on a sphere, at its readings {differences}"
+    reported = f"{item.name}; dE00 {found.on_sphere:.2f} on a sphere, at its readings {differences}"
     inputs = {
         "color3f inputs:diffuseColor": _colour(model.diffuse),
         "float inputs:metallic": f"{model.metalness:.9g}",
@@ -70,7 +70,7 @@ def _material(item: ExportItem, name: str, found: Fitted[CoatedFacets]) -> str:
     }
     lines = "".join(f"                {key} = {value}\n" for key, value in inputs.items())
     return (
-        f'        def Material "{name}" (\n            doc = {_text(told)}\n        )\n        {{\n'
+        f'        def Material "{name}" (\n            doc = {_text(reported)}\n        )\n        {{\n'
         f"            token outputs:surface.connect = </Paints/Materials/{name}/Surface.outputs:surface>\n\n"
         '            def Shader "Surface"\n            {\n'
         '                uniform token info:id = "UsdPreviewSurface"\n'

@@ -55,7 +55,7 @@ class CarPaint(mixture.MixtureSampled):
 
     def sum_terms(self, terms: Floats) -> Floats:
         """Return f_r (n, 3), linear Rec. 709, of ``terms`` (n, 4), or what they integrate to."""
-        return terms @ np.array([self.kd, *self.ks])
+        return np.asarray(terms @ np.array([self.kd, *self.ks]))
 
     @property
     def _parts(self) -> list[mixture.MixturePart]:

@@ -38,7 +38,12 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.renderers.facet_lobe import Compensation, FacetLobe, index_of, normal_reflectance
+from brdf_suite.reflectance.renderers.facet_lobe import (
+    Compensation,
+    RendererLobe,
+    index_of,
+    normal_reflectance,
+)
 
 Kind = Literal["gltf", "openpbr", "usd"]
 Rgb = tuple[float, float, float]
@@ -140,17 +145,19 @@ class CoatedFacets(mixture.MixtureSampled):
         return np.asarray((1.0 - metal) * matt + metal * self.lobe.sum_terms(terms[:, 1:4], colour, cos_o))
 
     @cached_property
-    def lobe(self) -> FacetLobe:
+    def lobe(self) -> RendererLobe:
         """The lobe between the matt layer and the coat, S."""
         if self.kind == "openpbr":
             alpha = min(1.0, math.sqrt(self.alpha**2 + 2.0 * self.coat_alpha**2))
-            return FacetLobe(alpha, index_of(self.grey), "turquin")
-        return FacetLobe(self.alpha, GLTF_LOBE_IOR if self.kind == "gltf" else 1.0, COMPENSATIONS[self.kind])
+            return RendererLobe(alpha, index_of(self.grey), "turquin")
+        return RendererLobe(
+            self.alpha, GLTF_LOBE_IOR if self.kind == "gltf" else 1.0, COMPENSATIONS[self.kind]
+        )
 
     @cached_property
-    def coat(self) -> FacetLobe:
+    def coat(self) -> RendererLobe:
         """The lobe of the clearcoat, C."""
-        return FacetLobe(
+        return RendererLobe(
             self.coat_alpha, 1.0 if self.kind == "usd" else self.coat_ior, COMPENSATIONS[self.kind]
         )
 

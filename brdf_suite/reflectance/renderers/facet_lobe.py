@@ -46,7 +46,7 @@ def index_of(reflectance: float) -> float:
 
 
 @dataclass(frozen=True)
-class FacetLobe:
+class RendererLobe:
     """A lobe of width ``alpha``; ``ior`` is the index of the dielectric that r follows, 1 for Schlick's."""
 
     alpha: float

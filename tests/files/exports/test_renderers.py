@@ -38,7 +38,7 @@ TO_709 = WORKING_TO_SRGB.T
     ("name", "most"), [("solid_red", 1.5), ("silver_metallic", 3.5), ("emerald_pearl", 3.5)]
 )
 def test_models_of_renderers_come_near_on_a_sphere(name: str, most: float) -> None:
-    """The limits are those of what the formats can hold, with some room; the losses tell each paint's own."""
+    """The limits are those of what the formats can hold, with some room; the losses report each paint's own."""
     paint = load_shipped_paint(name)
     found = {
         "carpaint": fit_carpaint(paint),
@@ -51,11 +51,11 @@ def test_models_of_renderers_come_near_on_a_sphere(name: str, most: float) -> No
         assert one.on_sphere == sphere_difference(build_paint(paint), one.model)
 
 
-def test_what_the_losses_tell_is_the_difference_on_the_sphere() -> None:
+def test_what_the_losses_report_is_the_difference_on_the_sphere() -> None:
     found = fit_coated_facets(PAINT, "gltf")
-    (told,) = (loss for loss in BY_NAME["gltf"].losses(ExportItem(PAINT)) if "on a sphere" in loss)
-    assert f"mean ΔE00 {found.on_sphere:.1f} on a sphere" in told
-    assert f"{found.differences[0]:.1f} at 15°" in told
+    (reported,) = (loss for loss in BY_NAME["gltf"].losses(ExportItem(PAINT)) if "on a sphere" in loss)
+    assert f"mean ΔE00 {found.on_sphere:.1f} on a sphere" in reported
+    assert f"{found.differences[0]:.1f} at 15°" in reported
 
 
 def test_a_solid_paint_has_no_lobe_and_a_metallic_one_has() -> None:

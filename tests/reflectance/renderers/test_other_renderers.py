@@ -11,7 +11,7 @@ from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.reflectance.albedo import white_furnace
 from brdf_suite.reflectance.renderers.carpaint import CarPaint
 from brdf_suite.reflectance.renderers.coated_facets import CoatedFacets
-from brdf_suite.reflectance.renderers.facet_lobe import FacetLobe, index_of, normal_reflectance
+from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe, index_of, normal_reflectance
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 RED, BLUE = (0.6, 0.05, 0.02), (0.02, 0.1, 0.5)
@@ -67,7 +67,7 @@ def test_white_paint_returns_what_it_gets(kind: str, alpha: float) -> None:
 
 def test_a_narrow_lobe_at_the_normal_has_its_known_peak() -> None:
     """Light and view along the normal, α 0.05, f0 0.5: hardly any light meets a second facet."""
-    lobe = FacetLobe(0.05)
+    lobe = RendererLobe(0.05)
     normal = np.array([[0.0, 0.0, 1.0]])
     value = lobe.sum_terms(lobe.terms(normal, normal), np.array([0.5]), np.ones(1))
     # 1 / (π α²) · 1/4 · f0
