@@ -79,7 +79,8 @@ class LightPane(QWidget):
         super().__init__()
         self.light = ""
         """The light that is shown, or on its way."""
-        self._contents, self._drawer, self._view = PictureContents(), None, View()
+        self._contents, self._view = PictureContents(), View()
+        self._drawer: PictureDrawer | None = None
         self._is_loading = self._whole = False
         self._tasks = TaskRunner(self, threads=1)
         self._loader = loader.another(self._tasks, self)
@@ -143,7 +144,7 @@ class LightPane(QWidget):
         self.ended.emit()
 
     def _take_drawer(self, drawer: PictureDrawer) -> None:
-        self._drawer: PictureDrawer | None = drawer
+        self._drawer = drawer
 
     def _draw(self) -> None:
         self._whole = False

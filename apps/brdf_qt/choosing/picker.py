@@ -130,11 +130,23 @@ class PictureBox(QuietComboBox):
             self.sources.thumbnails.request(f"field {id(self)}", [(source.key, source.content)])
 
 
-class SourceChooser(QWidget):
+class SourceField(QWidget):
     """Emits ``chosen(key)`` when the user takes an entry and ``browse_requested()`` for the button."""
 
     chosen = Signal(str)
     browse_requested = Signal()
+
+    def set_sources(self, shipped: Iterable[Source], files: Iterable[Source]) -> None:
+        """Show these entries: shipped things and those of a palette, then files."""
+        raise NotImplementedError
+
+    def show_source(self, key: str, title: str) -> None:
+        """Show ``key`` as the present choice, without a signal; added to the entries where it is not among them."""
+        raise NotImplementedError
+
+
+class SourceChooser(SourceField):
+    """The entries in a list with pictures that opens."""
 
     def __init__(self, browse_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -170,11 +182,8 @@ class SourceChooser(QWidget):
         self.sources.rename(key, title)
 
 
-class SourceTiles(QWidget):
-    """A few entries as tiles, to be taken by one click; as :class:`SourceChooser` otherwise. Its room is two rows."""
-
-    chosen = Signal(str)
-    browse_requested = Signal()
+class SourceTiles(SourceField):
+    """A few entries as tiles, to be taken by one click. Its room is two rows."""
 
     def __init__(self, owner: str, browse_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from brdf_qt.choosing.picker import SourceField
 from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
@@ -48,7 +49,10 @@ class SceneControl(ViewerFeature):
     def __init__(self, state: ViewerState, window: ViewerWindow, runner: TaskRunner) -> None:
         super().__init__(state, window)
         self.loader = SceneLoader(runner, self)
-        self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
+        self._choosers: dict[str, SourceField] = {
+            ENVIRONMENT: window.environment.chooser,
+            SURFACE: window.surface.chooser,
+        }
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
         self._recent = {kind: RecentFiles(f"recent/{kind}") for kind in self._choosers}
         self._loading: dict[str, str] = {}

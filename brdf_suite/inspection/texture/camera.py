@@ -105,7 +105,9 @@ def _blurred(at: Floats, light: Floats, side: int, spread_mm: float) -> Floats:
     """Return the same of very many flakes, from a finer picture of points."""
     fine = side * _FINE
     column, line = np.minimum((at * _FINE).astype(np.int64), fine - 1)
-    points = np.bincount(line * fine + column, light, fine * fine).reshape(fine, fine)
+    points: Floats = np.asarray(np.bincount(line * fine + column, light, fine * fine), float).reshape(
+        fine, fine
+    )
     spread = spread_mm * _FINE / PIXEL_MM
     reach = round(_BLUR_REACH * spread)
     bell = np.exp(-0.5 * (np.arange(-reach, reach + 1) / spread) ** 2)
