@@ -89,7 +89,7 @@ def test_view_history_and_paint_come_back(start, lights, qtbot) -> None:
     assert not list(state_folder("autosave_views").glob("*.json"))
 
 
-def test_a_studio_comes_back_with_its_history_over_the_view(start, lights, qtbot) -> None:
+def test_a_studio_comes_back_with_its_history_over_the_view(start, lights, tmp_path, qtbot) -> None:
     kill(lights["bright"], studio=True)
     viewer = start(follow=False)
     assert "Name 1" in viewer.messages()["recovery"]
@@ -109,6 +109,7 @@ def test_a_studio_comes_back_with_its_history_over_the_view(start, lights, qtbot
     store.redo()
     store.redo()
     assert store.value.name == "Name 2"
+    assert control.files.save_to(tmp_path / "name.brdfstudio")  # so that the window closes without a question
 
 
 def test_discarded_work_is_not_offered_again(start, lights, qtbot) -> None:
