@@ -56,9 +56,9 @@ def test_the_list_has_every_page_once(checkout: Path) -> None:
     assert len(rows) == len(listed)
 
 
-def test_where_md_answers_30_questions_with_files(checkout: Path) -> None:
+def test_where_md_answers_questions_with_files(checkout: Path) -> None:
     answers = ANSWER.findall((checkout / "docs" / "development" / "where.md").read_text(encoding="utf-8"))
-    assert len({question for question, _ in answers}) == len(answers) == 30
+    assert len({question for question, _ in answers}) == len(answers) >= 30
     assert [path for _, path in answers if not (checkout / path).is_file()] == []
 
 

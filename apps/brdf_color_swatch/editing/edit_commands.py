@@ -153,8 +153,8 @@ class EditCommands(SwatchFeature):
             return
         library = self._session.library
         suggested = suggested_file(self._session.item, tr("New palette"), PALETTE_ENDING)
-        filters = f"{tr('Palette')} (*{PALETTE_ENDING})"
-        path = library.dialogs.save_path(suggested, filters)
+        kind = tr("Palette")
+        path = library.dialogs.save_path(suggested, f"{kind} (*{PALETTE_ENDING})")
         if path is not None:
             path = path if path.suffix else path.with_name(path.name + PALETTE_ENDING)
             palette = Palette(" ".join(path.stem.split()) or tr("New palette"), tuple(entries))
