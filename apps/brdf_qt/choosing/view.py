@@ -192,8 +192,9 @@ class ThumbnailView(QListView):
         if isinstance(event, QHelpEvent):
             index = self.indexAt(event.pos())
             if self._meets_mark(index, event.pos()):
-                tip = plain_tip(self.mark_tip.format(name=index.data()))
-                QToolTip.showText(event.globalPos(), tip, self, self.mark_box(self.visualRect(index)))
+                said = self.mark_tip.format(name=index.data())
+                box = self.mark_box(self.visualRect(index))
+                QToolTip.showText(event.globalPos(), plain_tip(said), self, box)
                 return True
         return super().viewportEvent(event)
 

@@ -32,7 +32,7 @@ class StatusCell(ElidedLabel):
         self.setMargin(3)
         # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.
         self.setAutoFillBackground(True)
-        self._tip = tip
+        self._tip = self._said = tip
         self._shown: tuple[str, str | None, State, Mark | None] | None = None
         self._widest = 0
         self._character = self.fontMetrics().averageCharWidth()  # in bold type it would be another
@@ -51,9 +51,10 @@ class StatusCell(ElidedLabel):
         self.set_mark(Mark.WARNING if mark is None and state == "warning" and text else mark)
         self.setText(f"({text})" if state == "stale" and text else text)
         whole = text if self._elastic else ""
-        tip = plain_tip("\n".join(part for part in (whole, tip, self._tip) if part))
-        if tip != self.toolTip():
-            self.setToolTip(tip)
+        said = "\n".join(part for part in (whole, tip, self._tip) if part)
+        if said != self._said:
+            self._said = said
+            self.setToolTip(plain_tip(said))
         self.setAccessibleDescription(text)
         # What is as it was is not drawn anew: a drag sets these a hundred times a second.
         if self.font().bold() != (state == "warning"):
