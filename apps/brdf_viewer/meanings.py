@@ -11,6 +11,7 @@ MARKED = (
     mark("Around the y axis, 0 on +z"),
     mark("Each step doubles the light"),
     mark("Factor on all lengths of the mesh"),
+    mark("Largest distance of a triangle from the CAD surface that it stands for"),
     mark("Factor on the environment's light; 0: the lamps alone"),
     mark("Factor on the light of single flakes; 1: as density and size say"),
     mark("Factor on the normal map's slopes"),

@@ -8318,6 +8318,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>Faktor auf alle Längen des Netzes</translation>
     </message>
     <message>
+        <source>Largest distance of a triangle from the CAD surface that it stands for</source>
+        <translation>Größter Abstand eines Dreiecks von der CAD-Fläche, für die es steht</translation>
+    </message>
+    <message>
         <source>Factor on the environment&apos;s light; 0: the lamps alone</source>
         <translation>Faktor auf das Licht der Umgebung; 0: die Lampen allein</translation>
     </message>

@@ -145,10 +145,9 @@ class Band(QWidget):
         """Return the place in :data:`GRIPS` of the grip at a point of the strip."""
         if self._flop() is None:
             return None
-        for place, centre in enumerate(self.grip_centres()):
-            if math.dist((centre.x(), centre.y()), (point.x(), point.y())) <= RADIUS + 1.5:
-                return place
-        return None
+        away = [math.dist((centre.x(), centre.y()), (point.x(), point.y())) for centre in self.grip_centres()]
+        nearest = min(range(len(away)), key=away.__getitem__)  # in a narrow strip grips lie over each other
+        return nearest if away[nearest] <= RADIUS + 1.5 else None
 
     def grip_centres(self) -> list[QPointF]:
         """Return where the grips stand, in the order of :data:`GRIPS`."""

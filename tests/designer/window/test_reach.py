@@ -170,7 +170,11 @@ def test_every_control_that_is_shown_takes_the_focus_by_tab(window):
 
 
 def has_other_way(window, button: QToolButton) -> bool:
-    """A tool button of a command in the menus, or the head of a panel that View ▸ Panels shows and hides."""
+    """A tool button of a command in the menus, one of a group that the arrow keys go through, or the head of a panel
+    that View ▸ Panels shows and hides."""
+    group = button.group()
+    if group is not None and group.checkedButton().focusPolicy() & Qt.FocusPolicy.TabFocus:
+        return True
     if button.defaultAction() in [action for _path, action in commands(window, also_disabled=True)]:
         return True
     return (button.objectName() or "").startswith("qt_dock")
