@@ -41,10 +41,7 @@ CHANGING = {
     *("_generation", "_gesture", "_latest", "generation"),  # counts of what was done
     *("_button", "_last", "_merged"),  # of a gesture that is over; the next one begins by setting them
     *("_tallest", "_widest"),  # the place that the longest text so far is given
-    *(
-        "_encoded",
-        "_widths",
-    ),  # what was worked out for a document's steps and for texts, and is looked up again
+    *("_encoded", "_widths"),  # what was worked out of a document and of texts, to be looked up again
     "_bounds",  # of the surface, which is compared
 }
 """Attributes that are not compared: they say nothing of what a Viewer will do."""
