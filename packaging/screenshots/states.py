@@ -53,6 +53,7 @@ class States:
         self._tabs()
         self._drawers()
         self._docks()
+        self._three_lights()
         for name in DIALOGS:
             self._dialog(name)
         self._error()
@@ -96,6 +97,16 @@ class States:
                 dock.show()
                 self._take(f"dock_{key}")
                 dock.hide()
+
+    def _three_lights(self) -> None:
+        from PySide6.QtGui import QAction
+
+        for action in self.window.findChildren(QAction, "action_three_lights"):
+            action.trigger()
+            self.rest()
+            _run_for(_PATIENCE_S, lambda: self.program.is_idle)
+            self._take("three_lights")
+            action.trigger()
 
     def _dialog(self, name: str) -> None:
         """Trigger a command, take the windows that it opens, and close them; a modal one is met in its own loop."""
