@@ -133,6 +133,9 @@ def test_light_and_form_are_chosen_in_their_tabs_and_the_hand_turns_the_form(des
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(60, 10))
     assert shown.view.camera.azimuth_deg != pytest.approx(90.0)
     assert designer.store.stack.count() == steps
+    # Another test's window may still have the keys.
+    designer.window.activateWindow()
+    qtbot.waitUntil(designer.window.isActiveWindow)
     QTest.keyClick(canvas, Qt.Key.Key_F)
     assert shown.view.camera.distance is None
 
