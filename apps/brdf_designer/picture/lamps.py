@@ -59,7 +59,7 @@ class PictureLamps(QObject):
         page.installEventFilter(self)
         surface.canvas_changed.connect(self._listen)
         self._listen(surface.canvas)
-        view_changed.connect(self._view_changed)
+        view_changed.connect(self.handles.follow_view)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Notice clicks of the right button, and leave every event to the camera's gestures."""
@@ -114,11 +114,6 @@ class PictureLamps(QObject):
 
     def _listen(self, canvas: QWidget) -> None:
         canvas.installEventFilter(self)
-
-    def _view_changed(self, old: View, new: View) -> None:
-        self.handles.show()
-        if old.rotation_deg != new.rotation_deg:
-            self.handles.show_turned()
 
     # The scene of the handles.
 

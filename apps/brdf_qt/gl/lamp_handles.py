@@ -167,7 +167,13 @@ class LampHandles(QObject):
             handles.append(LampHandle(number, place, _colour(lamp), behind, number - 1 == scene.chosen))
         self.layer.show_handles(tuple(handles), centre, reach)
 
-    def show_turned(self) -> None:
+    def follow_view(self, old: View, new: View) -> None:
+        """Show the handles in another view, and say for a moment how far its light is turned."""
+        self.show()
+        if old.rotation_deg != new.rotation_deg:
+            self._show_turned()
+
+    def _show_turned(self) -> None:
         """Say for a moment how far the light is turned, while the hand turns it."""
         held = QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton
         if held and self._grip is None and not self._asks:

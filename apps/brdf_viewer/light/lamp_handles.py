@@ -51,7 +51,7 @@ class LampControl(ViewerFeature):
         self.handles.asking.connect(self._fields.highlight.setChecked)
         self._fields.list.currentIndexChanged.connect(lambda _index: self.handles.show())
         window.panel.pages["light"].installEventFilter(self)
-        state.view_changed.connect(self._view_changed)
+        state.view_changed.connect(self.handles.follow_view)
         state.contents_changed.connect(self.handles.show)
         self.handles.show()
 
@@ -63,11 +63,6 @@ class LampControl(ViewerFeature):
     def _toggle(self, on: bool) -> None:
         settings().setValue(_KEY, on)
         self.handles.show()
-
-    def _view_changed(self, old: View, new: View) -> None:
-        self.handles.show()
-        if old.rotation_deg != new.rotation_deg:
-            self.handles.show_turned()
 
     # The scene of the handles.
 
