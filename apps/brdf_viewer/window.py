@@ -82,7 +82,7 @@ class ViewerWindow(SuiteWindow):
         self._busy_delay = make_timer(self, self._show_busy)
         for name in (mark("frame"), mark("fit"), mark("exposure"), mark("environment"), mark("palette")):
             self.status.cell(name, elastic=name in ("environment", "palette"))
-        for name, text in (("frame", tr("Frame {ms} ms")), ("fit", tr("Fit ΔE {worst}"))):
+        for name, text in (("frame", tr("Frame {ms} ms")), ("fit", tr("Fit ΔE00 {worst}"))):
             self.status.cell(name).reserve(text.format(ms=decimal("888.8"), worst=decimal("88.88")))
         for name in (mark("readout"), mark("link")):
             self.status.cell(name, right=True, elastic=name == "link")

@@ -1,9 +1,13 @@
-"""Take a picture of every state of the four windows, and list the texts that are clipped or overlap; it must list none.
+"""Take a picture of every state of the windows, and list the texts that are clipped or overlap; it must list none.
 
-Run ``.venv/bin/python packaging/screenshots/states.py --into FOLDER``. States are the start, each tab with *More* open,
-drawers and docks, dialogs, an error, work in progress, and a window without a document; each in themes, languages and
-sizes. ``--program``, ``--theme``, ``--language`` and ``--size`` (``WxH``, ``WxH@2`` for 200 %) choose fewer; without
-``--into`` the texts alone are measured. Settings are fresh ones. The exit status is 1 where a text is at fault.
+Run ``.venv/bin/python packaging/screenshots/states.py --into FOLDER``. Windows are those of the four programs, of the
+assistant *Acquire…*, and the start page with its tour. States are the start, each tab with *More* open, drawers and
+docks, dialogs, an error, work in progress, and a window without a document; each in themes, languages and sizes.
+``--program``, ``--theme``, ``--language`` and ``--size`` (``WxH``, ``WxH@2`` for 200 %) choose fewer; without ``--into``
+the texts alone are measured. Settings are fresh ones. The exit status is 1 where a text is at fault.
+
+``--sheets`` writes the sheets of small pictures in docs/images/states/: one of each window and theme, in English at
+1280×720. ``--compare`` takes the same states and lists those that look different from the sheets.
 """
 
 from __future__ import annotations
@@ -15,27 +19,37 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
-from dataclasses import asdict
+from dataclasses import asdict, dataclass, field
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from screenshots import virtual_screen
+from screenshots import IMAGES, virtual_screen
+from sheets import THRESHOLD, changes, write_sheet
 
 if TYPE_CHECKING:
+    from brdf_designer.assembly import Designer
     from brdf_qt.program.program import Program
     from PySide6.QtWidgets import QWidget
 
-PROGRAMS = ("Designer", "Viewer", "Lobe Visualizer", "Color Swatch")
+ACQUIRE, START_PAGE = "Acquire", "Start Page"
+PROGRAMS = ("Designer", "Viewer", "Lobe Visualizer", "Color Swatch", ACQUIRE, START_PAGE)
+"""The programs, and two windows of Designer that have states of their own."""
 THEMES = ("dark", "light")
 LANGUAGES = ("en", "de")
 SIZES = ("1280x720", "1920x1080", "1280x720@2")
 DIALOGS = (
     "Settings", "Keyboard Shortcuts", "About BRDF Suite", "Manual", "lobe_fit", "Find a Command", "sheet", "export",
-    "Export Picture", "Export Turntable", "Export Contact Sheet", "acquire",
+    "Export Picture", "Export Turntable", "Export Contact Sheet",
 )  # fmt: skip
 """Commands that open a window of our own, by the object names of their actions; each where a program has it."""
-ACQUIRE_PAGES = ("session", "exposures", "response", "geometry", "mask", "coverage", "fit")
+SHEETS = IMAGES / "states"
+SHEET_LANGUAGE, SHEET_SIZE = "en", "1280x720"
+RECENT = ("spring_collection.brdfproject", "red_metallic.brdfpaint", "polaris_silver.binary")
+START_SHARE, START_MOST = (0.94, 0.92), (1140, 752)
+"""Of a screen that the start page takes, and its most pixels."""
+_BROKEN = "A paint with a rather long name that was cut off in the middle"
+_SIMULATION_S = 600.0
 _REST_S = 0.4
 _PATIENCE_S = 60.0
 _DIALOG_MS = 900
@@ -122,13 +136,7 @@ class States:
         def meet() -> None:
             tops = [one for one in QApplication.topLevelWidgets() if isValid(one) and one.isVisible()]
             for one in [one for one in tops if one is not self.window]:
-                label = name.replace(" ", "_").lower()
-                if type(one).__name__ == "AcquireWindow":
-                    for page in ACQUIRE_PAGES:
-                        one.show_page(page)
-                        self._shoot(f"{label}_{page}", one)
-                else:
-                    self._shoot(f"dialog_{label}", one)
+                self._shoot(f"dialog_{name.replace(' ', '_').lower()}", one)
                 one.close()
             finished.append(True)
 
@@ -137,7 +145,7 @@ class States:
         _run_for(_PATIENCE_S, lambda: bool(finished))
 
     def _error(self) -> None:
-        broken = self._scratch / "A paint with a rather long name that was cut off in the middle.brdfpaint"
+        broken = self._scratch / f"{_BROKEN}.brdfpaint"
         broken.write_text('{"kind": "paint", ', encoding="utf-8")
         self.window.files_dropped.emit([broken])
         self._take("error")
@@ -154,6 +162,77 @@ class States:
         self.window.progress.end_job("states")
 
 
+def walk_assistant(designer: Designer, size: tuple[int, int], shoot: Callable[[str, QWidget], None]) -> None:
+    """Take the assistant's pages: empty, while photographs are simulated, after all steps, and with a wrong folder."""
+    from brdf_designer.acquire.control import AcquireControl
+    from brdf_designer.acquire.window import KEYS
+
+    assistant = designer.feature(AcquireControl).open()
+    window, bench = assistant.window, assistant.bench
+    window.resize(*size)
+
+    def take(state: str) -> None:
+        _run_for(_REST_S)
+        shoot(state, window)
+
+    for page in KEYS:
+        window.show_page(page)
+        take(f"empty_{page}")
+    window.show_page("session")
+    assistant.try_sample()
+    _run_for(_PATIENCE_S, window.progress.isVisible)
+    take("busy")
+    _run_for(_SIMULATION_S, lambda: "fit" in bench.results and bench.is_quiet)
+    if "fit" not in bench.results:
+        raise SystemExit(f"A step failed: {[one.what for one in window.messages.shown().values()]}")
+    for page in KEYS:
+        window.show_page(page)
+        _run_for(_PATIENCE_S, lambda: bench.is_quiet)
+        take(page)
+    window.show_page("session")
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "session.json").write_text('{"kind": ', encoding="utf-8")
+        assistant.sessions.open(Path(folder))
+        _run_for(_PATIENCE_S, lambda: bool(window.messages.shown()) and bench.is_quiet)
+        take("error")
+
+
+def walk_start(designer: Designer, size: tuple[int, int], shoot: Callable[[str, QWidget], None]) -> None:
+    """Take the start page at a first start, while its program is loaded, and with recent work; then the tour."""
+    from brdf_qt.documents.recent_files import RecentFiles, recent_projects
+    from brdf_qt.program.translation import tr
+    from brdf_qt.start.page import StartWindow
+
+    page = StartWindow("Designer")
+    page.resize(*(min(round(a * b), most) for a, b, most in zip(START_SHARE, size, START_MOST, strict=True)))
+
+    def take(state: str, window: QWidget) -> None:
+        _run_for(_REST_S)
+        shoot(state, window)
+
+    page.show()
+    page.show_loading(tr("Loading {program}…").format(program="Designer"))
+    take("loading", page)
+    page.show_loading("")
+    take("first", page)
+    with tempfile.TemporaryDirectory() as folder:
+        for name in RECENT:
+            file = Path(folder) / name
+            file.touch()
+            (recent_projects() if file.suffix == ".brdfproject" else RecentFiles()).add(file)
+        page.refresh()
+        take("recent", page)
+    page.close()
+    designer.window.start.start_tour()
+    tour = designer.window.start.tour
+    step = 0
+    while tour is not None and tour.callout is not None:
+        step += 1
+        take(f"tour_{step}", designer.window)
+        tour.callout.next.click()
+        _run_for(_REST_S)
+
+
 def _run_for(seconds: float, until: Callable[[], bool] = lambda: False) -> None:
     from time import monotonic, sleep
 
@@ -167,7 +246,7 @@ def _run_for(seconds: float, until: Callable[[], bool] = lambda: False) -> None:
 
 def open_program(name: str, *, empty: bool) -> Program:
     """Return a program, with a document that it ships or with none."""
-    if name == "Designer":
+    if name in ("Designer", ACQUIRE, START_PAGE):
         from brdf_designer.assembly import Designer
 
         return Designer()
@@ -194,12 +273,13 @@ def drive(options: argparse.Namespace) -> int:
     from brdf_qt.program.application import create_application
     from texts import faults
 
-    app = create_application(options.program[0], theme_name=options.theme[0], language=options.language[0])
-    size, _, scale = options.size[0].partition("@")
-    look = "_".join(
-        (options.program[0].lower().replace(" ", "_"), options.theme[0], options.language[0], size)
-    )
+    name = options.program[0]
+    application = "Designer" if name in (ACQUIRE, START_PAGE) else name
+    app = create_application(application, theme_name=options.theme[0], language=options.language[0])
+    shape, _, scale = options.size[0].partition("@")
+    look = "_".join((_file_name(name), options.theme[0], options.language[0], shape))
     look += f"_{scale}" if scale else ""
+    size = tuple(int(part) for part in shape.split("x"))
     seen: dict[str, str] = {}
 
     def shoot(state: str, window: QWidget) -> None:
@@ -207,35 +287,59 @@ def drive(options: argparse.Namespace) -> int:
             path = options.into / f"{look}_{state}.jpg"
             if not window.grab().toImage().save(str(path), "JPG", 88):
                 raise SystemExit(f"{path} cannot be written.")
+            print(json.dumps({"taken": state, "path": str(path)}), flush=True)
         for fault in faults(window):
-            what = json.dumps({"program": options.program[0], **asdict(fault)}, ensure_ascii=False)
+            what = json.dumps({"program": name, **asdict(fault)}, ensure_ascii=False)
             if what not in seen:
                 seen[what] = state
                 record = {"state": f"{look}_{state}", **json.loads(what)}
                 print(json.dumps(record, ensure_ascii=False), flush=True)
 
     with tempfile.TemporaryDirectory() as scratch:
-        for empty in (True, False) if options.program[0] == "Color Swatch" else (False,):
-            program = open_program(options.program[0], empty=empty)
-            program.window.resize(*(int(part) for part in size.split("x")))
+        for empty in (True, False) if name == "Color Swatch" else (False,):
+            program = open_program(name, empty=empty)
+            program.window.resize(*size)
             program.window.fit_inspector()
             program.start_when_painted()
             program.window.show()
             _run_for(options.patience, lambda program=program: program.is_idle)
-            states = States(program, Path(scratch), shoot)
             if empty:
-                states.rest()
+                _run_for(_REST_S)
                 shoot("empty", program.window)
+                program.close()
+            elif name == ACQUIRE:
+                walk_assistant(program, size, shoot)
+            elif name == START_PAGE:
+                walk_start(program, size, shoot)
             else:
-                states.all()
+                States(program, Path(scratch), shoot).all()
             program.window.hide()
     sys.stdout.flush()
     del app
     os._exit(0)  # nothing that is on its way is awaited
 
 
-def look_at(options: argparse.Namespace, environment: dict[str, str]) -> Iterator[dict[str, str]]:
-    """Run each program in each look, and yield the faults of its texts."""
+def _file_name(program: str) -> str:
+    return program.lower().replace(" ", "_")
+
+
+@dataclass
+class Walk:
+    """A walk through the states of a program in a look: the faults of its texts, and its pictures by state."""
+
+    program: str
+    theme: str
+    faults: list[dict[str, str]] = field(default_factory=list)
+    pictures: dict[str, Path] = field(default_factory=dict)
+
+    @property
+    def sheet(self) -> str:
+        """The name of its sheet."""
+        return f"{_file_name(self.program)}_{self.theme}"
+
+
+def look_at(options: argparse.Namespace, environment: dict[str, str]) -> Iterator[Walk]:
+    """Run each program in each look, and yield what was found."""
     for program, theme, language, size in product(
         options.program or PROGRAMS,
         options.theme or THEMES,
@@ -254,11 +358,32 @@ def look_at(options: argparse.Namespace, environment: dict[str, str]) -> Iterato
                 stdout=subprocess.PIPE,
                 text=True,
                 check=True,
-                timeout=900,
+                timeout=1200,
             )
+        walk = Walk(program, theme)
         for line in done.stdout.splitlines():
-            if line.startswith("{"):
-                yield json.loads(line)
+            record = json.loads(line) if line.startswith("{") else {}
+            if "taken" in record:
+                walk.pictures[record["taken"]] = Path(record["path"])
+            elif record:
+                walk.faults.append(record)
+        yield walk
+
+
+def report(walk: Walk, options: argparse.Namespace) -> bool:
+    """Print the faults of a walk, and keep or compare its pictures as the options want; return whether all is well."""
+    for fault in walk.faults:
+        print("{state}: {widget} {text!r} at {place}: {needed} in {given}".format(**fault), flush=True)
+    if options.sheets:
+        path = write_sheet(SHEETS, walk.sheet, walk.pictures)
+        print(f"{path} ({path.stat().st_size:,} bytes)", flush=True)
+    changed = False
+    if options.compare:
+        for state, error in changes(SHEETS, walk.sheet, walk.pictures).items():
+            if error > THRESHOLD:
+                changed = True
+                print(f"{walk.sheet} {state}: changed by {error:.2f}", flush=True)
+    return not walk.faults and not changed
 
 
 def main() -> int:
@@ -272,14 +397,19 @@ def main() -> int:
     parser.add_argument(
         "--patience", type=float, default=_PATIENCE_S, help="seconds until a start is complete"
     )
+    kept = parser.add_mutually_exclusive_group()
+    kept.add_argument("--sheets", action="store_true", help="renew the sheets in docs/images/states/")
+    kept.add_argument("--compare", action="store_true", help="list the states that differ from the sheets")
     parser.add_argument("--drive", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.drive:
         return drive(options)
-    if options.into is not None:
-        options.into.mkdir(parents=True, exist_ok=True)
-    count = 0
     with virtual_screen((2600, 1500)) as display, tempfile.TemporaryDirectory() as cache:
+        if options.sheets or options.compare:
+            options.language, options.size = [SHEET_LANGUAGE], [SHEET_SIZE]
+            options.into = options.into or Path(cache) / "pictures"
+        if options.into is not None:
+            options.into.mkdir(parents=True, exist_ok=True)
         environment = {
             **os.environ,
             "DISPLAY": display,
@@ -288,11 +418,13 @@ def main() -> int:
             "BRDF_SUITE_LINK": f"states-{os.getpid()}",
         }
         environment.setdefault("QT_QPA_PLATFORM", "xcb")
-        for fault in look_at(options, environment):
-            count += 1
-            print("{state}: {widget} {text!r} at {place}: {needed} in {given}".format(**fault), flush=True)
-    print(f"{count} clipped or overlapping texts")
-    return 1 if count else 0
+        walks = []
+        well = True
+        for walk in look_at(options, environment):
+            walks.append(walk)
+            well &= report(walk, options)
+    print(f"{sum(len(walk.faults) for walk in walks)} clipped or overlapping texts")
+    return 0 if well else 1
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ which are items of its scene; numbers along its axes, and what a picture paints 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
@@ -29,6 +30,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListView,
     QMenuBar,
+    QScrollArea,
     QStyle,
     QStyleOptionButton,
     QStyleOptionComboBox,
@@ -39,7 +41,11 @@ from PySide6.QtWidgets import (
 
 SLACK = 1
 """Pixels that a text may lack: widths of text are rounded up."""
+_BREAKS = re.compile(r"[\s\u200b]+|(?<=[/-])")
+"""Where a line of text may break."""
 _MOST_ROWS = 400
+_LINE_MARGIN = 2
+"""Pixels that a line of text keeps at its ends."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +63,9 @@ def faults(window: QWidget) -> list[Fault]:
     """Return the texts of a window that are clipped, and those that overlap; none where all can be read."""
     shown = [widget for widget in (window, *window.findChildren(QWidget)) if _is_shown(widget, window)]
     found = [fault for widget in shown for fault in _clipped(widget, window)]
-    found += [fault for widget in shown if _has_text(widget) for fault in _cut_by_parent(widget, window)]
+    for widget in shown:
+        if _has_text(widget) or isinstance(widget, QAbstractScrollArea):
+            found += _cut_by_parent(widget, window)
     return found + list(_overlapping(shown, window))
 
 
@@ -112,6 +120,10 @@ def _clipped(widget: QWidget, window: QWidget) -> Iterator[Fault]:
             )
     elif isinstance(widget, QLabel):
         yield from _label(widget, window)
+    elif isinstance(widget, QLineEdit) and not widget.text():
+        hint, room = widget.placeholderText(), widget.contentsRect().width() - 2 * _LINE_MARGIN
+        if _width(widget, hint) > room + SLACK:
+            yield _fault(widget, window, hint, _width(widget, hint), room)
     elif isinstance(widget, QAbstractButton | QComboBox | QAbstractSpinBox):
         text, given = _plain(_text(widget)), _room(widget)
         needed = _width(widget, text)
@@ -199,7 +211,7 @@ def _label(label: QLabel, window: QWidget) -> Iterator[Fault]:
         return
     if label.wordWrap():
         high = QLabel.heightForWidth(label, label.width())
-        longest = max((_width(label, word) for word in text.split()), default=0)
+        longest = max((_width(label, word) for word in _BREAKS.split(text)), default=0)
         if high > label.height() + SLACK:
             yield _fault(label, window, text, f"{high} high", f"{label.height()} high")
         elif longest > label.contentsRect().width() + SLACK and label.textFormat() is Qt.TextFormat.PlainText:
@@ -266,6 +278,9 @@ def _cut_by_parent(widget: QWidget, window: QWidget) -> Iterator[Fault]:
         rect = rect.translated(child.pos())
         scrolled = parent.parentWidget()
         if isinstance(scrolled, QAbstractScrollArea) and scrolled.viewport() is parent:
+            fixed = scrolled.horizontalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+            if fixed and child.width() > parent.width() + SLACK and isinstance(scrolled, QScrollArea):
+                yield _fault(widget, window, _text(widget), child.width(), f"{parent.width()} that scroll")
             return
         inside = rect.intersected(parent.rect())
         if inside.width() < rect.width() - SLACK or inside.height() < rect.height() - SLACK:

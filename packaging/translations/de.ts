@@ -740,10 +740,6 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>{file}, at {place}</source>
-        <translation>{file}, bei {place}</translation>
-    </message>
-    <message>
         <source>Internal error: {fault}</source>
         <translation>Interner Fehler: {fault}</translation>
     </message>
@@ -2496,6 +2492,10 @@
         <translation>Die anderen sind Ausreißer, etwa eine zweite Spiegelung oder der Arm</translation>
     </message>
     <message>
+        <source>{column:.1f}, {row:.1f} px</source>
+        <translation>{column:.1f}; {row:.1f} px</translation>
+    </message>
+    <message>
         <source>Centre of its outline: column and row</source>
         <translation>Mitte ihres Umrisses: Spalte und Zeile</translation>
     </message>
@@ -3255,7 +3255,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>More variations</source>
-        <translation>Weitere Variationen</translation>
+        <translation>Weitere Varianten</translation>
     </message>
     <message>
         <source>Step</source>
@@ -3744,8 +3744,8 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Lampenwinkel (Grad)</translation>
     </message>
     <message>
-        <source>Residual (pixels)</source>
-        <translation>Residuum (Pixel)</translation>
+        <source>Residual (px)</source>
+        <translation>Residuum (px)</translation>
     </message>
     <message>
         <source>Find Sphere and Lamp</source>
@@ -3837,7 +3837,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>no pixels excluded</source>
-        <translation>keine Pixel ausgeschlossen</translation>
+        <translation>alle Pixel genutzt</translation>
     </message>
     <message>
         <source>outline of the sphere</source>
@@ -3877,7 +3877,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Undo</source>
-        <translation>Zurück</translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Undo the last stroke (Ctrl+Z)</source>
@@ -3885,7 +3885,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Redo</source>
-        <translation>Wieder</translation>
+        <translation>Wiederholen</translation>
     </message>
     <message>
         <source>Redo the last undone stroke (Ctrl+Shift+Z)</source>
@@ -4301,7 +4301,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Leave the Tour</source>
-        <translation>Rundgang beenden</translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4325,7 +4325,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Do All Steps</source>
-        <translation>Alle Schritte tun</translation>
+        <translation>Alle Schritte ausführen</translation>
     </message>
     <message>
         <source>Run response, geometry, reconstruction and fit in order</source>
@@ -5482,6 +5482,62 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Copy the visible table</source>
         <translation>Die sichtbare Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>hemispherical albedo</source>
+        <translation>halbräumliche Albedo</translation>
+    </message>
+    <message>
+        <source>largest albedo of a channel</source>
+        <translation>größte Albedo eines Kanals</translation>
+    </message>
+    <message>
+        <source>its incidence</source>
+        <translation>deren Einfallswinkel</translation>
+    </message>
+    <message>
+        <source>reciprocity error</source>
+        <translation>Reziprozitätsfehler</translation>
+    </message>
+    <message>
+        <source>directions without a number</source>
+        <translation>Richtungen ohne Zahl</translation>
+    </message>
+    <message>
+        <source>albedo at {angle}</source>
+        <translation>Albedo bei {angle}</translation>
+    </message>
+    <message>
+        <source>ΔE00 of the fit {angle}</source>
+        <translation>ΔE00 der Anpassung {angle}</translation>
+    </message>
+    <message>
+        <source>ΔE00 to the reference {angle}</source>
+        <translation>ΔE00 zur Referenz {angle}</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>größter Wert</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>root mean square</source>
+        <translation>quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>relative root mean square</source>
+        <translation>relatives quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>root mean square of cube roots</source>
+        <translation>quadratisches Mittel der Kubikwurzeln</translation>
+    </message>
+    <message>
+        <source>away from the mirror</source>
+        <translation>abseits der Spiegelrichtung</translation>
     </message>
     <message>
         <source>&amp;Export Figures…</source>
@@ -8178,8 +8234,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>Verschluss</translation>
     </message>
     <message>
-        <source>A palette, or a folder of paints</source>
-        <translation>Eine Palette oder ein Ordner mit Lacken</translation>
+        <source>Palette or folder</source>
+        <translation>Palette oder Ordner</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -9370,8 +9426,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>Keine gemessenen Winkel zum Vergleichen</translation>
     </message>
     <message>
-        <source>Fit ΔE {worst}</source>
-        <translation>Anpassung ΔE {worst}</translation>
+        <source>Fit ΔE00 {worst}</source>
+        <translation>Anpassung ΔE00 {worst}</translation>
     </message>
     <message>
         <source>Maximum ΔE00 of the fit at the measured angles</source>
@@ -9684,6 +9740,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>From file</source>
         <translation>Aus der Datei</translation>
+    </message>
+    <message>
+        <source>No second paint</source>
+        <translation>Kein zweiter Lack</translation>
     </message>
     <message>
         <source>The picture is unchanged. Open another file in the inspector.</source>

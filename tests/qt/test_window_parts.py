@@ -125,11 +125,11 @@ def test_an_action_of_a_message_runs_and_the_message_goes(window, qtbot):
 
 def test_a_file_error_tells_what_where_and_what_to_do():
     message = message_of(
-        DocumentError("a.brdfpaint", "expected a number", "gloss.gu_20"), "k", todo="Mend it."
+        DocumentError("paints/a.brdfpaint", "expected a number", "gloss.gu_20"), "k", todo="Mend it."
     )
     assert (message.what, message.where, message.todo) == (
-        "Expected a number.",
-        "a.brdfpaint, at gloss.gu_20",
+        "a.brdfpaint: expected a number.",
+        "paints, gloss.gu_20",
         "Mend it.",
     )
 

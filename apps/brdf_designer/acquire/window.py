@@ -130,8 +130,7 @@ class AcquireWindow(QWidget):
         line.setForegroundRole(line.foregroundRole().Mid)
         inside = QWidget()
         fill_column(inside, self.stack, line, foot, grows=self.stack, spacing=0)
-        for part in (self.messages, self.progress):
-            part.float_over(self.stack, inside)
+        self._inside = inside
         self.setLayout(row_of(self.rail, inside, grows=inside, spacing=0))
 
     def _shortcuts(self) -> None:
@@ -180,6 +179,8 @@ class AcquireWindow(QWidget):
         if row < 0:
             return
         self.stack.setCurrentIndex(row)
+        for part in (self.messages, self.progress):
+            part.float_over(self.pages[KEYS[row]].left, self._inside)
         self.back.setEnabled(row > 0)
         self.next.setEnabled(row < len(KEYS) - 1)
         self.step_shown.emit(KEYS[row])

@@ -193,8 +193,7 @@ class ColourPatch:
             short = tr("{fit}, time-limited").format(fit=short)
         forms = [short]
         if given is not None:
-            bare = "  ".join(map(one_decimal, given.lab))
-            forms = [f"{short}:   {lab_text(given.lab)}", f"{short}: {bare}", short]
+            forms = [f"{short}:   {lab_text(given.lab)}", short]
         self.fit.set_forms(*forms)
 
     def show_standard(self, patch: StandardPatch | None) -> None:

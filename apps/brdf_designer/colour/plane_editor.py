@@ -15,7 +15,7 @@ from brdf_qt.program.monitor_profile import monitor_of
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QShowEvent
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.colour.angle_editor import ROWS, add_slider_row, slider_grid
@@ -34,7 +34,7 @@ _FACE_DEG = 45.0
 _PAUSE_MS = 30
 """Numbers and patches come first; the disc follows so often in a drag of L*."""
 _HUES = 72
-_CHIP = 12
+_CHIP, _CHIP_GAP = 12, 4
 _EXTENTS = (40.0, 60.0, 90.0, 130.0, 180.0)
 """Chroma at the edge of the disc: the least that has room around every reading."""
 _ROOM = 1.2
@@ -50,14 +50,22 @@ _LEGEND_TIP = mark(
 
 
 class _Chip(QIconEngine):
-    """A square of one colour. Another colour needs no other icon, for which a button asks for a new layout."""
+    """A square of one colour, apart from the text behind it. Another colour needs no other icon, for which a button asks for a new layout."""
 
     def __init__(self) -> None:
         super().__init__()
         self.rgb = (0, 0, 0)
 
     def paint(self, painter: QPainter, rect: QRect, _mode: QIcon.Mode, _state: QIcon.State) -> None:
-        painter.fillRect(rect, QColor(*self.rgb))
+        painter.fillRect(QRect(rect.topLeft(), QSize(rect.height(), rect.height())), QColor(*self.rgb))
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        pixmap = QPixmap(size)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        self.paint(painter, pixmap.rect(), mode, state)
+        painter.end()
+        return pixmap
 
     def clone(self) -> QIconEngine:
         other = _Chip()
@@ -261,7 +269,7 @@ class PlaneEditor(QWidget):
         button = ChoiceButton("")
         button.setObjectName(f"plane_angle_{index}")
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        button.setIconSize(QSize(_CHIP, _CHIP))
+        button.setIconSize(QSize(_CHIP + _CHIP_GAP, _CHIP))
         self._chips[index] = _Chip()
         button.setIcon(QIcon(self._chips[index]))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QConicalGradient,
@@ -350,7 +350,7 @@ class PlaneView(QWidget):
                 _paint_dot(painter, place, _HANDLE - 1.0 if one.index == self._index else 2.5, one.rgb, _DARK)
             if one.index != self._index:
                 _paint_dot(painter, point, _MARK, one.rgb, self._ink)
-                painter.drawText(point + QPointF(6.0, -4.0), one.text)
+        self._paint_names(painter, points)
         handle = self._handle()
         if handle is not None:
             point = self.point_of(handle.a, handle.b)
@@ -359,6 +359,34 @@ class PlaneView(QWidget):
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawEllipse(point, _HANDLE + 3.5, _HANDLE + 3.5)
             _paint_dot(painter, point, _HANDLE, handle.rgb, self._ink)
+
+
+    def _paint_names(self, painter: QPainter, points: list[QPointF]) -> None:
+        """Write the angle beside each mark but the handle, on the first side where nothing else lies."""
+        metrics = painter.fontMetrics()
+        taken = [_square(point, _HANDLE + 1.0) for point in points]
+        painter.setPen(self._ink)
+        for own, (one, point) in enumerate(zip(self._marks, points, strict=True)):
+            if one.index == self._index:
+                continue
+            size = QSizeF(metrics.horizontalAdvance(one.text), metrics.ascent())
+            places = [QRectF(point + corner, size) for corner in _corners(size)]
+            others = [rect for number, rect in enumerate(taken) if number != own]
+            free = [place for place in places if not any(place.intersects(other) for other in others)]
+            if free:
+                taken.append(free[0])
+                painter.drawText(free[0].bottomLeft(), one.text)
+
+
+def _square(middle: QPointF, half: float) -> QRectF:
+    return QRectF(middle.x() - half, middle.y() - half, 2.0 * half, 2.0 * half)
+
+
+def _corners(size: QSizeF) -> list[QPointF]:
+    """Return where a text may begin beside a mark at the origin: right above and below, left above and below."""
+    right, left = _MARK + 2.0, -_MARK - 2.0 - size.width()
+    above, below = -_MARK - size.height(), _MARK
+    return [QPointF(x, y) for x in (right, left) for y in (above, below)]
 
 
 def _paint_dot(

@@ -89,6 +89,14 @@ class ReadingPoint(pg.TargetItem):  # type: ignore[misc]  # pyqtgraph has no typ
             self.finished.emit()
 
 
+class NumberAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """An axis whose numbers have the decimal sign of the program's language."""
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        """Return the number at each tick."""
+        return [decimal(text) for text in super().tickStrings(values, scale, spacing)]
+
+
 class TurnAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """An axis of hues that run on over 360°; its numbers do not."""
 
@@ -128,10 +136,12 @@ def make_plot(name: str, *, turns: bool = False, decades: tuple[str, ...] = ()) 
 
     ``turns`` for hues; ``decades`` names the sides (``left``, ``bottom``) whose axis is logarithmic.
     """
-    axes: dict[str, pg.AxisItem] = {side: DecadeAxis(side) for side in decades}
+    axes: dict[str, pg.AxisItem] = {
+        side: DecadeAxis(side) if side in decades else NumberAxis(side) for side in ("left", "bottom")
+    }
     if turns:
         axes["left"] = TurnAxis("left")
-    plot = pg.PlotWidget(axisItems=axes or None)
+    plot = pg.PlotWidget(axisItems=axes)
     plot.setAntialiasing(True)
     plot.setMenuEnabled(False)
     plot.hideButtons()

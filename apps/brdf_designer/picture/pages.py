@@ -23,7 +23,7 @@ from brdf_qt.window.view_titles import (
     TONE_TITLES,
 )
 from PySide6.QtCore import QObject, QSize, Qt, Signal
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QPushButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS, View
@@ -31,7 +31,7 @@ from brdf_suite.documents.view import PARAMETERS, View
 LIGHTS = ("photo_studio", "street", "light_tunnel", "booth", "overcast", "sunny")
 FORMS = ("car", "speed_form", "panel", "sphere")
 _COLUMNS = 2
-_PICTURE = QSize(40, 40)
+_PICTURE, _GAP = 40, 8
 _MEANINGS = (mark("On a 36 mm sensor"), mark("Each step doubles the light"))
 
 
@@ -51,8 +51,8 @@ class ShippedChoice(QWidget):
             title = title_of(name)
             button = described(ChoiceButton(title), spoken=f"{spoken}: {title}", tip=f"{spoken}: {title}")
             button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-            button.setIcon(QIcon(shipped_picture(kind, name)))
-            button.setIconSize(_PICTURE)
+            button.setIcon(QIcon(_before_text(shipped_picture(kind, name))))
+            button.setIconSize(QSize(_PICTURE + _GAP, _PICTURE))
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(partial(self._picked, name))
@@ -67,6 +67,17 @@ class ShippedChoice(QWidget):
 
     def _picked(self, name: str) -> None:
         self.picked.emit(name)
+
+
+def _before_text(picture: QPixmap) -> QPixmap:
+    """Return a square picture with an empty strip at its right, which keeps a button's text away from it."""
+    side = picture.height()
+    whole = QPixmap(side + side * _GAP // _PICTURE, side)
+    whole.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(whole)
+    painter.drawPixmap(0, 0, side, side, picture)
+    painter.end()
+    return whole
 
 
 class ViewPages(QObject):

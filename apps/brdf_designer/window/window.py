@@ -237,7 +237,7 @@ class DesignerWindow(SuiteWindow):
         below.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         fill_column(centre, self.tabs, self.stage, below, grows=self.stage, spacing=6, margins=(8, 2, 0, 4))
         self.set_centre(centre)
-        self.float_over(self.stage)
+        self.float_over(self.stage, self.stage.bar)
         self.tabs.new_requested.connect(self.new_requested)
         tip = tr("Show or hide L*, C* and h over the aspecular angle")
         self.add_drawer("curves", tr("Curves"), self.plot, "left", "curves", "chart-line", tip)

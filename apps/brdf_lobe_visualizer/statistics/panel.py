@@ -158,8 +158,41 @@ class FiguresTable(QTableView):
             QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
 
 
+_FIGURES = {
+    "hemispherical albedo": mark("hemispherical albedo"),
+    "largest albedo of a channel": mark("largest albedo of a channel"),
+    "its incidence": mark("its incidence"),
+    "reciprocity error": mark("reciprocity error"),
+    "directions without a number": mark("directions without a number"),
+    "albedo at": mark("albedo at {angle}"),
+    "ΔE00 of the fit": mark("ΔE00 of the fit {angle}"),
+    "ΔE00 to the reference": mark("ΔE00 to the reference {angle}"),
+    "fit": mark("fit"),
+    "difference": mark("difference"),
+    "red": mark("red"),
+    "green": mark("green"),
+    "blue": mark("blue"),
+    "worst": mark("worst"),
+    "median": mark("median"),
+    "root mean square": mark("root mean square"),
+    "relative root mean square": mark("relative root mean square"),
+    "root mean square of cube roots": mark("root mean square of cube roots"),
+    "away from the mirror": mark("away from the mirror"),
+}
+"""Parts of the figures' names, as the table of the core has them; some end with an angle or a geometry."""
+
+
 def _named(row: FigureRow) -> str:
-    return f"{row.name}, {row.unit}" if row.unit else row.name
+    """Return the name of a figure in the language of the window, with its unit."""
+    parts = [_translated(part) for part in row.name.split(", ")]
+    return ", ".join([*parts, row.unit] if row.unit else parts)
+
+
+def _translated(part: str) -> str:
+    if part in _FIGURES:
+        return tr(_FIGURES[part])
+    name, _, angle = part.rpartition(" ")
+    return tr(_FIGURES[name]).format(angle=angle) if name in _FIGURES else part
 
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"

@@ -98,6 +98,7 @@ class PictureBox(QuietComboBox):
         self.setModel(self.sources)
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(14)
+        self.setPlaceholderText(tr("Choose…"))
         self.currentIndexChanged.connect(lambda _row: self._show_present())
 
     def set_thumbnails(self, thumbnails: Thumbnails) -> None:

@@ -58,6 +58,11 @@ def reach_of(parameter: Parameter, step: float, decimals: int) -> tuple[str, flo
     return parameter.unit, parameter.low, parameter.high, step, decimals, parameter.default
 
 
+def _suffix(unit: str) -> str:
+    """Return a unit as it stands behind a number: the degree without a space, others with one."""
+    return unit if unit in ("", "°") else f" {unit}"
+
+
 class NumberField(QDoubleSpinBox):
     """One number; double click resets it to ``default``, Shift drags finely, Ctrl coarsely.
 
@@ -121,7 +126,7 @@ class NumberField(QDoubleSpinBox):
         self._set: tuple[float, float] | None = None
         self.setAccessibleName(f"{name}, {unit}" if unit else name)
         with QSignalBlocker(self):
-            self.setSuffix(f" {unit}" if unit else "")
+            self.setSuffix(_suffix(unit))
             self.setWrapping(wrapping)
             self.setDecimals(decimals)
             self.setRange(minimum, maximum)
@@ -175,7 +180,7 @@ class NumberField(QDoubleSpinBox):
             return
         low = number < self.minimum()
         end = self.textFromValue(self.minimum() if low else self.maximum())
-        unit = f" {self.unit}" if self.unit else ""
+        unit = _suffix(self.unit)
         below = tr("{number} is below the minimum; the value was set to {end}.")
         above = tr("{number} is above the maximum; the value was set to {end}.")
         text = (below if low else above).format(number=f"{decimal(f'{number:g}')}{unit}", end=f"{end}{unit}")
@@ -207,7 +212,7 @@ class NumberField(QDoubleSpinBox):
 
     def _tip(self) -> str:
         """What the number is, its range, and what a double click gives."""
-        unit = f" {self.unit}" if self.unit else ""
+        unit = _suffix(self.unit)
         low, high, default = (self.textFromValue(v) for v in (self.minimum(), self.maximum(), self.default))
         text = tr("{low} to {high}; double click: {default}")
         reach = text.format(low=low, high=f"{high}{unit}", default=f"{default}{unit}")

@@ -58,7 +58,9 @@ class _GlyphEngine(QIconEngine):
         painter.save()
         shown = QApplication.palette()
         ground = shown.color(QPalette.ColorRole.Window)
-        painter.setPen(QColor(state_colour(self._state, ground)) if self._state else shown.color(group, role))
+        # On the accent a colour of state is not seen; its shape is.
+        own = self._state and mode != QIcon.Mode.Selected
+        painter.setPen(QColor(state_colour(self._state, ground)) if own else shown.color(group, role))
         painter.setFont(font)
         painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, self._character)
         painter.restore()

@@ -40,10 +40,14 @@ def grey(lightness: float) -> QColor:
 
 @dataclass(frozen=True)
 class _Tones:
-    """Lightness L* of each kind of surface, and the one accent."""
+    """Lightness L* of each kind of surface, and the one accent.
+
+    ``box`` is that of a check box or radio button, which on a dark window has no outline to be seen by.
+    """
 
     window: float
     base: float
+    box: float
     button: float
     text: float
     faint: float
@@ -54,9 +58,9 @@ class _Tones:
 
 
 _TONES = {
-    "dark": _Tones(20, 14, 27, 88, 52, 38, 8, "#4a7fb8", 100),
-    "booth": _Tones(50, 58, 56, 0, 32, 68, 36, "#153f66", 100),
-    "light": _Tones(85, 94, 90, 10, 52, 98, 66, "#2a66a0", 100),
+    "dark": _Tones(20, 14, 38, 27, 88, 52, 38, 8, "#4a7fb8", 100),
+    "booth": _Tones(50, 58, 68, 56, 0, 32, 68, 36, "#153f66", 100),
+    "light": _Tones(85, 94, 98, 90, 10, 52, 98, 66, "#2a66a0", 100),
 }
 
 
@@ -75,12 +79,16 @@ def state_colour(kind: str, ground: QColor) -> str:
     return dark if level < 0.33 else middle if level < 0.66 else light
 
 
-def palette(name: str) -> QPalette:
-    """Return the palette of theme ``dark``, ``booth`` or ``light``; ``system`` becomes dark or light."""
+def _tones_of(name: str) -> _Tones:
     if name == "system":
         light = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Light
         name = "light" if light else "dark"
-    tones = _TONES[name]
+    return _TONES[name]
+
+
+def palette(name: str) -> QPalette:
+    """Return the palette of theme ``dark``, ``booth`` or ``light``; ``system`` becomes dark or light."""
+    tones = _tones_of(name)
     p = QPalette()
     role = QPalette.ColorRole
     for which, lightness in (
@@ -109,9 +117,21 @@ def palette(name: str) -> QPalette:
     off = QPalette.ColorGroup.Disabled
     for which in (role.WindowText, role.Text, role.ButtonText):
         p.setColor(off, which, grey(tones.faint))
+    p.setColor(off, role.Base, grey((tones.base + tones.window) / 2.0))
     p.setColor(off, role.Highlight, grey(tones.faint))
     p.setColor(off, role.Accent, grey(tones.faint))
     return p
+
+
+def _show(app: QApplication, name: str) -> None:
+    shown = palette(name)
+    app.setPalette(shown)
+    tones = _tones_of(name)
+    shown.setColor(QPalette.ColorRole.Base, grey(tones.box))
+    off = (tones.box + tones.window) / 2.0
+    shown.setColor(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Base, grey(off))
+    for kind in ("QCheckBox", "QRadioButton"):
+        app.setPalette(shown, kind)
 
 
 def current() -> str:
@@ -128,7 +148,7 @@ def shown() -> str:
 
 def apply(app: QApplication, name: str, *, remember: bool = True) -> None:
     """Give the whole program theme ``name``; remembered for all programs."""
-    app.setPalette(palette(name))
+    _show(app, name)
     app.setProperty("theme", name)
     if remember:
         settings(SHARED).setValue(_KEY, name)
@@ -142,7 +162,7 @@ def follow_changes(app: QApplication) -> None:
 
     def scheme_changed() -> None:
         if app.property("theme") == "system":
-            app.setPalette(palette("system"))
+            _show(app, "system")
 
     known = current()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtGui import QAction, QKeyEvent, QPalette
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QMainWindow, QMenu
 
 from brdf_qt.fields.form import fill_column
@@ -65,6 +65,7 @@ class CommandPalette(QFrame):
         self._all: list[tuple[str, QAction]] = []
         self.query.textChanged.connect(self._filter)
         self.query.installEventFilter(self)
+        self.found.currentItemChanged.connect(self._mark_current)
         self.found.itemActivated.connect(self._run)
         self.found.itemClicked.connect(self._run)
 
@@ -96,6 +97,13 @@ class CommandPalette(QFrame):
         self.found.setVisible(bool(kept))
         self._empty.setVisible(not kept)
 
+    def _mark_current(self, current: QListWidgetItem | None, previous: QListWidgetItem | None) -> None:
+        """Write the keys of the row that is chosen in the colour of text on the accent."""
+        for item in (previous, current):
+            label = None if item is None else self.found.itemWidget(item)
+            if isinstance(label, _KeyLabel):
+                label.set_current(item is current)
+
     def _run(self, item: QListWidgetItem) -> None:
         if not self.isVisible():  # One click may be reported twice, as a click and as an activation.
             return
@@ -126,6 +134,11 @@ class _KeyLabel(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 6, 0)
         row.addStretch(1)
-        label = PlainLabel(keys)
-        label.setForegroundRole(label.foregroundRole().PlaceholderText)
-        row.addWidget(label)
+        self.keys = PlainLabel(keys)
+        row.addWidget(self.keys)
+        self.set_current(False)
+
+    def set_current(self, is_current: bool) -> None:
+        """Take the colour of text in a chosen row, or of a remark."""
+        roles = QPalette.ColorRole
+        self.keys.setForegroundRole(roles.HighlightedText if is_current else roles.PlaceholderText)

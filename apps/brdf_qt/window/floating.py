@@ -20,9 +20,14 @@ class Floating(QWidget):
         super().__init__(parent)
         self._edge = edge
         self._below: QWidget | None = None
+        self._bar: QWidget | None = None
 
-    def float_over(self, below: QWidget, inside: QWidget) -> None:
-        """Lie over ``below``, which is ``inside`` or in it; ``inside`` is a widget whose children can lie anywhere."""
+    def float_over(self, below: QWidget, inside: QWidget, bar: QWidget | None = None) -> None:
+        """Lie over ``below``, which is ``inside`` or in it; ``inside`` is a widget whose children can lie anywhere.
+
+        At the top edge a ``bar``, a child of ``below`` along that edge, stays in sight.
+        """
+        self._bar = bar if self._edge == Qt.Edge.TopEdge else None
         for widget in (self._below, self.parentWidget()):
             if widget is not None:
                 widget.removeEventFilter(self)
@@ -53,13 +58,14 @@ class Floating(QWidget):
         inside, layout = self.parentWidget(), self.layout()
         if self._below is None or inside is None or layout is None or self.isHidden():
             return
-        room = self._below.size() - QSize(2 * _MARGIN, 2 * _MARGIN)
+        taken = 0 if self._bar is None or self._bar.isHidden() else self._bar.geometry().bottom() + 1
+        room = self._below.size() - QSize(2 * _MARGIN, 2 * _MARGIN + taken)
         width = max(self.minimumSizeHint().width(), min(room.width(), WIDEST))
         wanted = layout.heightForWidth(width) if layout.hasHeightForWidth() else self.sizeHint().height()
         height = min(wanted, max(room.height(), self.minimumSizeHint().height()))
         corner = self._below.mapTo(inside, QPoint(0, 0))
         x = corner.x() + (self._below.width() - width) // 2
         at_top = self._edge == Qt.Edge.TopEdge
-        y = corner.y() + (_MARGIN if at_top else self._below.height() - height - _MARGIN)
+        y = corner.y() + (taken + _MARGIN if at_top else self._below.height() - height - _MARGIN)
         self.setGeometry(x, y, width, height)
         self.raise_()

@@ -343,10 +343,13 @@ class SuiteWindow(QMainWindow):
             shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             shortcut.activated.connect(self.toggle_panels)
 
-    def float_over(self, below: QWidget) -> None:
-        """Let messages and progress lie over ``below``, a widget in the middle: by default over all of it."""
+    def float_over(self, below: QWidget, bar: QWidget | None = None) -> None:
+        """Let messages and progress lie over ``below``, a widget in the middle: by default over all of it.
+
+        They leave a ``bar`` along its upper edge in sight.
+        """
         for part in (self.messages, self.progress):
-            part.float_over(below, self._inside)
+            part.float_over(below, self._inside, bar)
 
     def toggle_panels(self) -> None:
         """Hide every panel, or show again those that were hidden so."""

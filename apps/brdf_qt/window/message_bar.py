@@ -6,6 +6,7 @@ once its reason is gone, so a drag through an unreachable value leaves no pile b
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
@@ -56,11 +57,9 @@ class Message:
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
-        where = error.path
-        if error.place:
-            where = tr("{file}, at {place}").format(file=where, place=error.place)
-        reason = error.reason[:1].upper() + error.reason[1:]
-        return Message(key, f"{reason}.", where=where, todo=todo, severity="error")
+        folder, name = os.path.split(error.path)
+        where = ", ".join(part for part in (folder, error.place) if part)
+        return Message(key, f"{name}: {error.reason}.", where=where, todo=todo, severity="error")
     if isinstance(error, SuiteError):
         return Message(key, str(error), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")

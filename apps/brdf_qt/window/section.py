@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from brdf_qt.fields.form import fill_column
@@ -167,9 +166,5 @@ class Inspector(QScrollArea):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Be as wide as the widest section needs, also once one has opened."""
         if watched is self._inside and event.type() == QEvent.Type.LayoutRequest:
-            self.setMinimumWidth(self.minimumSizeHint().width())
+            self.updateGeometry()
         return super().eventFilter(watched, event)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.setMinimumWidth(self.minimumSizeHint().width())

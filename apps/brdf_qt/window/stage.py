@@ -21,6 +21,8 @@ _SLIDE_MS = 120
 _MARGIN = 8
 _MOST_SHARE = 0.55
 """Of the width of the picture that drawers at its left may cover."""
+_LEAST_HEIGHT = 140
+"""Pixels below which a drawer at the left shows too little: those at the bottom leave it their place, then."""
 
 
 class Drawer(QFrame):
@@ -149,17 +151,23 @@ class Stage(QWidget):
             self._picture.setGeometry(whole)
         self.bar.resize(self.bar.sizeHint())
         self.bar.move(_MARGIN, _MARGIN)
-        low = whole.height()
-        for drawer in self._at("bottom"):
-            deep = min(drawer.sizeHint().height(), whole.height())
-            top = low - round(drawer.reach * deep)
-            drawer.setGeometry(0, top, whole.width(), deep)
-            low = top
-        left = self._at("left")
+        left, bottom = self._at("left"), self._at("bottom")
         top = self.bar.geometry().bottom() + _MARGIN
-        tall = max(low - top, 80)
-        for number, drawer in enumerate(left):
-            wide = min(drawer.extent, round(_MOST_SHARE * whole.width()))
+        widths = [min(drawer.extent, round(_MOST_SHARE * whole.width())) for drawer in left]
+        deep = sum(drawer.sizeHint().height() for drawer in bottom)
+        is_crowded = whole.height() - deep - top < len(left) * _LEAST_HEIGHT
+        begin = 0
+        if is_crowded:
+            begin = max(
+                (round(drawer.reach * wide) for drawer, wide in zip(left, widths, strict=True)), default=0
+            )
+        low = whole.height()
+        for drawer in bottom:
+            deep = min(drawer.sizeHint().height(), whole.height())
+            low -= round(drawer.reach * deep)
+            drawer.setGeometry(begin, low, whole.width() - begin, deep)
+        tall = max((whole.height() if is_crowded else low) - top, 80)
+        for number, (drawer, wide) in enumerate(zip(left, widths, strict=True)):
             first = top + number * tall // len(left)
             last = top + (number + 1) * tall // len(left)
             drawer.setGeometry(QRect(round((drawer.reach - 1.0) * wide), first, wide, last - first))

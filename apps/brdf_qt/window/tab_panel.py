@@ -130,9 +130,6 @@ class TabPanel(QWidget):
             group.addButton(button)
         fill_row(bar, *self.buttons.values(), spacing=0, even=True)
         bar.setVisible(len(tabs) > 1)
-        if tabs:
-            # Wide enough for what is in a fold, too: nothing is moved by opening one.
-            self.setMinimumWidth(_LEAST_WIDTH)
         fill_column(self, bar, self._stack, spacing=4)
         for key in self.buttons or ("inspector",):
             self.pages[key] = page = Page(key)
@@ -175,7 +172,12 @@ class TabPanel(QWidget):
 
     def sizeHint(self) -> QSize:
         width = max(page.sizeHint().width() for page in self.pages.values())
-        return QSize(max(width, self.minimumWidth()), 640)
+        return QSize(max(width, self.minimumSizeHint().width()), 640)
+
+    def minimumSizeHint(self) -> QSize:
+        least = super().minimumSizeHint()
+        # Wide enough for what is in a fold, too: nothing is moved by opening one.
+        return least.expandedTo(QSize(_LEAST_WIDTH if self.tabs else 0, 0))
 
     def _chooser(self, key: str) -> Callable[[], None]:
         return lambda: self.show_page(key)

@@ -95,7 +95,7 @@ class ExportDialog(QDialog):
         self.shutter = NumberField(tr("Shutter"), "°", 0.0, 360.0, 15.0, 0, 0.0)
         self.columns = _number(0, 40, 0, "")
         self.columns.setSpecialValueText(tr("Automatic"))
-        self.source = QLineEdit(readOnly=True, placeholderText=tr("A palette, or a folder of paints"))
+        self.source = QLineEdit(readOnly=True, placeholderText=tr("Palette or folder"))
         self.browse_button = QPushButton(tr("Choose…"))
         self.export_button = QPushButton(tr("Export…"), default=True)
         self.cancel_button = QPushButton(tr("Cancel"), autoDefault=False)

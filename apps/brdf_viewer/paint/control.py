@@ -298,7 +298,7 @@ class PaintControl(ViewerFeature):
         text, sign = tr("Fit"), fit_mark(worst, fit.time_limited)
         tip = tr("No measured angles to compare with")
         if worst is not None:
-            text = tr("Fit ΔE {worst}").format(worst=decimal(f"{worst:.2f}"))
+            text = tr("Fit ΔE00 {worst}").format(worst=decimal(f"{worst:.2f}"))
             tip = tr("Maximum ΔE00 of the fit at the measured angles")
         how = tr("{count} cosine lobes, fitted in {ms} ms")
         milliseconds = decimal(f"{fit.fit_seconds * 1e3:.2f}")

@@ -33,7 +33,7 @@ class ReliefControl(ViewerFeature):
         self._request = ImageRequest()
         section = self._section
         paints = [Source(name, title_of(name)) for name in paint_names()]
-        section.paint.set_sources([Source("", tr("None")), *paints], [])
+        section.paint.set_sources([Source("", tr("No second paint")), *paints], [])
         section.edited.connect(lambda part, field, value: state.change_part(part, **{field: value}))
         section.browse_requested.connect(self._browse)
         window.busy_cancelled.connect(self._cancelled)
@@ -61,7 +61,7 @@ class ReliefControl(ViewerFeature):
     def _show(self, view: View) -> None:
         paint = view.two_tone.paint
         self._section.set_relief(view.relief)
-        self._section.set_two_tone(view.two_tone, tr("None") if paint is None else title_of(paint))
+        self._section.set_two_tone(view.two_tone, tr("No second paint") if paint is None else title_of(paint))
         request = ImageRequest.of(view)
         if request == self._request:
             return

@@ -226,7 +226,7 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
     assert designer.window.editors.editors[0].space == "lch"
     found["Paint ▸ Angles: 5 (15 to 110°)"].trigger()
     assert len(designer.store.value.measurements) == 5
-    assert designer.window.editors.editors[4].fields[2].suffix() == " °"
+    assert designer.window.editors.editors[4].fields[2].suffix() == "°"
 
 
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(own_designer, qtbot):

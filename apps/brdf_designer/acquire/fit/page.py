@@ -127,7 +127,7 @@ class FitPage(AcquirePage):
         chosen = self.angle.currentIndex() if self.angle.count() else int(np.argmax(points))
         with QSignalBlocker(self.angle):
             self.angle.clear()
-            self.angle.addItems([*(f"{angle:.3g}°" for angle in found.plot.theta_d_deg), tr("all")])
+            self.angle.addItems([*(decimal(f"{angle:.3g}°") for angle in found.plot.theta_d_deg), tr("all")])
             self.angle.setCurrentIndex(min(chosen, self.angle.count() - 1))
         self.facts.show_rows(fit_facts(found))
         rows = fit_rows(found.fit)

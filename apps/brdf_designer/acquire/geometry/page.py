@@ -40,7 +40,7 @@ class GeometryPage(AcquirePage):
         self.residuals = LinesPlot(
             tr("Residuals: found and expected highlights"),
             Axis(tr("Lamp angle (degrees)")),
-            Axis(tr("Residual (pixels)")),
+            Axis(tr("Residual (px)")),
         )
         self.centre.addWidget(split(Qt.Orientation.Vertical, (self.picture, 3), (self.residuals, 1)), 1)
         tip = tr("Find the outline and the highlights of many positions, and fit the geometry to them")

@@ -93,10 +93,11 @@ def geometry_found(road: Acquisition) -> Found:
         result: NDArray[np.float64] = (np.asarray(places, np.float64) + 0.5) / step - 0.5
         return result
 
+    middle = np.mean(around[:-1], axis=0)
     rig = [
         (
             tr("Sphere"),
-            "{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0)),
+            tr("{column:.1f}, {row:.1f} px").format(column=middle[0], row=middle[1]),
             tr("Centre of its outline: column and row"),
         ),
         (

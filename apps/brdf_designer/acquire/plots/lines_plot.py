@@ -14,6 +14,7 @@ import numpy as np
 import pyqtgraph as pg
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import decimal
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPalette, QPen
@@ -79,7 +80,7 @@ class LinesPlot(QWidget):
         self.plot.setLogMode(x=x.log, y=y.log)
         if x.root:
             # More of them would lie on each other in a small window.
-            self.plot.getAxis("bottom").setTicks([[(math.sqrt(at), f"{at:g}") for at in _ROOT_TICKS]])
+            self.plot.getAxis("bottom").setTicks([[(math.sqrt(at), decimal(f"{at:g}")) for at in _ROOT_TICKS]])
         self.plot.getAxis("left").setWidth(64)
         self.plot.getPlotItem().vb.setDefaultPadding(0.03)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
