@@ -13,14 +13,14 @@ from brdf_suite.tracing.agreement.comparison import flip_of
 
 INDEX = "states.json"
 """Names of the states of each sheet, in the order of their tiles."""
-THRESHOLD = 0.12
+THRESHOLD = 0.15
 """Mean FLIP error of a block above which a state counts as changed; packing alone gives up to about half of it."""
 _TILE = (448, 252)
 _CAPTION = 18
 _COLUMNS = 4
 _LARGEST_SCALE = 0.6
 _BLOCK = 28
-_QUALITY = 62
+_QUALITY = 80
 
 
 def write_sheet(folder: Path, name: str, pictures: Mapping[str, Path]) -> Path:

@@ -6,7 +6,7 @@ docks, dialogs, an error, work in progress, and a window without a document; eac
 ``--program``, ``--theme``, ``--language`` and ``--size`` (``WxH``, ``WxH@2`` for 200 %) choose fewer; without ``--into``
 the texts alone are measured. Settings are fresh ones. The exit status is 1 where a text is at fault.
 
-``--sheets`` writes the sheets of small pictures in docs/images/states/: one of each window and theme, in English at
+``--sheets`` writes the sheets of small pictures in docs/development/states/: one of each window and theme, in English at
 1280×720. ``--compare`` takes the same states and lists those that look different from the sheets.
 """
 
@@ -24,7 +24,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from screenshots import IMAGES, virtual_screen
+from screenshots import ROOT, virtual_screen
 from sheets import THRESHOLD, changes, write_sheet
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ DIALOGS = (
     "Export Picture", "Export Turntable", "Export Contact Sheet",
 )  # fmt: skip
 """Commands that open a window of our own, by the object names of their actions; each where a program has it."""
-SHEETS = IMAGES / "states"
+SHEETS = ROOT / "docs" / "development" / "states"
 SHEET_LANGUAGE, SHEET_SIZE = "en", "1280x720"
 RECENT = ("spring_collection.brdfproject", "red_metallic.brdfpaint", "polaris_silver.binary")
 START_SHARE, START_MOST = (0.94, 0.92), (1140, 752)
@@ -74,8 +74,9 @@ class States:
         self._busy()
 
     def rest(self) -> None:
-        """Let layouts and what is drawn come to rest."""
+        """Let layouts, what is drawn, and what is worked out meanwhile come to rest."""
         _run_for(_REST_S)
+        _run_for(_PATIENCE_S, lambda: self.program.is_idle)
 
     def _take(self, state: str) -> None:
         self.rest()
@@ -117,8 +118,6 @@ class States:
 
         for action in self.window.findChildren(QAction, "action_three_lights"):
             action.trigger()
-            self.rest()
-            _run_for(_PATIENCE_S, lambda: self.program.is_idle)
             self._take("three_lights")
             action.trigger()
 
@@ -398,7 +397,7 @@ def main() -> int:
         "--patience", type=float, default=_PATIENCE_S, help="seconds until a start is complete"
     )
     kept = parser.add_mutually_exclusive_group()
-    kept.add_argument("--sheets", action="store_true", help="renew the sheets in docs/images/states/")
+    kept.add_argument("--sheets", action="store_true", help="renew the sheets in docs/development/states/")
     kept.add_argument("--compare", action="store_true", help="list the states that differ from the sheets")
     parser.add_argument("--drive", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args()

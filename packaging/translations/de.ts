@@ -3800,6 +3800,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>ausgeschlossen</translation>
     </message>
     <message>
+        <source>No highlight was found.</source>
+        <translation>Kein Glanzlicht gefunden.</translation>
+    </message>
+    <message>
         <source>fitted outline</source>
         <translation>angepasster Umriss</translation>
     </message>

@@ -2,27 +2,40 @@
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QGraphicsScene, QGraphicsView, QLabel, QPushButton, QWidget
+from PIL import Image, ImageDraw, ImageFont
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QGraphicsScene,
+    QGraphicsView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QWidget,
+)
+
+
+def load(checkout: Path, name: str, monkeypatch):
+    folder = checkout / "packaging" / "screenshots"
+    monkeypatch.syspath_prepend(str(folder))
+    return importlib.import_module(name)
 
 
 @pytest.fixture
-def texts(checkout: Path):
-    spec = importlib.util.spec_from_file_location(
-        "texts", checkout / "packaging" / "screenshots" / "texts.py"
-    )
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+def texts(checkout: Path, monkeypatch):
+    return load(checkout, "texts", monkeypatch)
+
+
+@pytest.fixture
+def sheets(checkout: Path, monkeypatch):
+    return load(checkout, "sheets", monkeypatch)
 
 
 @pytest.fixture
@@ -112,3 +125,40 @@ def test_texts_of_a_plot_that_lie_on_one_another_or_end_outside_are_found(texts,
         "another | one number",
         "beyond the edge",
     ]
+
+
+def test_a_part_wider_than_the_area_that_only_scrolls_down_is_found(texts, window) -> None:
+    area = QScrollArea(window)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.resize(200, 100)
+    area.setWidget(QPushButton("A button that is wider than its place, by far wider"))
+    window.show()
+    assert "that scroll" in texts.faults(window)[0].given
+
+
+def test_a_hint_longer_than_its_line_is_found(texts, window) -> None:
+    QLineEdit(window, placeholderText="Search names, codes, tags and notes").resize(60, 24)
+    window.show()
+    assert [fault.text for fault in texts.faults(window)] == ["Search names, codes, tags and notes"]
+
+
+def test_a_state_that_looks_different_from_its_sheet_is_found(sheets, tmp_path: Path) -> None:
+    pytest.importorskip("flip_evaluator", reason="the extra reference is not installed")
+    pictures = {state: picture_of(tmp_path / f"{state}.png", state) for state in ("start", "error", "busy")}
+    path = sheets.write_sheet(tmp_path / "kept", "viewer_dark", pictures)
+    assert path.stat().st_size < 100_000
+    again = sheets.changes(tmp_path / "kept", "viewer_dark", pictures)
+    assert list(again) == ["start", "error", "busy"]
+    assert max(again.values()) < sheets.THRESHOLD
+    pictures["error"] = picture_of(tmp_path / "new.png", "another text")
+    del pictures["busy"]
+    changed = sheets.changes(tmp_path / "kept", "viewer_dark", pictures | {"new": pictures["start"]})
+    assert [state for state, error in changed.items() if error > sheets.THRESHOLD] == ["error", "busy", "new"]
+
+
+def picture_of(path: Path, text: str) -> Path:
+    """Save a picture of 1280 × 720 that has a text in it."""
+    whole = Image.new("RGB", (1280, 720), (60, 60, 60))
+    ImageDraw.Draw(whole).text((300, 200), text, (230, 230, 230), ImageFont.load_default(60))
+    whole.save(path)
+    return path

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.section import Inspector, Section
+from brdf_qt.window.tab_panel import standard_tabs
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QAbstractSlider, QLineEdit, QWidget
+
+
+TABS = standard_tabs("paint", "light", "form", "compare", "export")
 
 
 @pytest.fixture
@@ -65,3 +70,19 @@ def test_who_has_gone_elsewhere_is_not_brought_back(inspector, qtbot, leaves: st
         bar.setValue(0)
     grow(inspector, qtbot)
     assert bar.value() == 0
+
+
+def test_the_panel_is_never_narrower_than_what_it_shows(qtbot) -> None:
+    window = SuiteWindow("Trial", tabs=TABS)
+    qtbot.addWidget(window)
+    window.resize(1280, 720)
+    page = window.panel.page
+    wide = page.add_section(Section("wide", "of_a_test_wide")).add(QWidget())
+    with qtbot.waitExposed(window):
+        window.show()
+    wide.setMinimumWidth(500)
+    qtbot.waitUntil(lambda: page.widget().width() >= 500)
+    bar = page.verticalScrollBar()
+    edge = bar.mapTo(window, QPoint(bar.width(), 0)).x()
+    assert page.viewport().width() >= page.widget().width()
+    assert edge <= window.inspector_dock.geometry().right() + 1 <= window.width()

@@ -19,10 +19,10 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.window.section import Section
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.work.fit_error import fit_mark, is_large, large_error_tip
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QPalette
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QDockWidget, QLabel, QMessageBox
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QDockWidget, QLabel, QMessageBox
 
 from brdf_suite.errors import DocumentError
 
@@ -327,3 +327,37 @@ def test_the_buttons_of_a_question_have_no_icons(window, monkeypatch):
     monkeypatch.setattr("brdf_qt.window.dialogs.QMessageBox", type("Iconed", (QMessageBox,), parts))
     assert QtDialogs(window).unsaved("Blue") is Answer.DISCARD
     assert seen == [True, True, True]
+
+
+def test_an_icon_of_a_state_is_seen_on_the_accent(qapp):
+    theme.apply(qapp, "light")
+    sign = icon("check-circle-fill", "good")
+    text = qapp.palette().color(QPalette.ColorRole.HighlightedText)
+    assert lightest(sign.pixmap(QSize(24, 24), QIcon.Mode.Selected).toImage()) == text.red()
+    assert lightest(sign.pixmap(QSize(24, 24), QIcon.Mode.Normal).toImage()) < text.red()
+
+
+@pytest.mark.parametrize("name", ["dark", "booth", "light"])
+def test_a_box_that_is_not_checked_is_seen_and_its_tick_too(qapp, qtbot, name):
+    theme.apply(qapp, name)
+    box = QCheckBox()
+    qtbot.addWidget(box)
+    box.ensurePolished()
+    shown = [box.palette().color(role) for role in (QPalette.ColorRole.Window, QPalette.ColorRole.Base)]
+    window, fill = (luminance(colour) + 0.05 for colour in shown)
+    text = luminance(box.palette().color(QPalette.ColorRole.Text)) + 0.05
+    assert fill / window > 1.2
+    assert max(fill, text) / min(fill, text) > 4.5
+
+
+def test_the_keys_of_the_chosen_command_have_the_colour_of_text_on_the_accent(window):
+    for name in ("Bluer", "Blue Metallic"):
+        window.add_action(window.paint_menu, name, lambda: None).setShortcut("Ctrl+Alt+B")
+    palette = window.palette_window
+    palette.open()
+    QTest.keyClicks(palette.query, "blue")
+    labels = [palette.found.itemWidget(palette.found.item(row)).findChild(QLabel) for row in range(2)]
+    roles = QPalette.ColorRole
+    assert [label.foregroundRole() for label in labels] == [roles.HighlightedText, roles.PlaceholderText]
+    QTest.keyClick(palette.query, Qt.Key.Key_Down)
+    assert [label.foregroundRole() for label in labels] == [roles.PlaceholderText, roles.HighlightedText]

@@ -19,16 +19,16 @@ SIDE_WIDTH = 300
 
 
 class AcquirePage(QWidget):
-    """A step: ``centre`` takes the room at the ``left``, ``side`` has sections. ``key`` names it, ``says`` describes it."""
+    """A step: ``centre`` takes the room in the ``middle``, ``side`` has sections. ``key`` names it, ``says`` describes it."""
 
     def __init__(self, key: str, says: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.key = key
         self.setObjectName(f"acquire_{key}")
-        self.left = QWidget()
-        self.centre = fill_column(self.left, wrapped(says), margins=(8, 0, 8, 8))
+        self.middle = QWidget()
+        self.centre = fill_column(self.middle, wrapped(says), margins=(8, 0, 8, 8))
         self.side = SideInspector()
-        self.setLayout(row_of(self.left, self.side, grows=self.left, spacing=0, margins=(0, 8, 0, 0)))
+        self.setLayout(row_of(self.middle, self.side, grows=self.middle, spacing=0, margins=(0, 8, 0, 0)))
 
     def add_part(self, name: str, title: str, *widgets: QWidget) -> Section:
         """Add a section of that title at the end of the side."""

@@ -180,7 +180,7 @@ class AcquireWindow(QWidget):
             return
         self.stack.setCurrentIndex(row)
         for part in (self.messages, self.progress):
-            part.float_over(self.pages[KEYS[row]].left, self._inside)
+            part.float_over(self.pages[KEYS[row]].middle, self._inside)
         self.back.setEnabled(row > 0)
         self.next.setEnabled(row < len(KEYS) - 1)
         self.step_shown.emit(KEYS[row])

@@ -121,3 +121,17 @@ def test_the_lobes_follow_the_paint_while_their_drawer_is_open(program: Designer
     program.open("copper")
     qtbot.wait(60)
     assert control.plot.lines is shown
+
+
+def test_drawers_at_the_bottom_make_way_where_those_at_the_left_would_be_too_low(window, qtbot):
+    drawers = window.stage.drawers
+    window.resize(1280, 720)
+    for drawer in drawers.values():
+        drawer.set_open(True)
+    qtbot.waitUntil(lambda: all(drawer.reach == 1.0 for drawer in drawers.values()))
+    places = {key: drawer.geometry() for key, drawer in drawers.items()}
+    assert min(places["curves"].height(), places["lobes"].height()) >= 140
+    assert not any(places["curves"].intersects(places[key]) for key in ("history", "paints"))
+    drawers["curves"].set_open(False)
+    drawers["lobes"].set_open(False)
+    qtbot.waitUntil(lambda: drawers["history"].width() == window.stage.width())

@@ -58,6 +58,7 @@ class ExposuresPage(PositionPage):
         self.histogram = LinesPlot(
             tr("Histogram of the photograph"), Axis(tr("Code")), Axis(tr("Pixels"), log=True)
         )
+        self.histogram.show_empty("")
         self.centre.addWidget(split(Qt.Orientation.Vertical, (self.picture, 3), (self.histogram, 2)), 1)
         self.problems = problem_list(tr("Problems of this position"))
         self.problems.hide()
@@ -102,7 +103,7 @@ class ExposuresPage(PositionPage):
                 if series is None
                 else tr("No photograph of this position can be read. The page Session lists the reasons.")
             )
-            self.histogram.show_curves(())
+            self.histogram.show_empty("")
             self.table.set_row_count(0)
             return
         # At first the longest exposure that is hardly clipped; it shows most.

@@ -98,7 +98,10 @@ class GeometryPage(AcquirePage):
             curves.append(Curve(angles[off], residuals[off], name, "faint", mark="points", width=2.0))
         largest = float(np.nanmax(residuals[kept], initial=0.0))
         self.residuals.set_reach(y=(0.0, max(0.1, 1.8 * largest)))
-        self.residuals.show_curves(curves)
+        if kept.any() or off.any():
+            self.residuals.show_curves(curves)
+        else:
+            self.residuals.show_empty(tr("No highlight was found."))
 
     def _draw_picture(self) -> None:
         if self._state is not None:
