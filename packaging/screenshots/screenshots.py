@@ -1,7 +1,8 @@
 """Make the pictures of the documents: the windows, for real, on an X server without a screen; and renders.
 
 Run ``.venv/bin/python packaging/screenshots/screenshots.py [NAME …]``; they are written to docs/images/. Settings
-and cache are fresh ones, so that no user's choices show.
+and cache are fresh ones, so that no user's choices show; with a cache that ``BRDF_SUITE_CACHE`` names and that has the
+swatches already, the strips of paints show them.
 """
 
 from __future__ import annotations
@@ -115,7 +116,7 @@ def main() -> int:
             "LIBGL_ALWAYS_SOFTWARE": "1",
             "XDG_CONFIG_HOME": f"{scratch}/config",
             "XDG_DATA_HOME": f"{scratch}/data",
-            "BRDF_SUITE_CACHE": f"{scratch}/cache",
+            "BRDF_SUITE_CACHE": os.environ.get("BRDF_SUITE_CACHE", f"{scratch}/cache"),
             "BRDF_SUITE_LINK": f"screenshots-{os.getpid()}",
         }
         for name, command in PROGRAMS.items():

@@ -3,11 +3,11 @@
 Run ``.venv/bin/python packaging/screenshots/states.py --into FOLDER``. Windows are those of the four programs, of the
 assistant *Acquire…*, and the start page with its tour. States are the start, each tab with *More* open, drawers and
 docks, dialogs, an error, work in progress, and a window without a document; each in themes, languages and sizes.
-``--program``, ``--theme``, ``--language`` and ``--size`` (``WxH``, ``WxH@2`` for 200 %) choose fewer; without ``--into``
-the texts alone are measured. Settings are fresh ones. The exit status is 1 where a text is at fault.
+``--program``, ``--theme``, ``--language`` and ``--size`` (``WxH``, ``WxH@2`` for 200 %) choose fewer; without
+``--into`` the texts alone are measured. Settings are fresh ones. The exit status is 1 where a text is at fault.
 
-``--sheets`` writes the sheets of small pictures in docs/development/states/: one of each window and theme, in English at
-1280×720. ``--compare`` takes the same states and lists those that look different from the sheets.
+``--sheets`` writes the sheets of small pictures in docs/development/states/: one of each window and theme, in English
+at 1280×720. ``--compare`` takes the same states and lists those that look different from the sheets.
 """
 
 from __future__ import annotations

@@ -9,7 +9,6 @@ from brdf_qt.window.tab_panel import standard_tabs
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QAbstractSlider, QLineEdit, QWidget
 
-
 TABS = standard_tabs("paint", "light", "form", "compare", "export")
 
 

@@ -19,7 +19,10 @@ SIDE_WIDTH = 300
 
 
 class AcquirePage(QWidget):
-    """A step: ``centre`` takes the room in the ``middle``, ``side`` has sections. ``key`` names it, ``says`` describes it."""
+    """A step: ``centre``, in the ``middle``, takes the room, ``side`` has sections.
+
+    ``key`` names it, ``says`` describes it.
+    """
 
     def __init__(self, key: str, says: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

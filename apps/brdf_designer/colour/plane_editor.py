@@ -50,7 +50,10 @@ _LEGEND_TIP = mark(
 
 
 class _Chip(QIconEngine):
-    """A square of one colour, apart from the text behind it. Another colour needs no other icon, for which a button asks for a new layout."""
+    """A square of one colour, apart from the text behind it.
+
+    Another colour needs no other icon, for which a button asks for a new layout.
+    """
 
     def __init__(self) -> None:
         super().__init__()

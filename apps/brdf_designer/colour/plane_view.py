@@ -360,7 +360,6 @@ class PlaneView(QWidget):
                 painter.drawEllipse(point, _HANDLE + 3.5, _HANDLE + 3.5)
             _paint_dot(painter, point, _HANDLE, handle.rgb, self._ink)
 
-
     def _paint_names(self, painter: QPainter, points: list[QPointF]) -> None:
         """Write the angle beside each mark but the handle, on the first side where nothing else lies."""
         metrics = painter.fontMetrics()

@@ -80,7 +80,9 @@ class LinesPlot(QWidget):
         self.plot.setLogMode(x=x.log, y=y.log)
         if x.root:
             # More of them would lie on each other in a small window.
-            self.plot.getAxis("bottom").setTicks([[(math.sqrt(at), decimal(f"{at:g}")) for at in _ROOT_TICKS]])
+            self.plot.getAxis("bottom").setTicks(
+                [[(math.sqrt(at), decimal(f"{at:g}")) for at in _ROOT_TICKS]]
+            )
         self.plot.getAxis("left").setWidth(64)
         self.plot.getPlotItem().vb.setDefaultPadding(0.03)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
