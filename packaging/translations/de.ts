@@ -1369,7 +1369,7 @@
     </message>
     <message>
         <source>Save the traced picture</source>
-        <translation>Das verfolgte Bild speichern</translation>
+        <translation>Das strahlverfolgte Bild speichern</translation>
     </message>
     <message>
         <source>Print</source>
@@ -7671,7 +7671,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save T&amp;raced Picture…</source>
-        <translation>&amp;Verfolgtes Bild speichern …</translation>
+        <translation>&amp;Strahlverfolgtes Bild speichern …</translation>
     </message>
     <message>
         <source>Save the traced picture as EXR with the variance of each pixel</source>
@@ -7711,7 +7711,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>There is no traced picture yet: choose Ray-traced or Path-traced in the tab Export</source>
-        <translation>Es gibt noch kein verfolgtes Bild: im Reiter Export „Strahlverfolgt“ oder „Pfadverfolgt“ wählen</translation>
+        <translation>Es gibt noch kein strahlverfolgtes Bild: im Reiter Export „Strahlverfolgt“ oder „Pfadverfolgt“ wählen</translation>
     </message>
     <message>
         <source>Recent Pale&amp;ttes</source>
@@ -8207,7 +8207,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Traced picture</source>
-        <translation>Verfolgtes Bild</translation>
+        <translation>Strahlverfolgtes Bild</translation>
     </message>
     <message>
         <source>Transparent background</source>
@@ -8272,6 +8272,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Per pixel, limited by the graphics card</source>
         <translation>Je Pixel, durch die Grafikkarte begrenzt</translation>
+    </message>
+    <message>
+        <source>Samples per pixel</source>
+        <translation>Proben je Pixel</translation>
     </message>
     <message>
         <source>Frames</source>

@@ -28,6 +28,7 @@ _KEY = "language"
 
 
 _NUMBER = re.compile(r"[-+−]?\d+\.\d+(e[-+−]?\d+)?")
+_THOUSANDS = re.compile(r"(?<=\d),(?=\d{3}(?:\D|$))")
 
 
 class _Numbers(string.Formatter):
@@ -66,10 +67,11 @@ def point() -> str:
 def decimal(text: str) -> str:
     """Return a number that Python has written with the decimal sign of the program's language.
 
+    Where that is no point, thousands are apart by a narrow space: a comma between them would be read as the sign.
     For what is shown alone: files, clipboards for other programs and options of commands keep the point.
     """
     sign = point()
-    return text if sign == "." else text.replace(".", sign)
+    return text if sign == "." else _THOUSANDS.sub("\N{NARROW NO-BREAK SPACE}", text).replace(".", sign)
 
 
 @cache

@@ -220,7 +220,7 @@ class ExportDialog(QDialog):
         tip = tr("Colour space; the ICC profile is embedded in the file")
         self._add(form, tr("Colours"), self.colour_space, *KIND_TITLES, tip=tip)
         tip = tr("Per pixel, limited by the graphics card")
-        self._add(form, tr("Samples"), self.samples, *KIND_TITLES, tip=tip)
+        self._add(form, tr("Samples per pixel"), self.samples, *KIND_TITLES, tip=tip)
         self._add(form, "", self.transparent, "picture", "turntable")
         self._add(form, tr("Frames"), self.frames, "turntable", tip=tr("Frames per turn"))
         self._add(form, tr("Rate"), self.rate, "turntable", tip=tr("Frames per second of a video"))
