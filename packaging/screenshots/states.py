@@ -44,6 +44,8 @@ DIALOGS = (
 )  # fmt: skip
 """Commands that open a window of our own, by the object names of their actions; each where a program has it."""
 SHEETS = ROOT / "docs" / "development" / "states"
+HOME = Path(tempfile.gettempdir()) / "brdf_suite_states"
+"""What file dialogs and messages show: the same in every run."""
 SHEET_LANGUAGE, SHEET_SIZE = "en", "1280x720"
 RECENT = ("spring_collection.brdfproject", "red_metallic.brdfpaint", "polaris_silver.binary")
 START_SHARE, START_MOST = (0.94, 0.92), (1140, 752)
@@ -189,11 +191,12 @@ def walk_assistant(designer: Designer, size: tuple[int, int], shoot: Callable[[s
         _run_for(_PATIENCE_S, lambda: bench.is_quiet)
         take(page)
     window.show_page("session")
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "session.json").write_text('{"kind": ', encoding="utf-8")
-        assistant.sessions.open(Path(folder))
-        _run_for(_PATIENCE_S, lambda: bool(window.messages.shown()) and bench.is_quiet)
-        take("error")
+    broken = Path.home() / "photographs"
+    broken.mkdir(exist_ok=True)
+    (broken / "session.json").write_text('{"kind": ', encoding="utf-8")
+    assistant.sessions.open(broken)
+    _run_for(_PATIENCE_S, lambda: bool(window.messages.shown()) and bench.is_quiet)
+    take("error")
 
 
 def walk_start(designer: Designer, size: tuple[int, int], shoot: Callable[[str, QWidget], None]) -> None:
@@ -294,25 +297,24 @@ def drive(options: argparse.Namespace) -> int:
                 record = {"state": f"{look}_{state}", **json.loads(what)}
                 print(json.dumps(record, ensure_ascii=False), flush=True)
 
-    with tempfile.TemporaryDirectory() as scratch:
-        for empty in (True, False) if name == "Color Swatch" else (False,):
-            program = open_program(name, empty=empty)
-            program.window.resize(*size)
-            program.window.fit_inspector()
-            program.start_when_painted()
-            program.window.show()
-            _run_for(options.patience, lambda program=program: program.is_idle)
-            if empty:
-                _run_for(_REST_S)
-                shoot("empty", program.window)
-                program.close()
-            elif name == ACQUIRE:
-                walk_assistant(program, size, shoot)
-            elif name == START_PAGE:
-                walk_start(program, size, shoot)
-            else:
-                States(program, Path(scratch), shoot).all()
-            program.window.hide()
+    for empty in (True, False) if name == "Color Swatch" else (False,):
+        program = open_program(name, empty=empty)
+        program.window.resize(*size)
+        program.window.fit_inspector()
+        program.start_when_painted()
+        program.window.show()
+        _run_for(options.patience, lambda program=program: program.is_idle)
+        if empty:
+            _run_for(_REST_S)
+            shoot("empty", program.window)
+            program.close()
+        elif name == ACQUIRE:
+            walk_assistant(program, size, shoot)
+        elif name == START_PAGE:
+            walk_start(program, size, shoot)
+        else:
+            States(program, Path.home(), shoot).all()
+        program.window.hide()
     sys.stdout.flush()
     del app
     os._exit(0)  # nothing that is on its way is awaited
@@ -403,6 +405,7 @@ def main() -> int:
     options = parser.parse_args()
     if options.drive:
         return drive(options)
+    HOME.mkdir(exist_ok=True)
     with virtual_screen((2600, 1500)) as display, tempfile.TemporaryDirectory() as cache:
         if options.sheets or options.compare:
             options.language, options.size = [SHEET_LANGUAGE], [SHEET_SIZE]
@@ -412,6 +415,7 @@ def main() -> int:
         environment = {
             **os.environ,
             "DISPLAY": display,
+            "HOME": str(HOME),
             "LIBGL_ALWAYS_SOFTWARE": "1",
             "BRDF_SUITE_CACHE": os.environ.get("BRDF_SUITE_CACHE", cache),
             "BRDF_SUITE_LINK": f"states-{os.getpid()}",
