@@ -6156,7 +6156,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Maximum</translation>
     </message>
     <message>
-        <source>Maximum away from R</source>
+        <source>Maximum off R</source>
         <translation>Maximum abseits R</translation>
     </message>
     <message>

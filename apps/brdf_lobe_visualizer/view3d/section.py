@@ -108,7 +108,7 @@ _COLOURINGS = {
 _FILLS = {
     "auto": mark("Automatic"),
     "greatest": mark("Maximum"),
-    "body": mark("Maximum away from R"),
+    "body": mark("Maximum off R"),
     "value": mark("Fixed value"),
 }
 _ARRANGEMENTS = {"overlay": mark("Overlay"), "panels": mark("Side by side")}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, point, tr
 
 from brdf_designer.acquire.reconstruction.session import StepRequest
 from brdf_designer.acquire.states import Found, ResponseState
@@ -82,8 +82,9 @@ def response_found(road: Acquisition) -> Found:
 
 def _each(values: Any, form: str, unit: str = "") -> str:
     """Return numbers per channel, one where they read the same."""
-    texts = [form.format(float(value)) for value in np.atleast_1d(values)]
-    return (texts[0] if len(set(texts)) == 1 else ", ".join(texts)) + unit
+    texts = [decimal(form.format(float(value))) for value in np.atleast_1d(values)]
+    between = ", " if point() == "." else "; "
+    return (texts[0] if len(set(texts)) == 1 else between.join(texts)) + unit
 
 
 def thousands(count: int) -> str:

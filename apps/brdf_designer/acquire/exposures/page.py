@@ -207,7 +207,7 @@ def percent(share: float) -> str:
     >>> percent(0.0001)
     '< 0.1 %'
     """
-    return "< 0.1 %" if 0.0 < share < 0.001 else decimal(f"{100.0 * share:.1f} %")
+    return decimal("< 0.1 %" if 0.0 < share < 0.001 else f"{100.0 * share:.1f} %")
 
 
 def _thumb(shot: Shot) -> QPixmap:
