@@ -109,6 +109,11 @@ class HandoverControl(Feature, QObject):
         self._session.dismiss_message(KEY)
         self._tasks.submit(KEY, run_exports, requests, self._written, self._failed, moved)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing is written, and the losses that are on show are those of the paint."""
+        return not self._tasks.busy
+
     def close(self) -> None:
         """End what is still written; an old file stays."""
         self._tasks.stop(30_000)
