@@ -129,7 +129,8 @@ def test_a_bad_file_is_reported_with_its_place_and_changes_nothing(files, tmp_pa
     bad.write_text("{")
     assert not files.open(bad)
     assert files.store.value == "first"
-    assert "bad.note, at line 1" in heard[0].where
+    assert heard[0].what.startswith("bad.note: ")
+    assert f"{tmp_path}, line 1" in heard[0].where
     assert "unchanged" in heard[0].todo
 
 

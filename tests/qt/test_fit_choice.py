@@ -65,7 +65,9 @@ def test_a_stored_basis_that_has_gone_is_reported_and_the_default_used(window, o
     own.unlink()
     command = FitCommand(window, "")
     assert (command.choice, command.settings) == (FitChoice(), FitSettings())
-    assert [message.where for message in window.messages.shown().values()] == [str(own)]
+    (message,) = window.messages.shown().values()
+    assert message.what.startswith(f"{own.name}: ")
+    assert message.where == str(own.parent)
     with pytest.raises(FileError, match="own basis"):  # asked for by name it is refused
         FitCommand(window, "", FitChoice(str(own)))
     settings("shared").setValue("fit/choice", "[1, 2]")

@@ -109,7 +109,7 @@ def test_a_new_palette_that_cannot_be_written_is_still_to_be_saved(
     command(swatch, "new_from_selection")
     assert names(swatch) == ["Red"]
     assert not swatch.session.item.is_clean
-    assert "Cannot be written" in swatch.window.messages.shown()["save"].what
+    assert "cannot be written" in swatch.window.messages.shown()["save"].what
 
 
 def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
