@@ -131,7 +131,7 @@ def _show(app: QApplication, name: str) -> None:
     off = (tones.box + tones.window) / 2.0
     shown.setColor(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Base, grey(off))
     for kind in ("QCheckBox", "QRadioButton"):
-        app.setPalette(shown, kind)
+        app.setPalette(shown, kind)  # type: ignore[arg-type]  # PySide6 takes text, its stub has bytes
 
 
 def current() -> str:
