@@ -140,7 +140,8 @@ def _refined(row: Any) -> tuple[str, str, str]:
     """A refined number with its uncertainty; metres as millimetres."""
     scale, unit, form = (1e3, " mm", "{:.2f}") if row.unit == "m" else (1.0, "°", "{:.3f}")
     found, sigma, stated = (
-        decimal(form.format(scale * number)).replace("-", "−") for number in (row.value, row.sigma, row.stated)
+        decimal(form.format(scale * number)).replace("-", "−")
+        for number in (row.value, row.sigma, row.stated)
     )
     if not any(digit in "123456789" for digit in stated):
         stated = stated.lstrip("−")
