@@ -1,0 +1,185 @@
+"""Finished texts of the core in the language of the program.
+
+The core has no translator: its errors, notices and words of progress come as English sentences with their values in
+them, some from another process. ``packaging/translate.py`` collects the templates of these sentences from its sources;
+:func:`tr_core` finds the one that a sentence was made by and fills its translation. Values that are texts of the core
+themselves, as the cause of an error, are translated in turn.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
+
+from PySide6.QtCore import QCoreApplication, QLocale
+
+from brdf_qt.program.translation import SOURCE, decimal, language_in_use, point
+from brdf_suite.resources import resource
+
+_PLACE = re.compile(r"\{(\d+)\}")
+_PATH = re.compile(r"(\S*[/\\].*|[^:;]*\w\.[A-Za-z]\w{1,10})")
+_FIGURES = re.compile(
+    r"([-+−±]?\d[\d,]*(\.\d+)?(e[-+−]?\d+)?"
+    r"|[ ×x/,;…–-]|°|%|‰|GU|EV|K|[mcµn]?m|[µm]?s|min|h|px|[kM]?B|[MG]i?B|mm²|cd|lx|klx|sr|[ΔELCHab*]{2,3}(00)?)+"
+)
+_THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(,\d{3})+(?![\d.])")
+_DECIMALS = re.compile(r"\d+\.\d+")
+_SENTENCE_END = re.compile(r"(?<=[.!?]) (?=[^a-z])")
+_SEPARATORS = (": ", "; ", ", ")
+_DEEPEST = 6
+_ENOUGH = 0.6
+"""Share of the letters of a sentence that a template has to account for, so that no other is looked for."""
+_LONGEST = 1000
+"""Characters of a line beyond which no template is looked for."""
+
+
+class _Template:
+    """The template of sentences."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self._literals = _PLACE.split(source)[::2]
+        self.longest = max(self._literals, key=len)
+        self.letters = sum(character.isalpha() for literal in self._literals for character in literal)
+        pairs = zip(self._literals, self._literals[1:], strict=False)
+        self.quoted = [a.endswith(("“", '"')) and b.startswith(("”", '"')) for a, b in pairs]
+
+    def places(self, text: str) -> tuple[str, ...] | None:
+        """Return what stands in the places of a sentence; None for a sentence of another template."""
+        match = self._pattern.fullmatch(text)
+        return None if match is None else match.groups()
+
+    @cached_property
+    def _pattern(self) -> re.Pattern[str]:
+        return re.compile("(.*?)".join(map(re.escape, self._literals)), re.DOTALL)
+
+
+@dataclass(frozen=True)
+class _Found:
+    """A translation, and how many characters of the English text are accounted for."""
+
+    text: str
+    known: int
+
+
+def tr_core(text: str) -> str:
+    """Return a finished text of the core in the language of the program; what is unknown in it stays as it is.
+
+    >>> tr_core("there is no such file")
+    'there is no such file'
+    """
+    language = language_in_use(QCoreApplication.instance())
+    return text if language == SOURCE or not text else _translated(text, language)
+
+
+@lru_cache(maxsize=1000)
+def _translated(text: str, language: str) -> str:
+    return "\n".join(_best(line, language, 0).text for line in text.split("\n"))
+
+
+@cache
+def _templates() -> tuple[_Template, ...]:
+    """Return the templates, those with the most words first."""
+    sources = json.loads(resource("translations", "core_templates.json").read_text(encoding="utf-8"))
+    return tuple(sorted(map(_Template, sources), key=lambda one: -one.letters))
+
+
+@lru_cache(maxsize=4000)
+def _best(text: str, language: str, depth: int) -> _Found:
+    """Return the translation that accounts for most of a text."""
+    bare = text.strip()
+    if bare != text and bare:
+        lead = text[: len(text) - len(text.lstrip())]
+        inner = _best(bare, language, depth)
+        return _Found(lead + inner.text + text[len(lead) + len(bare) :], inner.known)
+    if not text or len(text) > _LONGEST:
+        return _Found(text, 0)
+    if _FIGURES.fullmatch(text):
+        return _Found(_localized(text, language), 0)
+    whole = _plain(text)
+    if whole is not None:
+        return _Found(whole, len(text) + 1)
+    found, is_sure = _filled(text, language, depth)
+    if is_sure:
+        return found
+    others = [found, *_divided(text, language, depth)]
+    if text.endswith((".", "…")):
+        inner = _best(text[:-1], language, depth)
+        others.append(_Found(inner.text + text[-1], inner.known + 1 if inner.known else 0))
+    if text[0].isupper():
+        inner = _best(text[0].lower() + text[1:], language, depth)
+        others.append(_Found(inner.text[:1].upper() + inner.text[1:], inner.known))
+    return max(others, key=lambda one: (one.known, one.text != text))
+
+
+def _plain(text: str) -> str | None:
+    """Return the translation of a text without places; None where it has none."""
+    translated = QCoreApplication.translate("", text)
+    if translated != text and not _PLACE.search(text):
+        return translated
+    if text.endswith("."):
+        shorter = QCoreApplication.translate("", text[:-1])
+        return None if shorter == text[:-1] else f"{shorter}."
+    return None
+
+
+def _filled(text: str, language: str, depth: int) -> tuple[_Found, bool]:
+    """Return the best translation by a template that has the whole text, and whether it is certainly the one."""
+    best = _Found(text, 0)
+    if depth == _DEEPEST:
+        return best, False
+    enough = _ENOUGH * sum(map(str.isalpha, text))
+    for one in _templates():
+        if one.longest not in text or (given := one.places(text)) is None:
+            continue
+        places = [
+            _Found(place, 0) if quoted else _best(place, language, depth + 1)
+            for place, quoted in zip(given, one.quoted, strict=True)
+        ]
+        pattern = QCoreApplication.translate("", one.source)
+        filled = _PLACE.sub(lambda place, places=places: places[int(place[1])].text, pattern)
+        known = one.letters + sum(place.known for place in places)
+        if known > best.known:
+            best = _Found(filled, known)
+        if one.letters >= enough:
+            return best, True
+    return best, False
+
+
+def _divided(text: str, language: str, depth: int) -> list[_Found]:
+    """Return the translations of a text by its parts: sentences, the place and the cause, members of a list."""
+    found: list[_Found] = []
+    if depth == _DEEPEST:
+        return found
+    sentences = _SENTENCE_END.split(text)
+    if len(sentences) > 1:
+        found.append(_joined(" ", [_best(one, language, depth + 1) for one in sentences]))
+    for separator in _SEPARATORS:
+        start = text.find(separator)
+        while start >= 0:
+            left, right = text[:start], text[start + len(separator) :]
+            first = _Found(left, 0) if _PATH.fullmatch(left) else _best(left, language, depth + 1)
+            found.append(_joined(separator, [first, _best(right, language, depth + 1)]))
+            start = text.find(separator, start + 1)
+    if text.endswith(")") and " (" in text:
+        head, _, rest = text[:-1].partition(" (")
+        outer, inner = _best(head, language, depth + 1), _best(rest, language, depth + 1)
+        found.append(_Found(f"{outer.text} ({inner.text})", outer.known + inner.known))
+    return found
+
+
+def _joined(separator: str, parts: list[_Found]) -> _Found:
+    return _Found(separator.join(one.text for one in parts), sum(one.known for one in parts))
+
+
+def _localized(figures: str, language: str) -> str:
+    """Return figures with the signs that the language has in numbers; members of a list are divided by semicolons."""
+    if point() == ".":
+        return figures
+    groups = QLocale(language).groupSeparator()
+    if _DECIMALS.search(figures):
+        figures = figures.replace(", ", "; ")
+    figures = _THOUSANDS.sub(lambda number: number[0].replace(",", "\0"), figures)
+    return _DECIMALS.sub(lambda number: decimal(number[0]), figures).replace("\0", groups)
