@@ -13,24 +13,48 @@ from collections.abc import Iterable, Iterator
 from itertools import product
 from pathlib import Path
 
-UNSEEN = ("cli", "command_parser.py", "notebook.py", "variables.py", "tracing/agreement", "files/tables/columns.py")
+UNSEEN = (
+    "cli",
+    "command_parser.py",
+    "notebook.py",
+    "variables.py",
+    "tracing/agreement",
+    "files/tables/columns.py",
+)
 """Parts of the core whose texts only the command prints."""
 REPORTS = "reports"
 """Texts of documents for others, which are English; errors and progress of their making are shown."""
-_NOT_SHOWN = {
-    "ArgumentTypeError", "AssertionError", "AttributeError", "IndexError", "KeyError", "NotImplementedError",
-    "RuntimeError", "TypeError", "ValueError", "add_argument", "add_arguments", "child_command", "compile", "cast",
-    "debug", "endswith", "error", "exception", "execute", "executescript", "find", "fullmatch", "get", "getLogger", "index", "info",
-    "match", "namedtuple", "partition", "print", "replace", "search", "split", "startswith", "strptime", "sub",
-    "TypeVar", "warn", "warning", "Struct", "removeprefix", "removesuffix", "while_loop", "Literal",
-}  # fmt: skip
-"""Calls that take no text for a user."""
-_SHOWN = {"AcquisitionError", "FittingError", "GraphicsError", "SuiteError", "UnreachableError", "note", "report", "stage",
-    "Parameter", "RefinedParameter", "Tolerance", "Figure", "ModelEntry"}
+_FAULTS = (
+    "ArgumentTypeError AssertionError AttributeError IndexError KeyError NotImplementedError RuntimeError TypeError "
+    "ValueError"
+)
+_PLUMBING = (
+    "add_argument add_arguments cast child_command compile debug endswith error exception execute executescript find "
+    "fullmatch get getLogger index info Literal match namedtuple partition print removeprefix removesuffix replace "
+    "search split startswith strptime Struct sub TypeVar warn warning while_loop"
+)
+_NOT_SHOWN = {*_FAULTS.split(), *_PLUMBING.split()}
+"""Calls that take no text for a user of a window."""
+_SENTENCES = {
+    *(
+        "AcquisitionError",
+        "FittingError",
+        "GraphicsError",
+        "SuiteError",
+        "UnreachableError",
+        "note",
+        "report",
+    ),
+    *("stage", "Parameter", "RefinedParameter", "ModelEntry"),
+}
 """Calls whose literals are shown also where they are single words."""
+_SHOWN = _SENTENCES | {"DocumentError", "FileError", "ReferenceUnavailableError", "ValueRangeError", "fail"}
+"""Calls that take texts for a user."""
 _FORMAT_PLACE = re.compile(r"\{[^{}]*\}")
 _PLURAL = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
-_CODE = re.compile(r"[<>{}=\\@#]|;$|^\s|^--|^brdf-suite |\w_\w|\w\(|^[A-Z_]+$|://|\n|\t|^(SELECT|DELETE|INSERT|CREATE)\b")
+_CODE = re.compile(
+    r"[<>{}=\\@#]|;$|^\s|^--|^brdf-suite |\w_\w|\w\(|^[A-Z_]+$|://|\n|\t|^(SELECT|DELETE|INSERT|CREATE)\b"
+)
 _FIELD = re.compile(r"[\0\w]*([.\[][\0\w*\]]+)+(\.\w+)*")
 """The name of a field or of a file, as ``measurements[1].lab``."""
 _MOST = 24
@@ -38,26 +62,32 @@ _PLACE = object()
 _Pieces = tuple[object, ...]
 
 
-def core_texts(core: Path) -> list[str]:
-    """Return the texts and templates of the modules below ``core``, each once, in the order of the files."""
+def core_texts(core: Path, programs: Iterable[Path] = ()) -> list[str]:
+    """Return the texts and templates of the modules below ``core``, each once, in the order of the files.
+
+    Of ``programs``, the packages of the windows, those of errors and progress that are raised or reported without
+    :func:`tr`, as the core does.
+    """
     found: dict[str, None] = {}
     for path in sorted(core.rglob("*.py")):
         part = path.relative_to(core).as_posix()
         if not any(part == unseen or part.startswith(f"{unseen}/") for unseen in UNSEEN):
-            tree = ast.parse(path.read_text(encoding="utf-8"))
-            found |= dict.fromkeys(_texts(tree, only_errors=part.startswith(f"{REPORTS}/")))
+            found |= dict.fromkeys(_texts(path, only_shown=part.startswith(f"{REPORTS}/")))
+    for program in programs:
+        for path in sorted(program.rglob("*.py")):
+            found |= dict.fromkeys(_texts(path, only_shown=True))
     return list(found)
 
 
-def _texts(tree: ast.Module, *, only_errors: bool) -> Iterator[str]:
+def _texts(path: Path, *, only_shown: bool) -> Iterator[str]:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
     waiting: list[tuple[ast.AST, str]] = [(tree, "")]
     while waiting:
         node, call = waiting.pop()
         if _is_text(node):
             assert isinstance(node, ast.expr)
-            shown = call in _SHOWN
-            if shown or not only_errors:
-                yield from _templates(node, single=shown)
+            if call in _SHOWN or not only_shown:
+                yield from _templates(node, single=call in _SENTENCES)
             waiting += [(inner, call) for inner in _inner(node)]
             continue
         waiting += reversed([(child, _call_of(child, call)) for child in _children(node)])
@@ -67,7 +97,7 @@ def _children(node: ast.AST) -> Iterable[ast.AST]:
     """Return what can hold a text: no docstrings, annotations, keys, indices, comparisons."""
     if isinstance(node, ast.Call):
         name = _name(node.func)
-        if name in _NOT_SHOWN:
+        if name in _NOT_SHOWN or name in ("tr", "mark"):
             return ()
         return [node.func, *node.args, *(one.value for one in node.keywords)]
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
@@ -115,7 +145,9 @@ def _inner(node: ast.AST) -> list[ast.AST]:
     if isinstance(node, ast.JoinedStr):
         return [one.value for one in node.values if isinstance(one, ast.FormattedValue)]
     if isinstance(node, ast.BinOp):
-        return [inner for one in (node.left, node.right) for inner in (_inner(one) if _is_text(one) else [one])]
+        return [
+            inner for one in (node.left, node.right) for inner in (_inner(one) if _is_text(one) else [one])
+        ]
     if isinstance(node, ast.Call):
         return [*node.args, *(one.value for one in node.keywords)]
     return []
@@ -165,8 +197,8 @@ def _templates(node: ast.expr, *, single: bool) -> Iterator[str]:
             if not single and not any(word.islower() for word in words):
                 continue
             if single or " " in text.strip():
-                numbers = iter(range(text.count("\0")))
-                yield re.sub("\0", lambda _place: f"{{{next(numbers)}}}", text).strip()
+                first, *others = text.split("\0")
+                yield "".join([first, *(f"{{{n}}}{part}" for n, part in enumerate(others))]).strip()
 
 
 def _numbers(text: str) -> list[str]:

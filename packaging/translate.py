@@ -51,13 +51,17 @@ def collect(target: Path) -> None:
     ]
     with tempfile.TemporaryDirectory() as folder:
         core = Path(folder) / "core.py"
-        core.write_text("".join(f"tr({text!r})\n" for text in core_texts(CORE)), encoding="utf-8")
+        core.write_text("".join(f"tr({text!r})\n" for text in _finished_texts()), encoding="utf-8")
         _tool("pyside6-lupdate", *options, *files, str(core), "-ts", str(target))
+
+
+def _finished_texts() -> list[str]:
+    return core_texts(CORE, [ROOT / "apps" / name for name in PROGRAMS])
 
 
 def templates() -> str:
     """Return the content of the file of templates: the core's texts that have places, as JSON."""
-    found = [text for text in core_texts(CORE) if _PLACE.search(text)]
+    found = [text for text in _finished_texts() if _PLACE.search(text)]
     return json.dumps(found, ensure_ascii=False, indent=0) + "\n"
 
 

@@ -18688,6 +18688,30 @@ h {hue}°</translation>
         <translation>dieses Material wurde in RGB gemessen, es hat keine Spektren</translation>
     </message>
     <message>
+        <source>holds {0} paints; a sheet takes {1}</source>
+        <translation>enthält {0} Lacke; ein Blatt nimmt {1}</translation>
+    </message>
+    <message>
+        <source>there is no paint to draw</source>
+        <translation>es gibt keinen Lack zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>sheets are written as PNG of 8 bits or as PDF; give a name that ends in .png or .pdf</source>
+        <translation>Blätter werden als PNG mit 8 Bit oder als PDF geschrieben; geben Sie einen Namen an, der auf .png oder .pdf endet</translation>
+    </message>
+    <message>
+        <source>1 to {0} stand in a row, not {1}</source>
+        <translation>in einer Reihe stehen 1 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>a PDF has pictures in sRGB; leave the colour space out</source>
+        <translation>ein PDF hat Bilder in sRGB; lassen Sie den Farbraum weg</translation>
+    </message>
+    <message>
+        <source>{0} are known, not {1}</source>
+        <translation>bekannt sind {0}, nicht {1}</translation>
+    </message>
+    <message>
         <source>{0}, {1} of {2}</source>
         <translation>{0}, {1} von {2}</translation>
     </message>
@@ -18696,8 +18720,20 @@ h {hue}°</translation>
         <translation>Es gibt kein Format {0}; es gibt {1}.</translation>
     </message>
     <message>
+        <source>the ending {0} names no format ({1}); name one by --format</source>
+        <translation>die Endung {0} nennt kein Format ({1}); nennen Sie eines mit --format</translation>
+    </message>
+    <message>
         <source>{0}: what is read of it makes no paint: {1}</source>
         <translation>{0}: Was davon gelesen wurde, ergibt keinen Lack: {1}</translation>
+    </message>
+    <message>
+        <source>at least one is wanted</source>
+        <translation>verlangt ist mindestens eines</translation>
+    </message>
+    <message>
+        <source>a file of {0} takes one paint, not {1}</source>
+        <translation>eine Datei im Format {0} nimmt einen Lack, nicht {1}</translation>
     </message>
     <message>
         <source>reading</source>
@@ -18710,6 +18746,10 @@ h {hue}°</translation>
     <message>
         <source>writing</source>
         <translation>wird geschrieben</translation>
+    </message>
+    <message>
+        <source>holds no paint of this suite that can be found; another program may have packed it</source>
+        <translation>enthält keinen auffindbaren Lack dieser Suite; ein anderes Programm kann sie umgepackt haben</translation>
     </message>
     <message>
         <source>the packaged resources are missing; install brdf-suite again</source>
@@ -19010,6 +19050,62 @@ h {hue}°</translation>
     <message>
         <source>writing the video</source>
         <translation>Video wird geschrieben</translation>
+    </message>
+    <message>
+        <source>shaders of {0}: {1}</source>
+        <translation>Shader von {0}: {1}</translation>
+    </message>
+    <message>
+        <source>is not a font that can be loaded; install brdf-suite again</source>
+        <translation>ist keine Schrift, die sich laden lässt; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>the list of the gallery cannot be read ({0})</source>
+        <translation>die Liste der Galerie ist nicht lesbar ({0})</translation>
+    </message>
+    <message>
+        <source>the command ended with status {0}.</source>
+        <translation>der Befehl endete mit Status {0}.</translation>
+    </message>
+    <message>
+        <source>has {0}×{1} pixels, the photographs {2}×{3}</source>
+        <translation>hat {0}×{1} Pixel, die Fotos {2}×{3}</translation>
+    </message>
+    <message>
+        <source>autosave</source>
+        <translation>wird automatisch gesichert</translation>
+    </message>
+    <message>
+        <source>The paint could not be exported: {0}</source>
+        <translation>Der Lack ließ sich nicht exportieren: {0}</translation>
+    </message>
+    <message>
+        <source>looking for paints</source>
+        <translation>Lacke werden gesucht</translation>
+    </message>
+    <message>
+        <source>checking the values</source>
+        <translation>Werte werden geprüft</translation>
+    </message>
+    <message>
+        <source>building paints</source>
+        <translation>Lacke werden aufgebaut</translation>
+    </message>
+    <message>
+        <source>reading the light</source>
+        <translation>Licht wird gelesen</translation>
+    </message>
+    <message>
+        <source>preparing the scene</source>
+        <translation>Szene wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>is no scene of this program ({0})</source>
+        <translation>ist keine Szene dieses Programms ({0})</translation>
+    </message>
+    <message>
+        <source>There is no picture yet</source>
+        <translation>Es gibt noch kein Bild</translation>
     </message>
 </context>
 </TS>

@@ -11,6 +11,7 @@ from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import decimal, mark, tr
@@ -159,7 +160,8 @@ class FiguresTable(QTableView):
 
 
 def _named(row: FigureRow) -> str:
-    return f"{row.name}, {row.unit}" if row.unit else row.name
+    name = tr_core(row.name)
+    return f"{name}, {row.unit}" if row.unit else name
 
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"

@@ -7,7 +7,7 @@ once its reason is gone, so a drag through an unreachable value leaves no pile b
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 
 from brdf_qt.fields.form import icon_button
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.floating import Floating
@@ -58,11 +59,12 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     if isinstance(error, FileError):
         where = error.path
         if error.place:
-            where = tr("{file}, at {place}").format(file=where, place=error.place)
-        reason = error.reason[:1].upper() + error.reason[1:]
+            where = tr("{file}, at {place}").format(file=where, place=tr_core(error.place))
+        reason = tr_core(error.reason)
+        reason = reason[:1].upper() + reason[1:]
         return Message(key, f"{reason}.", where=where, todo=todo, severity="error")
     if isinstance(error, SuiteError):
-        return Message(key, str(error), todo=todo, severity="error")
+        return Message(key, tr_core(str(error)), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")
     todo = todo or tr("Your document is unchanged; save it. The log has the details.")
     return Message(key, what, todo=todo, severity="error")
@@ -180,7 +182,8 @@ class MessageBar(Floating):
         self.hide()
 
     def show_message(self, message: Message) -> None:
-        """Show ``message``, in the place of the one with the same key."""
+        """Show ``message``, in the place of the one with the same key; texts of the core in the user's language."""
+        message = replace(message, what=tr_core(message.what), todo=tr_core(message.todo))
         present = self._rows.get(message.key)
         if present is not None and present.message == message:
             return
