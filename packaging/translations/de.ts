@@ -3414,6 +3414,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Das Bild konnte nicht gezeichnet werden</translation>
     </message>
     <message>
+        <source>The graphics driver reported {problem} while drawing.</source>
+        <translation>Der Grafiktreiber meldete {problem} beim Zeichnen.</translation>
+    </message>
+    <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
