@@ -53,7 +53,7 @@ _SHOWN = _SENTENCES | {"DocumentError", "FileError", "ReferenceUnavailableError"
 _FORMAT_PLACE = re.compile(r"\{[^{}]*\}")
 _PLURAL = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
 _CODE = re.compile(
-    r"[<>{}=\\@#]|;$|^\s|^--|^brdf-suite |\w_\w|\w\(|^[A-Z_]+$|://|\n|\t|^(SELECT|DELETE|INSERT|CREATE)\b"
+    r"[<>{}=\\@]|^#|;$|^\s|^--|^brdf-suite |\w\(|^[A-Z_]+$|://|\n|\t|^(SELECT|DELETE|INSERT|CREATE)\b"
 )
 _FIELD = re.compile(r"[\0\w]*([.\[][\0\w*\]]+)+(\.\w+)*")
 """The name of a field or of a file, as ``measurements[1].lab``."""
@@ -107,7 +107,7 @@ def _children(node: ast.AST) -> Iterable[ast.AST]:
     if isinstance(node, ast.Compare | ast.Subscript | ast.MatchValue):
         return ()
     if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
-        return node.body
+        return [*node.body, *node.args.defaults, *filter(None, node.args.kw_defaults)]
     if isinstance(node, ast.AnnAssign):
         return () if node.value is None else (node.value,)
     return ast.iter_child_nodes(node)
@@ -192,6 +192,8 @@ def _templates(node: ast.expr, *, single: bool) -> Iterator[str]:
         for text in _numbers(literal):
             bare = _PLURAL.sub("", text.replace("\0", " "))
             words = re.findall(r"[^\W\d_]{2,}", bare)
+            if " " not in text and "_" in text:
+                continue
             if not words or _CODE.search(text.replace("\0", "x").strip()) or _FIELD.fullmatch(text):
                 continue
             if not single and not any(word.islower() for word in words):

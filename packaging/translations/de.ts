@@ -11032,6 +11032,10 @@ h {hue}°</translation>
         <translation>{0}: Prüfen Sie ihren Bereich.</translation>
     </message>
     <message>
+        <source>The lamp at {0}° does not light the white reference, which faces ({1}, {2}, {3}): check white.angle_deg and white.normal.</source>
+        <translation>Die Lampe bei {0}° beleuchtet die Weißreferenz nicht, die nach ({1}, {2}, {3}) zeigt: Prüfen Sie white.angle_deg und white.normal.</translation>
+    </message>
+    <message>
         <source>Light and sphere could not be corrected by highlights, and stand as stated</source>
         <translation>Licht und Kugel konnten nicht anhand der Glanzlichter berichtigt werden und bleiben wie angegeben</translation>
     </message>
@@ -11288,6 +11292,10 @@ h {hue}°</translation>
         <translation>hat {0} Pixel, die anderen {1} × {2}</translation>
     </message>
     <message>
+        <source>session.json says {0}; correct camera.bit_depth</source>
+        <translation>session.json sagt {0}; berichtigen Sie camera.bit_depth</translation>
+    </message>
+    <message>
         <source>has {0} bits a channel, and {1}</source>
         <translation>hat {0} Bit je Kanal, und {1}</translation>
     </message>
@@ -11320,6 +11328,10 @@ h {hue}°</translation>
         <translation>; das ist die Zeit der Belichtung {0}, die Dateien können also vertauscht sein</translation>
     </message>
     <message>
+        <source>; correct exposures_s</source>
+        <translation>; berichtigen Sie exposures_s</translation>
+    </message>
+    <message>
         <source>is a JPEG, whose codes are never linear; set camera.response to unknown, or write linear TIFF from the raw files</source>
         <translation>ist ein JPEG, dessen Codes nie linear sind; setzen Sie camera.response auf unknown, oder schreiben Sie lineares TIFF aus den Rohdateien</translation>
     </message>
@@ -11346,6 +11358,14 @@ h {hue}°</translation>
     <message>
         <source>names no photograph that could be read</source>
         <translation>nennt kein Foto, das lesbar war</translation>
+    </message>
+    <message>
+        <source>has {0} bits a channel, and session.json says {1}; correct camera.bit_depth</source>
+        <translation>hat {0} Bit je Kanal, und session.json sagt {1}; berichtigen Sie camera.bit_depth</translation>
+    </message>
+    <message>
+        <source>{0}correct camera.bit_depth in session.json</source>
+        <translation>{0}berichtigen Sie camera.bit_depth in session.json</translation>
     </message>
     <message>
         <source>is {0}, and the session&apos;s mask is {1}</source>
@@ -11424,6 +11444,22 @@ h {hue}°</translation>
         <translation>enthält keine {0}; {1} schreibt eine zum Ausfüllen</translation>
     </message>
     <message>
+        <source>the message</source>
+        <translation>die Nachricht</translation>
+    </message>
+    <message>
+        <source>camera.distance_m, camera.height_m: level distance to the turntable&apos;s axis, height above the sphere&apos;s centre</source>
+        <translation>camera.distance_m, camera.height_m: waagerechter Abstand zur Achse des Drehtellers, Höhe über dem Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>sphere.radius_m: measure it with a caliper</source>
+        <translation>sphere.radius_m: Messen Sie ihn mit einem Messschieber</translation>
+    </message>
+    <message>
+        <source>light.distance_m, light.height_m: of the lamp, as of the camera</source>
+        <translation>light.distance_m, light.height_m: der Lampe, wie bei der Kamera</translation>
+    </message>
+    <message>
         <source>camera.response: unknown (recovered from the exposures), linear or srgb</source>
         <translation>camera.response: unknown (aus den Belichtungen ermittelt), linear oder srgb</translation>
     </message>
@@ -11438,6 +11474,10 @@ h {hue}°</translation>
     <message>
         <source>no session can be made of it: {0}: {1}</source>
         <translation>daraus lässt sich keine Sitzung machen: {0}: {1}</translation>
+    </message>
+    <message>
+        <source>light.irradiance_rgb or a white reference: without them the table has no absolute scale</source>
+        <translation>light.irradiance_rgb oder eine Weißreferenz: ohne sie hat die Tabelle keinen absoluten Maßstab</translation>
     </message>
     <message>
         <source>{0}each position has one for each exposure</source>
@@ -11464,6 +11504,10 @@ h {hue}°</translation>
         <translation>white: Geben Sie seinen Reflexionsgrad, den Winkel der Lampe und {0} an</translation>
     </message>
     <message>
+        <source>flat_field: state its exposure time</source>
+        <translation>flat_field: Geben Sie seine Belichtungszeit an</translation>
+    </message>
+    <message>
         <source>put those of each position of the lamp into a folder of their own</source>
         <translation>legen Sie die jeder Stellung der Lampe in einen eigenen Ordner</translation>
     </message>
@@ -11472,12 +11516,24 @@ h {hue}°</translation>
         <translation>hat seine Fotos nebeneinander; {0}</translation>
     </message>
     <message>
+        <source>exposures_s: taken from the EXIF of the first position</source>
+        <translation>exposures_s: aus den EXIF-Daten der ersten Stellung übernommen</translation>
+    </message>
+    <message>
+        <source>exposures_s: the files state no times, or the same twice; these are those of a typical rig</source>
+        <translation>exposures_s: Die Dateien geben keine Zeiten an, oder zweimal dieselbe; dies sind die eines üblichen Aufbaus</translation>
+    </message>
+    <message>
         <source>positions: the numbers in the names of the folders are taken for degrees</source>
         <translation>positions: Die Zahlen in den Namen der Ordner gelten als Grad</translation>
     </message>
     <message>
         <source>positions: the angles are even steps from 0° to 180°; correct them</source>
         <translation>positions: Die Winkel sind gleiche Schritte von 0° bis 180°; berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>camera.bit_depth: the highest code of {0} is {1}</source>
+        <translation>camera.bit_depth: Der höchste Code von {0} ist {1}</translation>
     </message>
     <message>
         <source>{0}, so {1} bits are taken</source>
@@ -11586,6 +11642,10 @@ h {hue}°</translation>
     <message>
         <source>At this angle</source>
         <translation>Bei diesem Winkel</translation>
+    </message>
+    <message>
+        <source>Of the white reference, π f_r</source>
+        <translation>Der Weißreferenz, π f_r</translation>
     </message>
     <message>
         <source>Of the lamp, 0 in front of the camera</source>
@@ -12380,6 +12440,10 @@ h {hue}°</translation>
         <translation>erwartet wurden ein Name und ein Text</translation>
     </message>
     <message>
+        <source>expected #rrggbb in lower case, not {0}</source>
+        <translation>erwartet wurde #rrggbb in Kleinbuchstaben, nicht {0}</translation>
+    </message>
+    <message>
         <source>expected a date as in 2024-05-31, not {0}</source>
         <translation>erwartet wurde ein Datum wie 2024-05-31, nicht {0}</translation>
     </message>
@@ -12604,6 +12668,10 @@ h {hue}°</translation>
         <translation>hat die Version {0}, ist aber nicht wie diese aufgebaut und lässt sich daher nicht aktualisieren</translation>
     </message>
     <message>
+        <source>the kinds known to this version are &quot;aspecular&quot;, &quot;cook_torrance&quot; and &quot;factored&quot;</source>
+        <translation>dieser Version sind die Arten „aspecular“, „cook_torrance“ und „factored“ bekannt</translation>
+    </message>
+    <message>
         <source>a Cook-Torrance paint</source>
         <translation>einen Cook-Torrance-Lack</translation>
     </message>
@@ -12676,6 +12744,10 @@ h {hue}°</translation>
         <translation>nichts gibt Licht: Erwartet wurde eine Lampe oder ein Hintergrund mit einer Leuchtdichte über 0</translation>
     </message>
     <message>
+        <source>Preetham&apos;s model holds from 1.9 on; take hosek_wilkie below</source>
+        <translation>Das Modell von Preetham gilt ab 1,9; nehmen Sie darunter hosek_wilkie</translation>
+    </message>
+    <message>
         <source>the kinds known to this version are &quot;studio&quot; and &quot;sky&quot;</source>
         <translation>dieser Version sind die Arten „studio“ und „sky“ bekannt</translation>
     </message>
@@ -12718,6 +12790,10 @@ h {hue}°</translation>
     <message>
         <source>; did you mean {0}?</source>
         <translation>; meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>The task was cancelled.</source>
+        <translation>Die Aufgabe wurde abgebrochen.</translation>
     </message>
     <message>
         <source>, at {0}</source>
@@ -13112,6 +13188,10 @@ h {hue}°</translation>
         <translation>die Spalte {0} kommt zweimal vor</translation>
     </message>
     <message>
+        <source>has no columns name and L_15 (or of another angle), so it is no table of paints</source>
+        <translation>hat keine Spalten name und L_15 (oder eines anderen Winkels), ist also keine Tabelle von Lacken</translation>
+    </message>
+    <message>
         <source>has more than {0} rows</source>
         <translation>hat mehr als {0} Zeilen</translation>
     </message>
@@ -13214,6 +13294,10 @@ h {hue}°</translation>
     <message>
         <source>holds no paint of this suite</source>
         <translation>enthält keinen Lack dieser Suite</translation>
+    </message>
+    <message>
+        <source>glTF, clearcoat (KHR_materials_clearcoat)</source>
+        <translation>glTF, Klarlack (KHR_materials_clearcoat)</translation>
     </message>
     <message>
         <source>A matt colour and a lobe of another under a clearcoat of index 1.5; the readings in extras.</source>
@@ -13672,6 +13756,10 @@ h {hue}°</translation>
         <translation>hat {0} × {1} Pixel, zu groß zum Lesen: Das wären {2} MB, und einem Bild werden höchstens {3} MB gegeben</translation>
     </message>
     <message>
+        <source>is not a Radiance picture (it does not begin with #?RADIANCE)</source>
+        <translation>ist kein Radiance-Bild (beginnt nicht mit #?RADIANCE)</translation>
+    </message>
+    <message>
         <source>stored as XYZ</source>
         <translation>als XYZ gespeichert</translation>
     </message>
@@ -13768,6 +13856,14 @@ h {hue}°</translation>
         <translation>der Kopf, vor Zeile {0}</translation>
     </message>
     <message>
+        <source>PARAM_IN is {0}; expected one of {1}</source>
+        <translation>PARAM_IN ist {0}; erwartet wurde eines von {1}</translation>
+    </message>
+    <message>
+        <source>PARAM_OUT is {0}; expected one of {1}</source>
+        <translation>PARAM_OUT ist {0}; erwartet wurde eines von {1}</translation>
+    </message>
+    <message>
         <source>{0} has {1} inputs; DIM says {2}</source>
         <translation>{0} hat {1} Eingänge; DIM sagt {2}</translation>
     </message>
@@ -13808,8 +13904,16 @@ h {hue}°</translation>
         <translation>die Datei endet vor der Zeile VARS</translation>
     </message>
     <message>
+        <source>NUM_POINTS announces {0} samples, the file holds {1}</source>
+        <translation>NUM_POINTS kündigt {0} Messpunkte an, die Datei enthält {1}</translation>
+    </message>
+    <message>
         <source>{0} variables are too many</source>
         <translation>{0} Variablen sind zu viele</translation>
+    </message>
+    <message>
+        <source>theta_i, phi_i, theta_s, phi_s and at least one value</source>
+        <translation>theta_i, phi_i, theta_s, phi_s und mindestens ein Wert</translation>
     </message>
     <message>
         <source>VARS must name {0}</source>
@@ -14060,8 +14164,20 @@ h {hue}°</translation>
         <translation>ob es die Skalierungsfaktoren von MERL trägt, ist unsicher (ohne sie ist seine Reflexion {0}); gelesen wurde es, als trüge es sie</translation>
     </message>
     <message>
+        <source>whether it carries MERL&apos;s scale factors is uncertain (its reflectance without them is {0}); it was read as plain f_r</source>
+        <translation>ob es die Skalierungsfaktoren von MERL trägt, ist unsicher (ohne sie ist seine Reflexion {0}); gelesen wurde es als reines f_r</translation>
+    </message>
+    <message>
         <source>carrying them</source>
         <translation>tragen</translation>
+    </message>
+    <message>
+        <source>plain f_r</source>
+        <translation>reines f_r</translation>
+    </message>
+    <message>
+        <source>it holds plain f_r, without MERL&apos;s scale factors, judged by its energy</source>
+        <translation>es enthält reines f_r, ohne die Skalierungsfaktoren von MERL, nach seiner Energie beurteilt</translation>
     </message>
     <message>
         <source>{0} bins above the horizon were not measured and were filled from their neighbours</source>
@@ -14140,6 +14256,10 @@ h {hue}°</translation>
         <translation>kein Kopf nennt den Einfallswinkel</translation>
     </message>
     <message>
+        <source>the lines that begin with #</source>
+        <translation>den Zeilen, die mit # beginnen</translation>
+    </message>
+    <message>
         <source>no header names the format</source>
         <translation>kein Kopf nennt das Format</translation>
     </message>
@@ -14158,6 +14278,10 @@ h {hue}°</translation>
     <message>
         <source>the file ends within {0}</source>
         <translation>die Datei endet innerhalb von {0}</translation>
+    </message>
+    <message>
+        <source>does not begin with &quot;tensor_file&quot;</source>
+        <translation>beginnt nicht mit „tensor_file“</translation>
     </message>
     <message>
         <source>the version</source>
@@ -14306,6 +14430,10 @@ h {hue}°</translation>
     <message>
         <source>, taken as linear</source>
         <translation>, als linear angenommen</translation>
+    </message>
+    <message>
+        <source>it reflects {0} of the light that falls on it at 45°, so its values are not f_r as they stand</source>
+        <translation>es reflektiert {0} des bei 45° einfallenden Lichts, seine Werte sind also so nicht f_r</translation>
     </message>
     <message>
         <source>UTIA anisotropic table</source>
@@ -14720,6 +14848,10 @@ h {hue}°</translation>
         <translation>vn {0} {1} {2}</translation>
     </message>
     <message>
+        <source>format binary_little_endian 1.0</source>
+        <translation>Format binary_little_endian 1.0</translation>
+    </message>
+    <message>
         <source>comment {0}</source>
         <translation>Kommentar {0}</translation>
     </message>
@@ -14736,12 +14868,20 @@ h {hue}°</translation>
         <translation>Element face {0}</translation>
     </message>
     <message>
+        <source>property list uchar int vertex_indices</source>
+        <translation>Eigenschaft list uchar int vertex_indices</translation>
+    </message>
+    <message>
         <source>is both a value and a part</source>
         <translation>ist sowohl ein Wert als auch ein Teil</translation>
     </message>
     <message>
         <source>is no setting</source>
         <translation>ist keine Einstellung</translation>
+    </message>
+    <message>
+        <source>the paint</source>
+        <translation>der Lack</translation>
     </message>
     <message>
         <source>No palette format is called {0}; there are {1}.</source>
@@ -15456,6 +15596,10 @@ h {hue}°</translation>
         <translation>die Spalte {0} kommt zweimal vor, oder es sind zu viele</translation>
     </message>
     <message>
+        <source>has no column &apos;name&apos;, or none of readings as &apos;L_45&apos;</source>
+        <translation>hat keine Spalte „name“, oder keine mit Messwerten wie „L_45“</translation>
+    </message>
+    <message>
         <source>The column {0} is none of a palette&apos;s and was skipped.</source>
         <translation>Die Spalte {0} gehört zu keiner Palette und wurde übergangen.</translation>
     </message>
@@ -15478,6 +15622,10 @@ h {hue}°</translation>
     <message>
         <source>expected 2, 10 or nothing, not {0}</source>
         <translation>erwartet wurde 2, 10 oder nichts, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0}, column observer_deg</source>
+        <translation>{0}, Spalte observer_deg</translation>
     </message>
     <message>
         <source>has neither readings nor a model</source>
@@ -15530,6 +15678,10 @@ h {hue}°</translation>
     <message>
         <source>Names in any script, sRGB in 8 bits, columns, comments; no groups.</source>
         <translation>Namen in jeder Schrift, sRGB mit 8 Bit, Spalten, Kommentare; keine Gruppen.</translation>
+    </message>
+    <message>
+        <source>expected a hex code as in #336699, alone or with a name, not {0}</source>
+        <translation>erwartet wurde ein Hex-Code wie #336699, allein oder mit einem Namen, nicht {0}</translation>
     </message>
     <message>
         <source>holds no hex code</source>
@@ -15724,6 +15876,10 @@ h {hue}°</translation>
         <translation>{0} Hex-Codes hatten ihre Nullen verloren, wie Tabellenkalkulationen sie weglassen; sie sind ergänzt.</translation>
     </message>
     <message>
+        <source>expected a hex code as in #336699, not {0}</source>
+        <translation>erwartet wurde ein Hex-Code wie #336699, nicht {0}</translation>
+    </message>
+    <message>
         <source>Plain table (CSV, TSV)</source>
         <translation>Einfache Tabelle (CSV, TSV)</translation>
     </message>
@@ -15892,6 +16048,10 @@ h {hue}°</translation>
         <translation>{0} Farben ohne einige ihrer Zahlen; diese sind 0, wie in Scribus.</translation>
     </message>
     <message>
+        <source>expected {0} bytes as in #{1} for {2}, not {3}</source>
+        <translation>erwartet wurden {0} Byte wie in #{1} für {2}, nicht {3}</translation>
+    </message>
+    <message>
         <source>the colour space {0} is not known; RGB, CMYK and Lab are</source>
         <translation>der Farbraum {0} ist nicht bekannt; bekannt sind RGB, CMYK und Lab</translation>
     </message>
@@ -15902,6 +16062,10 @@ h {hue}°</translation>
     <message>
         <source>Names in any script, RGB, CMYK and Lab with every digit, inks of their own, registration marks.</source>
         <translation>Namen in jeder Schrift, RGB, CMYK und Lab mit allen Stellen, eigene Druckfarben, Passermarken.</translation>
+    </message>
+    <message>
+        <source>expected a colour as in #336699, not {0}</source>
+        <translation>erwartet wurde eine Farbe wie #336699, nicht {0}</translation>
     </message>
     <message>
         <source>LibreOffice colour table</source>
@@ -16908,6 +17072,10 @@ h {hue}°</translation>
         <translation>; es gibt {0}</translation>
     </message>
     <message>
+        <source>module &apos;brdf_suite&apos; has no attribute {0}{1}</source>
+        <translation>das Modul „brdf_suite“ hat kein Attribut {0}{1}</translation>
+    </message>
+    <message>
         <source>the picture</source>
         <translation>das Bild</translation>
     </message>
@@ -16934,6 +17102,10 @@ h {hue}°</translation>
     <message>
         <source>an environment goes into an .exr; give it that ending</source>
         <translation>eine Umgebung kommt in ein .exr; geben Sie ihr diese Endung</translation>
+    </message>
+    <message>
+        <source>what is given is no paint; make one with fit_cook_torrance or factorize, or choose a measured format</source>
+        <translation>das Angegebene ist kein Lack; machen Sie einen mit fit_cook_torrance oder factorize, oder wählen Sie ein Messformat</translation>
     </message>
     <message>
         <source>is no palette and no paint, which a palette&apos;s format could hold</source>
@@ -17622,6 +17794,10 @@ h {hue}°</translation>
     <message>
         <source>has no entry {0}</source>
         <translation>hat keinen Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>is neither a paint nor a palette nor measured data of a format that is known here (the pages measured_files and formats of the documents list them)</source>
+        <translation>ist weder ein Lack noch eine Palette noch Messdaten eines hier bekannten Formats (die Seiten measured_files und formats der Dokumentation führen sie auf)</translation>
     </message>
     <message>
         <source>angle fitter</source>
@@ -18324,6 +18500,10 @@ h {hue}°</translation>
         <translation>Wie weit die Basis Licht streut: 0 Spiegel, 1 matt</translation>
     </message>
     <message>
+        <source>KD, f_r of the diffuse part, linear Rec. 2020</source>
+        <translation>KD, f_r des diffusen Anteils, lineares Rec. 2020</translation>
+    </message>
+    <message>
         <source>Sharpness E of a lobe</source>
         <translation>Schärfe E einer Keule</translation>
     </message>
@@ -18354,6 +18534,10 @@ h {hue}°</translation>
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>f_r where the product is 1, linear Rec. 2020</source>
+        <translation>f_r, wo das Produkt 1 ist, lineares Rec. 2020</translation>
     </message>
     <message>
         <source>Cx</source>
@@ -18632,6 +18816,10 @@ h {hue}°</translation>
         <translation>ist nicht endlich oder negativ; eine Reflexion ist beides nicht</translation>
     </message>
     <message>
+        <source>differs from theta_i, so no node is another&apos;s swap</source>
+        <translation>weicht von theta_i ab, kein Knoten ist also der Tausch eines anderen</translation>
+    </message>
+    <message>
         <source>{0} bins; 2 along each axis to {1} in all are held</source>
         <translation>{0} Felder; gespeichert werden 2 entlang jeder Achse bis insgesamt {1}</translation>
     </message>
@@ -18658,6 +18846,10 @@ h {hue}°</translation>
     <message>
         <source>holds {0} directions where wi holds {1}</source>
         <translation>enthält {0} Richtungen, wi enthält {1}</translation>
+    </message>
+    <message>
+        <source>spectra and wavelengths_nm come together or not at all</source>
+        <translation>spectra und wavelengths_nm kommen zusammen oder gar nicht</translation>
     </message>
     <message>
         <source>must be positive and rise</source>
@@ -18782,6 +18974,10 @@ h {hue}°</translation>
     <message>
         <source>the documents are missing; install brdf-suite again</source>
         <translation>die Dokumente fehlen; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)</source>
+        <translation>es gibt keinen Bildschirm (weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt)</translation>
     </message>
     <message>
         <source>there is no screen (nothing answers at {0})</source>
@@ -19110,6 +19306,38 @@ h {hue}°</translation>
     <message>
         <source>There is no picture yet</source>
         <translation>Es gibt noch kein Bild</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei existiert bereits</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Auf dem Gerät ist kein Platz mehr frei</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Das Dateisystem ist schreibgeschützt</translation>
     </message>
 </context>
 </TS>

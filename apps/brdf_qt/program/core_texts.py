@@ -15,22 +15,38 @@ from functools import cache, cached_property, lru_cache
 
 from PySide6.QtCore import QCoreApplication, QLocale
 
-from brdf_qt.program.translation import SOURCE, decimal, language_in_use, point
+from brdf_qt.program.translation import SOURCE, decimal, language_in_use, mark, point
 from brdf_suite.resources import resource
 
 _PLACE = re.compile(r"\{(\d+)\}")
 _PATH = re.compile(r"(\S*[/\\].*|[^:;]*\w\.[A-Za-z]\w{1,10})")
+OF_THE_SYSTEM = (
+    mark("No such file or directory"),
+    mark("Permission denied"),
+    mark("Is a directory"),
+    mark("Not a directory"),
+    mark("File exists"),
+    mark("File name too long"),
+    mark("No space left on device"),
+    mark("Read-only file system"),
+)
+"""Causes that the operating system names, in the words of Linux and macOS."""
+_UNITS = "GU|EV|K|[mcµn]?m|[µm]?s|min|h|px|[kM]?B|[MG]i?B|mm²|cd|k?lx|sr|ΔE00|[LCHab]|as"
 _FIGURES = re.compile(
-    r"([-+−±]?\d[\d,]*(\.\d+)?(e[-+−]?\d+)?"
-    r"|[ ×x/,;…–-]|°|%|‰|GU|EV|K|[mcµn]?m|[µm]?s|min|h|px|[kM]?B|[MG]i?B|mm²|cd|lx|klx|sr|[ΔELCHab*]{2,3}(00)?)+"
+    r"((?<![\d.])[-+−±]?\d+(,\d{3})*(\.\d+)?(e[-+−]?\d+)?(?!\d)|[ ×/,;…*–-]|°|%|‰"
+    rf"|(?<![A-Za-z])({_UNITS})(?![A-Za-z]))+"
 )
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(,\d{3})+(?![\d.])")
 _DECIMALS = re.compile(r"\d+\.\d+")
 _SENTENCE_END = re.compile(r"(?<=[.!?]) (?=[^a-z])")
-_SEPARATORS = (": ", "; ", ", ")
-_DEEPEST = 6
+_COMMA = re.compile(r", (?![^(]*\))")
+_SEPARATORS = (": ", "; ")
+_TAILS = (", ", "; ")
+"""What clauses begin with that the core adds to a sentence."""
 _ENOUGH = 0.6
 """Share of the letters of a sentence that a template has to account for, so that no other is looked for."""
+_FEW = 5
+"""Letters of a template, as "{0} and {1}", that joins words or known texts alone."""
 _LONGEST = 1000
 """Characters of a line beyond which no template is looked for."""
 
@@ -76,7 +92,7 @@ def tr_core(text: str) -> str:
 
 @lru_cache(maxsize=1000)
 def _translated(text: str, language: str) -> str:
-    return "\n".join(_best(line, language, 0).text for line in text.split("\n"))
+    return "\n".join(_best(line, language).text for line in text.split("\n"))
 
 
 @cache
@@ -87,12 +103,12 @@ def _templates() -> tuple[_Template, ...]:
 
 
 @lru_cache(maxsize=4000)
-def _best(text: str, language: str, depth: int) -> _Found:
+def _best(text: str, language: str) -> _Found:
     """Return the translation that accounts for most of a text."""
     bare = text.strip()
     if bare != text and bare:
         lead = text[: len(text) - len(text.lstrip())]
-        inner = _best(bare, language, depth)
+        inner = _best(bare, language)
         return _Found(lead + inner.text + text[len(lead) + len(bare) :], inner.known)
     if not text or len(text) > _LONGEST:
         return _Found(text, 0)
@@ -101,15 +117,15 @@ def _best(text: str, language: str, depth: int) -> _Found:
     whole = _plain(text)
     if whole is not None:
         return _Found(whole, len(text) + 1)
-    found, is_sure = _filled(text, language, depth)
+    found, is_sure = _filled(text, language)
     if is_sure:
         return found
-    others = [found, *_divided(text, language, depth)]
+    others = [found, *_divided(text, language)]
     if text.endswith((".", "…")):
-        inner = _best(text[:-1], language, depth)
+        inner = _best(text[:-1], language)
         others.append(_Found(inner.text + text[-1], inner.known + 1 if inner.known else 0))
     if text[0].isupper():
-        inner = _best(text[0].lower() + text[1:], language, depth)
+        inner = _best(text[0].lower() + text[1:], language)
         others.append(_Found(inner.text[:1].upper() + inner.text[1:], inner.known))
     return max(others, key=lambda one: (one.known, one.text != text))
 
@@ -125,19 +141,19 @@ def _plain(text: str) -> str | None:
     return None
 
 
-def _filled(text: str, language: str, depth: int) -> tuple[_Found, bool]:
+def _filled(text: str, language: str) -> tuple[_Found, bool]:
     """Return the best translation by a template that has the whole text, and whether it is certainly the one."""
     best = _Found(text, 0)
-    if depth == _DEEPEST:
-        return best, False
     enough = _ENOUGH * sum(map(str.isalpha, text))
     for one in _templates():
         if one.longest not in text or (given := one.places(text)) is None:
             continue
         places = [
-            _Found(place, 0) if quoted else _best(place, language, depth + 1)
+            _Found(place, 0) if quoted else _best(place, language)
             for place, quoted in zip(given, one.quoted, strict=True)
         ]
+        if one.letters < _FEW and any(not place.known and place.text.count(" ") > 2 for place in places):
+            continue  # an "or" in a sentence that is nobody's
         pattern = QCoreApplication.translate("", one.source)
         filled = _PLACE.sub(lambda place, places=places: places[int(place[1])].text, pattern)
         known = one.letters + sum(place.known for place in places)
@@ -148,26 +164,47 @@ def _filled(text: str, language: str, depth: int) -> tuple[_Found, bool]:
     return best, False
 
 
-def _divided(text: str, language: str, depth: int) -> list[_Found]:
+def _divided(text: str, language: str) -> list[_Found]:
     """Return the translations of a text by its parts: sentences, the place and the cause, members of a list."""
     found: list[_Found] = []
-    if depth == _DEEPEST:
-        return found
     sentences = _SENTENCE_END.split(text)
     if len(sentences) > 1:
-        found.append(_joined(" ", [_best(one, language, depth + 1) for one in sentences]))
+        found.append(_joined(" ", [_best(one, language) for one in sentences]))
     for separator in _SEPARATORS:
         start = text.find(separator)
         while start >= 0:
             left, right = text[:start], text[start + len(separator) :]
-            first = _Found(left, 0) if _PATH.fullmatch(left) else _best(left, language, depth + 1)
-            found.append(_joined(separator, [first, _best(right, language, depth + 1)]))
+            first = _place(left, language) if separator == ": " else _best(left, language)
+            found.append(_joined(separator, [first, _best(right, language)]))
             start = text.find(separator, start + 1)
+    members = _COMMA.split(text)
+    if len(members) > 2:
+        names = [name if " " in member and (name := _plain(member)) else member for member in members]
+        if names != members:
+            return [*found, _Found(", ".join(names), len(text))]
+    for tail in _TAILS:
+        start = text.find(tail, 1)
+        while start > 0:
+            clause, is_sure = _filled(text[start:], language)
+            if is_sure or (whole := _plain(text[start:])) is not None:
+                clause = clause if is_sure else _Found(whole or "", len(text) - start)
+                found.append(_joined("", [_best(text[:start], language), clause]))
+            start = text.find(tail, start + 1)
     if text.endswith(")") and " (" in text:
         head, _, rest = text[:-1].partition(" (")
-        outer, inner = _best(head, language, depth + 1), _best(rest, language, depth + 1)
+        outer, inner = _best(head, language), _best(rest, language)
         found.append(_Found(f"{outer.text} ({inner.text})", outer.known + inner.known))
     return found
+
+
+def _place(text: str, language: str) -> _Found:
+    """Return what stands before the colon of an error: a file, which keeps its name, and the place in it."""
+    file, at, place = text.partition(", at ")
+    if at and " " not in place:
+        return _joined("", [_Found(file, 0), _filled(text[len(file) :], language)[0]])
+    if not at:
+        return _Found(text, 0) if _PATH.fullmatch(text) else _best(text, language)
+    return _joined("", [_Found(file, 0), _best(text[len(file) :], language)])
 
 
 def _joined(separator: str, parts: list[_Found]) -> _Found:
