@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
 
@@ -22,7 +22,7 @@ UNSEEN = (
     "files/tables/columns.py",
 )
 """Parts of the core whose texts only the command prints."""
-REPORTS = "reports"
+DOCUMENTS = ("reports/paint_report", "reports/contact_sheet", "reports/pdf_pen.py", "reports/sheet_text.py")
 """Texts of documents for others, which are English; errors and progress of their making are shown."""
 _FAULTS = (
     "ArgumentTypeError AssertionError AttributeError IndexError KeyError NotImplementedError RuntimeError TypeError "
@@ -48,8 +48,17 @@ _SENTENCES = {
     *("stage", "Parameter", "RefinedParameter", "ModelEntry"),
 }
 """Calls whose literals are shown also where they are single words."""
-_SHOWN = _SENTENCES | {"DocumentError", "FileError", "ReferenceUnavailableError", "ValueRangeError", "fail"}
+_SHOWN = _SENTENCES | {
+    "DocumentError",
+    "FileError",
+    "ExportFormat",
+    "ReferenceUnavailableError",
+    "ValueRangeError",
+    "fail",
+}
 """Calls that take texts for a user."""
+_LOSSES = "losses"
+"""Functions that return what a format does not hold."""
 _FORMAT_PLACE = re.compile(r"\{[^{}]*\}")
 _PLURAL = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
 _CODE = re.compile(
@@ -71,12 +80,16 @@ def core_texts(core: Path, programs: Iterable[Path] = ()) -> list[str]:
     found: dict[str, None] = {}
     for path in sorted(core.rglob("*.py")):
         part = path.relative_to(core).as_posix()
-        if not any(part == unseen or part.startswith(f"{unseen}/") for unseen in UNSEEN):
-            found |= dict.fromkeys(_texts(path, only_shown=part.startswith(f"{REPORTS}/")))
+        if not _is_in(part, UNSEEN):
+            found |= dict.fromkeys(_texts(path, only_shown=_is_in(part, DOCUMENTS)))
     for program in programs:
         for path in sorted(program.rglob("*.py")):
             found |= dict.fromkeys(_texts(path, only_shown=True))
     return list(found)
+
+
+def _is_in(part: str, parts: Sequence[str]) -> bool:
+    return any(part == one or part.startswith(f"{one}/") for one in parts)
 
 
 def _texts(path: Path, *, only_shown: bool) -> Iterator[str]:
@@ -86,7 +99,7 @@ def _texts(path: Path, *, only_shown: bool) -> Iterator[str]:
         node, call = waiting.pop()
         if _is_text(node):
             assert isinstance(node, ast.expr)
-            if call in _SHOWN or not only_shown:
+            if call in _SHOWN or call == _LOSSES or not only_shown:
                 yield from _templates(node, single=call in _SENTENCES)
             waiting += [(inner, call) for inner in _inner(node)]
             continue
@@ -116,8 +129,10 @@ def _children(node: ast.AST) -> Iterable[ast.AST]:
 def _call_of(node: ast.AST, outer: str) -> str:
     if isinstance(node, ast.Call):
         name = _name(node.func)
-        return outer if outer in _SHOWN and name not in _SHOWN else name
-    return "" if isinstance(node, ast.stmt) else outer
+        return outer if outer in {*_SHOWN, _LOSSES} and name not in _SHOWN else name
+    if isinstance(node, ast.FunctionDef) and node.name.endswith(_LOSSES):
+        return _LOSSES
+    return outer if outer == _LOSSES or not isinstance(node, ast.stmt) else ""
 
 
 def _name(function: ast.expr) -> str:

@@ -849,7 +849,7 @@
     </message>
     <message>
         <source>Roughness α of the clearcoat: spread of the facet slopes (Beckmann). A new car has 0.003, satin 0.05. Changing it changes both gloss readings.</source>
-        <translation>Rauheit α des Klarlacks: Streuung der Facettenneigungen (Beckmann). Ein neues Auto hat 0.003, seidenmatt ist 0.05. Eine Änderung ändert beide Glanzwerte.</translation>
+        <translation>Rauheit α des Klarlacks: Streuung der Facettenneigungen (Beckmann). Ein neues Auto hat 0,003, seidenmatt ist 0,05. Eine Änderung ändert beide Glanzwerte.</translation>
     </message>
     <message>
         <source>Haze index: gloss at 60° minus gloss at 20° (common practice for ASTM D4039), GU. Light scattered close to the mirror direction raises it and makes a glossy coat look milky. A smooth clearcoat has about 5 to 12.</source>
@@ -1293,7 +1293,7 @@
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop. It needs readings at 15, 45 and 110°.</source>
-        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1,11 / L*45^0,86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
     </message>
     <message>
         <source>ΔL* travel</source>
@@ -2145,7 +2145,7 @@
     </message>
     <message>
         <source>Spread of the flake tilts as the root mean square slope m: about 0.15 to 0.19 for metallic paints. A wider spread sparkles at more angles, but less at each.</source>
-        <translation>Streuung der Flake-Neigungen, als quadratisches Mittel der Steigung m: etwa 0.15 bis 0.19 für Metalliclacke. Breitere Streuung glitzert an mehr Winkeln und an jedem weniger.</translation>
+        <translation>Streuung der Flake-Neigungen, als quadratisches Mittel der Steigung m: etwa 0,15 bis 0,19 für Metalliclacke. Breitere Streuung glitzert an mehr Winkeln und an jedem weniger.</translation>
     </message>
     <message>
         <source>Variation of the flake colours: 0 all equal, 1 all hues.</source>
@@ -3054,7 +3054,7 @@ angegeben {stated}</translation>
 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop.
 First the target, then the value achieved by the fitted lobes.</source>
         <translation>Flop: Abdunklung des Lacks von der Aufsicht zum Flop, als Index
-2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop.
+2,69 (L*15 − L*110)^1,11 / L*45^0,86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop.
 Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translation>
     </message>
     <message>
@@ -6927,7 +6927,7 @@ Unten: {second}</translation>
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour</source>
-        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86; 0 für eine Unifarbe</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1,11 / L*45^0,86; 0 für eine Unifarbe</translation>
     </message>
     <message>
         <source>Search terms</source>
@@ -12609,7 +12609,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the top level</source>
-        <translation>die oberste Ebene</translation>
+        <translation>der obersten Ebene</translation>
     </message>
     <message>
         <source>the field &quot;{0}&quot; is missing</source>
@@ -18920,6 +18920,10 @@ h {hue}°</translation>
         <translation>die Endung {0} nennt kein Format ({1}); nennen Sie eines mit --format</translation>
     </message>
     <message>
+        <source>Measured file {0}.</source>
+        <translation>Messdatei {0}.</translation>
+    </message>
+    <message>
         <source>{0}: what is read of it makes no paint: {1}</source>
         <translation>{0}: Was davon gelesen wurde, ergibt keinen Lack: {1}</translation>
     </message>
@@ -18944,8 +18948,20 @@ h {hue}°</translation>
         <translation>wird geschrieben</translation>
     </message>
     <message>
+        <source>Page and pictures are for people; programs read the paint from the data that goes along with it.</source>
+        <translation>Seite und Bilder sind für Menschen; Programme lesen den Lack aus den Daten, die darin stehen.</translation>
+    </message>
+    <message>
+        <source>One page with pictures, plots and numbers; the paint itself is attached as a file.</source>
+        <translation>Eine Seite mit Bildern, Diagrammen und Zahlen; der Lack selbst liegt als Datei bei.</translation>
+    </message>
+    <message>
         <source>holds no paint of this suite that can be found; another program may have packed it</source>
         <translation>enthält keinen auffindbaren Lack dieser Suite; ein anderes Programm kann sie umgepackt haben</translation>
+    </message>
+    <message>
+        <source>One page with pictures, plots and numbers; the paint itself goes along as data.</source>
+        <translation>Eine Seite mit Bildern, Diagrammen und Zahlen; der Lack selbst steht als Daten darin.</translation>
     </message>
     <message>
         <source>the packaged resources are missing; install brdf-suite again</source>
@@ -19338,6 +19354,22 @@ h {hue}°</translation>
     <message>
         <source>Read-only file system</source>
         <translation>Das Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>flakes</source>
+        <translation>Flakes</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
     </message>
 </context>
 </TS>

@@ -31,9 +31,14 @@ OF_THE_SYSTEM = (
     mark("Read-only file system"),
 )
 """Causes that the operating system names, in the words of Linux and macOS."""
+JOINED = (mark("{0} and {1}"), mark("{0} or {1}"))
+"""What the core joins words by."""
+PARTS = (mark("flakes"), mark("texture"))
+"""Parts of a paint's document, which the core names by their fields."""
+_AT = mark(", at {0}")
 _UNITS = "GU|EV|K|[mcµn]?m|[µm]?s|min|h|px|[kM]?B|[MG]i?B|mm²|cd|k?lx|sr|ΔE00|[LCHab]|as"
 _FIGURES = re.compile(
-    r"((?<![\d.])[-+−±]?\d+(,\d{3})*(\.\d+)?(e[-+−]?\d+)?(?!\d)|[ ×/,;…*–-]|°|%|‰"
+    r"((?<![\d.])[-+−±]?\d+(,\d{3})*([.,]\d+)?(e[-+−]?\d+)?(?!\d)|[ ×/,;…*–-]|°|%|‰"
     rf"|(?<![A-Za-z])({_UNITS})(?![A-Za-z]))+"
 )
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(,\d{3})+(?![\d.])")
@@ -99,7 +104,7 @@ def _translated(text: str, language: str) -> str:
 def _templates() -> tuple[_Template, ...]:
     """Return the templates, those with the most words first."""
     sources = json.loads(resource("translations", "core_templates.json").read_text(encoding="utf-8"))
-    return tuple(sorted(map(_Template, sources), key=lambda one: -one.letters))
+    return tuple(sorted(map(_Template, [*sources, *JOINED]), key=lambda one: -one.letters))
 
 
 @lru_cache(maxsize=4000)
@@ -152,8 +157,8 @@ def _filled(text: str, language: str) -> tuple[_Found, bool]:
             _Found(place, 0) if quoted else _best(place, language)
             for place, quoted in zip(given, one.quoted, strict=True)
         ]
-        if one.letters < _FEW and any(not place.known and place.text.count(" ") > 2 for place in places):
-            continue  # an "or" in a sentence that is nobody's
+        if one.letters < _FEW and any(_is_foreign(place) for place in places):
+            continue  # an "or" in a name, or in a sentence that is not the core's
         pattern = QCoreApplication.translate("", one.source)
         filled = _PLACE.sub(lambda place, places=places: places[int(place[1])].text, pattern)
         known = one.letters + sum(place.known for place in places)
@@ -162,6 +167,10 @@ def _filled(text: str, language: str) -> tuple[_Found, bool]:
         if one.letters >= enough:
             return best, True
     return best, False
+
+
+def _is_foreign(place: _Found) -> bool:
+    return not place.known and _FIGURES.fullmatch(place.text or " ") is None
 
 
 def _divided(text: str, language: str) -> list[_Found]:
@@ -200,11 +209,10 @@ def _divided(text: str, language: str) -> list[_Found]:
 def _place(text: str, language: str) -> _Found:
     """Return what stands before the colon of an error: a file, which keeps its name, and the place in it."""
     file, at, place = text.partition(", at ")
-    if at and " " not in place:
-        return _joined("", [_Found(file, 0), _filled(text[len(file) :], language)[0]])
     if not at:
         return _Found(text, 0) if _PATH.fullmatch(text) else _best(text, language)
-    return _joined("", [_Found(file, 0), _best(text[len(file) :], language)])
+    inner = _best(place, language) if " " in place else _Found(place, 0)  # the name of a field stays
+    return _Found(file + QCoreApplication.translate("", _AT).format(inner.text), inner.known + len(at))
 
 
 def _joined(separator: str, parts: list[_Found]) -> _Found:
