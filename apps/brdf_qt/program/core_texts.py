@@ -44,7 +44,6 @@ _FIGURES = re.compile(
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(,\d{3})+(?![\d.])")
 _DECIMALS = re.compile(r"\d+\.\d+")
 _SENTENCE_END = re.compile(r"(?<=[.!?]) (?=[^a-z])")
-_COMMA = re.compile(r", (?![^(]*\))")
 _SEPARATORS = (": ", "; ")
 _TAILS = (", ", "; ")
 """What clauses begin with that the core adds to a sentence."""
@@ -186,11 +185,10 @@ def _divided(text: str, language: str) -> list[_Found]:
             first = _place(left, language) if separator == ": " else _best(left, language)
             found.append(_joined(separator, [first, _best(right, language)]))
             start = text.find(separator, start + 1)
-    members = _COMMA.split(text)
-    if len(members) > 2:
-        names = [name if " " in member and (name := _plain(member)) else member for member in members]
-        if names != members:
-            return [*found, _Found(", ".join(names), len(text))]
+    if text.count(", ") > 1 and ": " not in text:
+        names = _listed(text.split(", "))
+        if names.known:
+            return [*found, names]
     for tail in _TAILS:
         start = text.find(tail, 1)
         while start > 0:
@@ -203,6 +201,21 @@ def _divided(text: str, language: str) -> list[_Found]:
         head, _, rest = text[:-1].partition(" (")
         outer, inner = _best(head, language), _best(rest, language)
         found.append(_Found(f"{outer.text} ({inner.text})", outer.known + inner.known))
+    return found
+
+
+def _listed(members: list[str]) -> _Found:
+    """Return a list of names, some of which have commas themselves."""
+    found = _Found("", 0)
+    while members:
+        for count in (3, 2, 1):
+            name = ", ".join(members[:count])
+            known = _plain(name) if " " in name else None
+            if known is not None or count == 1:
+                break
+        members = members[count:]
+        one = _Found(name, 0) if known is None else _Found(known, len(name))
+        found = _joined(", ", [found, one]) if found.text else one
     return found
 
 
