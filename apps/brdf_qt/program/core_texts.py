@@ -159,7 +159,7 @@ def _filled(text: str, language: str) -> tuple[_Found, bool]:
         if one.letters < _FEW and any(_is_foreign(place) for place in places):
             continue  # an "or" in a name, or in a sentence that is not the core's
         pattern = QCoreApplication.translate("", one.source)
-        filled = _PLACE.sub(lambda place, places=places: places[int(place[1])].text, pattern)
+        filled = pattern.format(*(place.text for place in places))
         known = one.letters + sum(place.known for place in places)
         if known > best.known:
             best = _Found(filled, known)

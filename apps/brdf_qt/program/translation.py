@@ -2,7 +2,8 @@
 
 Sources are the English texts themselves; ``packaging/translate.py`` collects them and makes the ``.qm`` files.
 A text is a literal with named places (``tr("Saved in {folder}").format(folder=name)``), never an f-string: the
-tool that collects them reads the source. Messages of the core (files, fits) are English in every language.
+tool that collects them reads the source. Finished texts of the core (errors, notices, steps of work) go through
+:func:`brdf_qt.program.core_texts.tr_core`.
 """
 
 from __future__ import annotations
