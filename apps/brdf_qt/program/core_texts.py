@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 
-from PySide6.QtCore import QCoreApplication, QLocale
+from PySide6.QtCore import QCoreApplication
 
-from brdf_qt.program.translation import SOURCE, decimal, language_in_use, mark, point
+from brdf_qt.program.translation import SOURCE, decimal, group_sign, language_in_use, mark, point
 from brdf_suite.resources import resource
 
 _PLACE = re.compile(r"\{(\d+)\}")
@@ -106,6 +107,11 @@ def _templates() -> tuple[_Template, ...]:
     return tuple(sorted(map(_Template, [*sources, *JOINED]), key=lambda one: -one.letters))
 
 
+@cache
+def _clauses() -> tuple[_Template, ...]:
+    return tuple(one for one in _templates() if one.source.startswith(_TAILS))
+
+
 @lru_cache(maxsize=4000)
 def _best(text: str, language: str) -> _Found:
     """Return the translation that accounts for most of a text."""
@@ -117,11 +123,11 @@ def _best(text: str, language: str) -> _Found:
     if not text or len(text) > _LONGEST:
         return _Found(text, 0)
     if _FIGURES.fullmatch(text):
-        return _Found(_localized(text, language), 0)
+        return _Found(_localized(text), 0)
     whole = _plain(text)
     if whole is not None:
         return _Found(whole, len(text) + 1)
-    found, is_sure = _filled(text, language)
+    found, is_sure = _filled(text, language, _templates())
     if is_sure:
         return found
     others = [found, *_divided(text, language)]
@@ -145,11 +151,20 @@ def _plain(text: str) -> str | None:
     return None
 
 
-def _filled(text: str, language: str) -> tuple[_Found, bool]:
+def _clause(text: str, language: str) -> _Found | None:
+    """Return the translation of a clause that begins with a comma or a semicolon; None for another text."""
+    whole = _plain(text)
+    if whole is not None:
+        return _Found(whole, len(text))
+    clause, is_sure = _filled(text, language, _clauses())
+    return clause if is_sure else None
+
+
+def _filled(text: str, language: str, templates: Sequence[_Template]) -> tuple[_Found, bool]:
     """Return the best translation by a template that has the whole text, and whether it is certainly the one."""
     best = _Found(text, 0)
     enough = _ENOUGH * sum(map(str.isalpha, text))
-    for one in _templates():
+    for one in templates:
         if one.longest not in text or (given := one.places(text)) is None:
             continue
         places = [
@@ -192,9 +207,8 @@ def _divided(text: str, language: str) -> list[_Found]:
     for tail in _TAILS:
         start = text.find(tail, 1)
         while start > 0:
-            clause, is_sure = _filled(text[start:], language)
-            if is_sure or (whole := _plain(text[start:])) is not None:
-                clause = clause if is_sure else _Found(whole or "", len(text) - start)
+            clause = _clause(text[start:], language)
+            if clause is not None:
                 found.append(_joined("", [_best(text[:start], language), clause]))
             start = text.find(tail, start + 1)
     if text.endswith(")") and " (" in text:
@@ -232,12 +246,11 @@ def _joined(separator: str, parts: list[_Found]) -> _Found:
     return _Found(separator.join(one.text for one in parts), sum(one.known for one in parts))
 
 
-def _localized(figures: str, language: str) -> str:
+def _localized(figures: str) -> str:
     """Return figures with the signs that the language has in numbers; members of a list are divided by semicolons."""
     if point() == ".":
         return figures
-    groups = QLocale(language).groupSeparator()
     if _DECIMALS.search(figures):
         figures = figures.replace(", ", "; ")
     figures = _THOUSANDS.sub(lambda number: number[0].replace(",", "\0"), figures)
-    return _DECIMALS.sub(lambda number: decimal(number[0]), figures).replace("\0", groups)
+    return _DECIMALS.sub(lambda number: decimal(number[0]), figures).replace("\0", group_sign())

@@ -39,6 +39,8 @@ class _Numbers(string.Formatter):
         number = (
             _NUMBER.fullmatch(text) if isinstance(value, str) else format_spec and isinstance(value, Real)
         )
+        if number and "," in format_spec:
+            return decimal(text.replace(",", "\0")).replace("\0", group_sign())
         return decimal(text) if number else text
 
 
@@ -62,6 +64,12 @@ def point() -> str:
     app = QCoreApplication.instance()
     code = app.property(_KEY) if app is not None else None
     return "." if code in (None, SOURCE) else QLocale(str(code)).decimalPoint()
+
+
+def group_sign() -> str:
+    """Return what divides thousands in the program's language."""
+    code = language_in_use(QCoreApplication.instance())
+    return "," if code == SOURCE else QLocale(code).groupSeparator()
 
 
 def decimal(text: str) -> str:
