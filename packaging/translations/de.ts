@@ -2240,6 +2240,14 @@
         <translation>Radius der lackierten Kugel</translation>
     </message>
     <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>sRGB</source>
+        <translation>sRGB</translation>
+    </message>
+    <message>
         <source>Photographs of the painted sphere in a folder, described by a session.json.</source>
         <translation>Fotos der lackierten Kugel in einem Ordner, beschrieben durch eine session.json.</translation>
     </message>

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.reconstruction.session import StepRequest
@@ -83,7 +84,7 @@ def response_found(road: Acquisition) -> Found:
 def _each(values: Any, form: str, unit: str = "") -> str:
     """Return numbers per channel, one where they read the same."""
     texts = [form.format(float(value)) for value in np.atleast_1d(values)]
-    return (texts[0] if len(set(texts)) == 1 else ", ".join(texts)) + unit
+    return tr_core(texts[0] if len(set(texts)) == 1 else ", ".join(texts)) + unit
 
 
 def thousands(count: int) -> str:

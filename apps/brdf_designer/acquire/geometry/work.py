@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.program.core_texts import tr_core
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import decimal, tr
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_designer.acquire.camera_response.work import open_session, response_found
@@ -97,7 +97,7 @@ def geometry_found(road: Acquisition) -> Found:
     rig = [
         (
             tr("Sphere"),
-            "{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0)),
+            tr_core("{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0))),
             tr("Centre of its outline: column and row"),
         ),
         (
@@ -140,7 +140,8 @@ def _refined(row: Any) -> tuple[str, str, str]:
     """A refined number with its uncertainty; metres as millimetres."""
     scale, unit, form = (1e3, " mm", "{:.2f}") if row.unit == "m" else (1.0, "°", "{:.3f}")
     found, sigma, stated = (
-        form.format(scale * number).replace("-", "−") for number in (row.value, row.sigma, row.stated)
+        decimal(form.format(scale * number)).replace("-", "−")
+        for number in (row.value, row.sigma, row.stated)
     )
     if not any(digit in "123456789" for digit in stated):
         stated = stated.lstrip("−")

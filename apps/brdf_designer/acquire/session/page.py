@@ -50,6 +50,7 @@ _SIGNS = {
     "info": ("info", ""),
 }
 _MOST_ROWS = 8
+_RESPONSES = {"unknown": mark("unknown"), "linear": mark("linear"), "srgb": mark("sRGB")}
 _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note")}
 
 
@@ -148,7 +149,7 @@ class SessionPage(AcquirePage):
             (
                 tr("Codes"),
                 tr("{bits} bits, response: {response}").format(
-                    bits=camera.bit_depth, response=camera.response
+                    bits=camera.bit_depth, response=tr(_RESPONSES[camera.response])
                 ),
                 tr("Encoding of the pixel values"),
             ),
