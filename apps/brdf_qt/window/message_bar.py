@@ -199,7 +199,7 @@ class MessageBar(Floating):
         row.opened.connect(self.open)
         self._rows[message.key] = row
         if message.severity == "info" and message.closable and not message.actions:
-            leaves = make_timer(row, lambda: self._leave(message.key, leaves), self.note_ms)
+            leaves = make_timer(row, lambda: self._leave(row, leaves), self.note_ms)
             leaves.start()
         self._box.insertWidget(place, row)
         self.open(message.key)
@@ -227,8 +227,11 @@ class MessageBar(Floating):
         """Return the messages that are shown, by key."""
         return {key: row.message for key, row in self._rows.items()}
 
-    def _leave(self, key: str, timer: QTimer) -> None:
-        if self._rows[key].underMouse():
+    def _leave(self, row: _Row, timer: QTimer) -> None:
+        key = row.message.key
+        if self._rows.get(key) is not row:
+            return  # it has been dismissed, and is deleted at the next turn of the event loop
+        if row.underMouse():
             timer.start()  # it is being read
         else:
             self.dismiss(key)
