@@ -1,7 +1,9 @@
-"""Collect the texts of the windows and make the translations that the programs load.
+"""Collect the texts of the windows, and those of the core that they show, and make the translations.
 
     python packaging/translate.py            # collect into packaging/translations/*.ts, release into resources/
     python packaging/translate.py --check    # say what is not translated, or not collected; write nothing
+
+Beside the translations lie the templates of the core's texts, by which the windows find a finished text again.
 
 The ``.ts`` files are edited by hand or with Qt Linguist (``pyside6-linguist packaging/translations/de.ts``).
 """
@@ -9,6 +11,7 @@ The ``.ts`` files are edited by hand or with Qt Linguist (``pyside6-linguist pac
 from __future__ import annotations
 
 import argparse
+import json
 import re
 import shutil
 import subprocess
@@ -17,15 +20,21 @@ import tempfile
 from pathlib import Path
 from xml.etree import ElementTree
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from core_texts import core_texts
+
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "packaging" / "translations"
 RELEASED = ROOT / "resources" / "translations"
+CORE = ROOT / "brdf_suite"
+TEMPLATES = RELEASED / "core_templates.json"
 PROGRAMS = ("brdf_qt", "brdf_designer", "brdf_lobe_visualizer", "brdf_color_swatch", "brdf_viewer")
 _PLACE = re.compile(r"\{[^}]*\}")
 
 
 def collect(target: Path) -> None:
-    """Bring the ``.ts`` file ``target`` up to what the programs' sources say."""
+    """Bring the ``.ts`` file ``target`` up to what the sources of the programs and of the core say."""
     files = [
         str(path.relative_to(ROOT))
         for name in PROGRAMS
@@ -40,7 +49,20 @@ def collect(target: Path) -> None:
         "-tr-function-alias",
         "tr+=mark",
     ]
-    _tool("pyside6-lupdate", *options, *files, "-ts", str(target))
+    with tempfile.TemporaryDirectory() as folder:
+        core = Path(folder) / "core.py"
+        core.write_text("".join(f"tr({text!r})\n" for text in _finished_texts()), encoding="utf-8")
+        _tool("pyside6-lupdate", *options, *files, str(core), "-ts", str(target))
+
+
+def _finished_texts() -> list[str]:
+    return core_texts(CORE, [ROOT / "apps" / name for name in PROGRAMS])
+
+
+def templates() -> str:
+    """Return the content of the file of templates: the core's texts that have places, as JSON."""
+    found = [text for text in _finished_texts() if _PLACE.search(text)]
+    return json.dumps(found, ensure_ascii=False, indent=0) + "\n"
 
 
 def release(source: Path, target: Path) -> None:
@@ -87,6 +109,10 @@ def main() -> int:
             collect(source)
             release(source, RELEASED / f"{source.stem}.qm")
             wrong += [f"{source.name}: {fault}" for fault in faults(source)]
+    if not check:
+        TEMPLATES.write_text(templates(), encoding="utf-8")
+    elif TEMPLATES.read_text(encoding="utf-8") != templates():
+        wrong.append(f"{TEMPLATES.name}: texts of the core have changed since they were collected")
     print("\n".join(wrong) or "Everything is translated.")
     return 1 if wrong and check else 0
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
@@ -200,7 +201,7 @@ class PaletteController(QObject):
         shown, selected = len(session.shown[session.front].places), len(session.selected)
         text = tr("{count} shown, {selected} selected") if selected else tr("{count} shown")
         self._window.count_cell.set(text.format(count=shown, selected=selected))
-        notes = session.shown[session.front].rows.notes
+        notes = [tr_core(note) for note in session.shown[session.front].rows.notes]
         self._window.note_cell.set(notes[0] if notes else "", "\n".join(notes))
 
     def _show_selection(self, number: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusLine
@@ -42,13 +43,14 @@ class Status(QObject):
             for cell in (self._subject, self._fit, self._notes):
                 cell.set("")
             return
-        self._subject.set(front.title, front.material.origin)
-        self._notes.set("" if not front.notes else front.notes[-1], "\n".join(front.notes))
+        self._subject.set(front.title, tr_core(front.material.origin))
+        front_notes = [tr_core(note) for note in front.notes]
+        self._notes.set("" if not front_notes else front_notes[-1], "\n".join(front_notes))
         fit = front.fit
         if fit is None:
             self._fit.set(tr("no fit yet"), state="stale")
             return
-        notes = list(fit.notices)
+        notes = [tr_core(notice) for notice in fit.notices]
         milliseconds = 1e3 * fit.fit_seconds
         shown = f"{milliseconds:.0f}" if milliseconds >= 100.0 else f"{milliseconds:.3g}"
         parts = [tr("fit {ms} ms").format(ms=shown)]

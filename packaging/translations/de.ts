@@ -845,7 +845,7 @@
     </message>
     <message>
         <source>Roughness α of the clearcoat: spread of the facet slopes (Beckmann). A new car has 0.003, satin 0.05. Changing it changes both gloss readings.</source>
-        <translation>Rauheit α des Klarlacks: Streuung der Facettenneigungen (Beckmann). Ein neues Auto hat 0.003, seidenmatt ist 0.05. Eine Änderung ändert beide Glanzwerte.</translation>
+        <translation>Rauheit α des Klarlacks: Streuung der Facettenneigungen (Beckmann). Ein neues Auto hat 0,003, seidenmatt ist 0,05. Eine Änderung ändert beide Glanzwerte.</translation>
     </message>
     <message>
         <source>Haze index: gloss at 60° minus gloss at 20° (common practice for ASTM D4039), GU. Light scattered close to the mirror direction raises it and makes a glossy coat look milky. A smooth clearcoat has about 5 to 12.</source>
@@ -1289,7 +1289,7 @@
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop. It needs readings at 15, 45 and 110°.</source>
-        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1,11 / L*45^0,86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop. Er braucht Werte bei 15, 45 und 110°.</translation>
     </message>
     <message>
         <source>ΔL* travel</source>
@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>Spread of the flake tilts as the root mean square slope m: about 0.15 to 0.19 for metallic paints. A wider spread sparkles at more angles, but less at each.</source>
-        <translation>Streuung der Flake-Neigungen, als quadratisches Mittel der Steigung m: etwa 0.15 bis 0.19 für Metalliclacke. Breitere Streuung glitzert an mehr Winkeln und an jedem weniger.</translation>
+        <translation>Streuung der Flake-Neigungen, als quadratisches Mittel der Steigung m: etwa 0,15 bis 0,19 für Metalliclacke. Breitere Streuung glitzert an mehr Winkeln und an jedem weniger.</translation>
     </message>
     <message>
         <source>Variation of the flake colours: 0 all equal, 1 all hues.</source>
@@ -2234,6 +2234,14 @@
     <message>
         <source>Radius of the painted sphere</source>
         <translation>Radius der lackierten Kugel</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>sRGB</source>
+        <translation>sRGB</translation>
     </message>
     <message>
         <source>Photographs of the painted sphere in a folder, described by a session.json.</source>
@@ -3054,7 +3062,7 @@ angegeben {stated}</translation>
 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop.
 First the target, then the value achieved by the fitted lobes.</source>
         <translation>Flop: Abdunklung des Lacks von der Aufsicht zum Flop, als Index
-2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop.
+2,69 (L*15 − L*110)^1,11 / L*45^0,86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop.
 Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translation>
     </message>
     <message>
@@ -3412,6 +3420,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>The picture could not be drawn</source>
         <translation>Das Bild konnte nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>The graphics driver reported {problem} while drawing.</source>
+        <translation>Der Grafiktreiber meldete {problem} beim Zeichnen.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -5488,10 +5500,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Die sichtbare Tabelle kopieren</translation>
     </message>
     <message>
-        <source>hemispherical albedo</source>
-        <translation>halbräumliche Albedo</translation>
-    </message>
-    <message>
         <source>largest albedo of a channel</source>
         <translation>größte Albedo eines Kanals</translation>
     </message>
@@ -5500,32 +5508,8 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>deren Einfallswinkel</translation>
     </message>
     <message>
-        <source>reciprocity error</source>
-        <translation>Reziprozitätsfehler</translation>
-    </message>
-    <message>
         <source>directions without a number</source>
         <translation>Richtungen ohne Zahl</translation>
-    </message>
-    <message>
-        <source>albedo at {angle}</source>
-        <translation>Albedo bei {angle}</translation>
-    </message>
-    <message>
-        <source>ΔE00 of the fit {angle}</source>
-        <translation>ΔE00 der Anpassung {angle}</translation>
-    </message>
-    <message>
-        <source>ΔE00 to the reference {angle}</source>
-        <translation>ΔE00 zur Referenz {angle}</translation>
-    </message>
-    <message>
-        <source>worst</source>
-        <translation>größter Wert</translation>
-    </message>
-    <message>
-        <source>median</source>
-        <translation>Median</translation>
     </message>
     <message>
         <source>root mean square</source>
@@ -5538,10 +5522,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>root mean square of cube roots</source>
         <translation>quadratisches Mittel der Kubikwurzeln</translation>
-    </message>
-    <message>
-        <source>away from the mirror</source>
-        <translation>abseits der Spiegelrichtung</translation>
     </message>
     <message>
         <source>&amp;Export Figures…</source>
@@ -6983,7 +6963,7 @@ Unten: {second}</translation>
     </message>
     <message>
         <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour</source>
-        <translation>Flop-Index 2,69 (L*15 − L*110)^1.11 / L*45^0.86; 0 für eine Unifarbe</translation>
+        <translation>Flop-Index 2,69 (L*15 − L*110)^1,11 / L*45^0,86; 0 für eine Unifarbe</translation>
     </message>
     <message>
         <source>Search terms</source>
@@ -10618,6 +10598,8798 @@ h {hue}°</translation>
     <message>
         <source>Lobe Visualizer closed unexpectedly. Reopen the reflectances that were open: {names}?</source>
         <translation>Lobe Visualizer wurde unerwartet beendet. Die zuletzt offenen Reflexionen wieder öffnen: {names}?</translation>
+    </message>
+    <message>
+        <source>the calibration by photographs of a board</source>
+        <translation>die Kalibrierung mit Fotos einer Tafel</translation>
+    </message>
+    <message>
+        <source>a session whose session.json states the camera&apos;s intrinsics needs no board</source>
+        <translation>eine Sitzung, deren session.json die Kennwerte der Kamera angibt, braucht keine Tafel</translation>
+    </message>
+    <message>
+        <source>not a calibration of a camera ({0})</source>
+        <translation>keine Kalibrierung einer Kamera ({0})</translation>
+    </message>
+    <message>
+        <source>There are no photographs of the board.</source>
+        <translation>Es gibt keine Fotos der Tafel.</translation>
+    </message>
+    <message>
+        <source>board in {0}</source>
+        <translation>Tafel in {0}</translation>
+    </message>
+    <message>
+        <source>{0}: the photograph has {1} × {2} pixels</source>
+        <translation>{0}: Das Foto hat {1} × {2} Pixel</translation>
+    </message>
+    <message>
+        <source>{0}, {1} has {2} × {3}.</source>
+        <translation>{0}, {1} hat {2} × {3}.</translation>
+    </message>
+    <message>
+        <source>no board of {0} × {1} inner corners was found in it</source>
+        <translation>keine Tafel mit {0} × {1} inneren Ecken darin gefunden</translation>
+    </message>
+    <message>
+        <source>intrinsics</source>
+        <translation>innere Kennwerte</translation>
+    </message>
+    <message>
+        <source>its corners lie {0} pixels from where the others put them</source>
+        <translation>ihre Ecken liegen {0} Pixel neben der Stelle, die sich aus den anderen ergibt</translation>
+    </message>
+    <message>
+        <source>The photographs of the board contradict each other by {0} pixels: {1} … {2}. Is the board flat, and was focus or zoom changed between them?</source>
+        <translation>Die Fotos der Tafel widersprechen einander um {0} Pixel: {1} … {2}. Ist die Tafel eben, und wurden Schärfe oder Brennweite dazwischen geändert?</translation>
+    </message>
+    <message>
+        <source>there are no more</source>
+        <translation>es gibt keine weiteren</translation>
+    </message>
+    <message>
+        <source>The board with {0} × {1} inner corners is of use in {2} photographs; {3} are needed, better ten ({4}).</source>
+        <translation>Die Tafel mit {0} × {1} inneren Ecken ist in {2} Fotos verwendbar; {3} werden gebraucht, besser zehn ({4}).</translation>
+    </message>
+    <message>
+        <source>OpenCV cannot calibrate the camera: {0}.</source>
+        <translation>OpenCV kann die Kamera nicht kalibrieren: {0}.</translation>
+    </message>
+    <message>
+        <source>sphere&apos;s centre, to the right</source>
+        <translation>Kugelmittelpunkt, nach rechts</translation>
+    </message>
+    <message>
+        <source>Determined by the outline. A highlight moves with the sphere at any angle of the light, but also with the turntable&apos;s zero; only their difference over the half turn distinguishes them.</source>
+        <translation>Durch den Umriss bestimmt. Ein Glanzlicht wandert bei jedem Winkel des Lichts mit der Kugel, aber auch mit dem Nullpunkt des Drehtellers; nur ihr Unterschied über die halbe Drehung trennt sie.</translation>
+    </message>
+    <message>
+        <source>sphere&apos;s centre, downward</source>
+        <translation>Kugelmittelpunkt, nach unten</translation>
+    </message>
+    <message>
+        <source>Determined by the outline. The highlights add little, as the light&apos;s height moves them alike.</source>
+        <translation>Durch den Umriss bestimmt. Die Glanzlichter tragen wenig bei, da die Höhe des Lichts sie ebenso verschiebt.</translation>
+    </message>
+    <message>
+        <source>sphere&apos;s centre, away from the camera</source>
+        <translation>Kugelmittelpunkt, von der Kamera weg</translation>
+    </message>
+    <message>
+        <source>Determined by the size of the outline, from the sphere&apos;s radius. Highlights far from the middle of the sphere determine the size as well.</source>
+        <translation>Durch die Größe des Umrisses bestimmt, aus dem Kugelradius. Auch Glanzlichter weit außerhalb der Kugelmitte bestimmen die Größe.</translation>
+    </message>
+    <message>
+        <source>turntable&apos;s zero</source>
+        <translation>Nullpunkt des Drehtellers</translation>
+    </message>
+    <message>
+        <source>Moves every highlight along the sphere, by half the angle; the best observed of all.</source>
+        <translation>Verschiebt jedes Glanzlicht entlang der Kugel, um den halben Winkel; von allen am besten beobachtet.</translation>
+    </message>
+    <message>
+        <source>light&apos;s height</source>
+        <translation>Höhe des Lichts</translation>
+    </message>
+    <message>
+        <source>Raises every highlight alike; well observed as an angle, in metres as well as the light&apos;s distance is known.</source>
+        <translation>Hebt jedes Glanzlicht gleich; als Winkel gut beobachtet, in Metern so gut, wie der Abstand des Lichts bekannt ist.</translation>
+    </message>
+    <message>
+        <source>light&apos;s distance</source>
+        <translation>Abstand des Lichts</translation>
+    </message>
+    <message>
+        <source>Hardly observed: with it all directions to the light stay the same but for the parallax between points of the sphere, of the order of radius over distance. It enters the irradiance, which is measured at the axis.</source>
+        <translation>Kaum beobachtbar: Alle Richtungen zum Licht bleiben dabei gleich, bis auf die Parallaxe zwischen Punkten der Kugel, in der Größe von Radius durch Abstand. Der Wert geht in die Bestrahlungsstärke ein, die an der Achse gemessen wird.</translation>
+    </message>
+    <message>
+        <source>turntable&apos;s tilt to the camera</source>
+        <translation>Neigung des Drehtellers zur Kamera</translation>
+    </message>
+    <message>
+        <source>Raises the highlights in front and lowers those behind, as the cosine of the angle; the light&apos;s height does it alike at all angles.</source>
+        <translation>Hebt die Glanzlichter vorn und senkt die hinten, wie der Kosinus des Winkels; die Höhe des Lichts tut es bei allen Winkeln gleich.</translation>
+    </message>
+    <message>
+        <source>turntable&apos;s tilt to the right</source>
+        <translation>Neigung des Drehtellers nach rechts</translation>
+    </message>
+    <message>
+        <source>Lowers the highlights at 90° against those in front and behind; without positions beyond 90° it looks like the light&apos;s height.</source>
+        <translation>Senkt die Glanzlichter bei 90° gegenüber denen vorn und hinten; ohne Stellungen jenseits von 90° sieht es wie die Höhe des Lichts aus.</translation>
+    </message>
+    <message>
+        <source>sphere off the axis, to the right</source>
+        <translation>Kugel neben der Achse, nach rechts</translation>
+    </message>
+    <message>
+        <source>Turns the light by the offset over its distance in front and behind and not at 90°: weakly observed, and weak in its effect.</source>
+        <translation>Dreht das Licht vorn und hinten um den Versatz durch seinen Abstand, bei 90° nicht: schwach beobachtet und schwach in der Wirkung.</translation>
+    </message>
+    <message>
+        <source>sphere off the axis, to the camera</source>
+        <translation>Kugel neben der Achse, zur Kamera</translation>
+    </message>
+    <message>
+        <source>Turns the light at 90° and not in front and behind; half of it looks like the turntable&apos;s zero.</source>
+        <translation>Dreht das Licht bei 90° und nicht vorn und hinten; zur Hälfte sieht es wie der Nullpunkt des Drehtellers aus.</translation>
+    </message>
+    <message>
+        <source>refining the light&apos;s position</source>
+        <translation>Lage des Lichts wird verfeinert</translation>
+    </message>
+    <message>
+        <source>The light&apos;s mirror image was found at {0} positions of the light; refining its place needs 4. Free the highlights in the mask, or continue without refinement.</source>
+        <translation>Das Spiegelbild des Lichts wurde in {0} Stellungen des Lichts gefunden; um seine Lage zu verfeinern, werden 4 gebraucht. Geben Sie die Glanzlichter in der Maske frei, oder fahren Sie ohne Verfeinerung fort.</translation>
+    </message>
+    <message>
+        <source>The sphere has moved by {0} pixels between {1} and {2}.</source>
+        <translation>Die Kugel hat sich zwischen {1} und {2} um {0} Pixel bewegt.</translation>
+    </message>
+    <message>
+        <source>{0}The geometry is that of the longest part without movement; {1} positions are not of it.</source>
+        <translation>{0}Die Geometrie ist die des längsten Teils ohne Bewegung; {1} Stellungen gehören nicht dazu.</translation>
+    </message>
+    <message>
+        <source>looking for the sphere</source>
+        <translation>Kugel wird gesucht</translation>
+    </message>
+    <message>
+        <source>measuring the sphere&apos;s outline</source>
+        <translation>Umriss der Kugel wird gemessen</translation>
+    </message>
+    <message>
+        <source>The sphere&apos;s outline was not found. It is seen where the light reaches it from the side: add positions of the light between 40° and 150°, and check the radius, the camera&apos;s distance and the mask.</source>
+        <translation>Der Umriss der Kugel wurde nicht gefunden. Er ist zu sehen, wo das Licht ihn von der Seite trifft: Fügen Sie Stellungen des Lichts zwischen 40° und 150° hinzu, und prüfen Sie den Radius, den Kameraabstand und die Maske.</translation>
+    </message>
+    <message>
+        <source>Too little of the sphere&apos;s outline is lit or free to locate its centre. Add light positions between 40° and 150°, or free more of the sphere in the mask.</source>
+        <translation>Vom Umriss der Kugel ist zu wenig beleuchtet oder frei, um ihren Mittelpunkt zu finden. Fügen Sie Stellungen des Lichts zwischen 40° und 150° hinzu, oder geben Sie in der Maske mehr von der Kugel frei.</translation>
+    </message>
+    <message>
+        <source>No sphere was found in the photographs. Check the sphere&apos;s radius, the camera&apos;s distance and the mask, and that the background is dark.</source>
+        <translation>In den Fotos wurde keine Kugel gefunden. Prüfen Sie den Kugelradius, den Kameraabstand und die Maske, und ob der Hintergrund dunkel ist.</translation>
+    </message>
+    <message>
+        <source>{0} m; the camera stands outside of the sphere</source>
+        <translation>{0} m; die Kamera steht außerhalb der Kugel</translation>
+    </message>
+    <message>
+        <source>{0} m; the light stands outside of the sphere</source>
+        <translation>{0} m; das Licht steht außerhalb der Kugel</translation>
+    </message>
+    <message>
+        <source>the photograph of {0} s is clipped everywhere and cannot be used</source>
+        <translation>das Foto mit {0} s ist überall übersteuert und nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>even the longest exposure, {0} s, shows no light; was the lamp on</source>
+        <translation>auch die längste Belichtung, {0} s, zeigt kein Licht; war die Lampe an</translation>
+    </message>
+    <message>
+        <source>it looks like the exposure of {0} s, and {1} like that of {2} s; the two are exchanged</source>
+        <translation>es sieht wie die Belichtung mit {0} s aus, und {1} wie die mit {2} s; die beiden sind vertauscht</translation>
+    </message>
+    <message>
+        <source>stated as {0} s, but its pixels show about {1} s</source>
+        <translation>mit {0} s angegeben, seine Pixel zeigen aber etwa {1} s</translation>
+    </message>
+    <message>
+        <source>, darker than the {0} s before it</source>
+        <translation>, dunkler als das mit {0} s davor</translation>
+    </message>
+    <message>
+        <source>is saturated everywhere, and so are the longer exposures: there is nothing to measure</source>
+        <translation>ist überall gesättigt, und die längeren Belichtungen ebenso: Es gibt nichts zu messen</translation>
+    </message>
+    <message>
+        <source>is saturated in {0} of its pixels, background included: other light came in,</source>
+        <translation>ist in {0} seiner Pixel gesättigt, auch im Hintergrund: Anderes Licht ist eingefallen,</translation>
+    </message>
+    <message>
+        <source>{0}or it was exposed longer than {1} s</source>
+        <translation>{0}oder es wurde länger als {1} s belichtet</translation>
+    </message>
+    <message>
+        <source>is the brightest of its position: the files are in reverse order of their times</source>
+        <translation>ist das hellste seiner Stellung: Die Dateien stehen in umgekehrter Reihenfolge ihrer Zeiten</translation>
+    </message>
+    <message>
+        <source>is {0} than {1}, which was exposed for {2} s:</source>
+        <translation>ist {0} als {1}, das {2} s belichtet wurde:</translation>
+    </message>
+    <message>
+        <source>{0}the two files or their times were exchanged</source>
+        <translation>{0}die beiden Dateien oder ihre Zeiten wurden vertauscht</translation>
+    </message>
+    <message>
+        <source>is not as bright as an exposure of {0} s between its neighbours:</source>
+        <translation>ist weniger hell als eine Belichtung von {0} s zwischen seinen Nachbarn:</translation>
+    </message>
+    <message>
+        <source>{0}its time is wrong, or it shows something else</source>
+        <translation>{0}seine Zeit ist falsch, oder es zeigt etwas anderes</translation>
+    </message>
+    <message>
+        <source>and the others are not in order of their times; by brightness they are {0}</source>
+        <translation>und die anderen stehen nicht in der Reihenfolge ihrer Zeiten; nach der Helligkeit sind sie {0}</translation>
+    </message>
+    <message>
+        <source>has no end of picture; it was not copied whole</source>
+        <translation>hat kein Bildende; es wurde nicht ganz kopiert</translation>
+    </message>
+    <message>
+        <source>byte {0}</source>
+        <translation>Byte {0}</translation>
+    </message>
+    <message>
+        <source>has no marker where one belongs; it is damaged</source>
+        <translation>hat keine Kennung, wo eine hingehört; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>has no size; it is a damaged JPEG picture</source>
+        <translation>hat keine Größe; es ist ein beschädigtes JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>ends within a chunk, after {0} bytes; it was not copied whole</source>
+        <translation>endet in einem Abschnitt, nach {0} Byte; es wurde nicht ganz kopiert</translation>
+    </message>
+    <message>
+        <source>has no header or no pixels; it is damaged</source>
+        <translation>hat keinen Kopf oder keine Pixel; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel</source>
+        <translation>hat eine Palette oder weniger als 8 Bit; ein Foto hat 8 oder 16 Bit je Kanal</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} pixels; up to {2} are read</source>
+        <translation>hat {0} × {1} Pixel; gelesen werden bis zu {2}</translation>
+    </message>
+    <message>
+        <source>its pixels</source>
+        <translation>seine Pixel</translation>
+    </message>
+    <message>
+        <source>is interlaced; write it without</source>
+        <translation>ist mit Zeilensprung gespeichert; schreiben Sie es ohne</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked ({0}); it is damaged</source>
+        <translation>lässt sich nicht entpacken ({0}); es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>holds fewer pixels than its header says; it is damaged</source>
+        <translation>enthält weniger Pixel, als sein Kopf angibt; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>uses a filter {0} that there is not; it is damaged</source>
+        <translation>verwendet ein Filter {0}, das es nicht gibt; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is not a plain file</source>
+        <translation>ist keine einfache Datei</translation>
+    </message>
+    <message>
+        <source>is empty; it was not copied whole</source>
+        <translation>ist leer; es wurde nicht ganz kopiert</translation>
+    </message>
+    <message>
+        <source>is larger than {0} GB</source>
+        <translation>ist größer als {0} GB</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>cannot be read ({0})</source>
+        <translation>ist nicht lesbar ({0})</translation>
+    </message>
+    <message>
+        <source>PNG, TIFF, JPEG, OpenEXR, Radiance or a camera&apos;s raw file</source>
+        <translation>PNG, TIFF, JPEG, OpenEXR, Radiance oder die Rohdatei einer Kamera</translation>
+    </message>
+    <message>
+        <source>is no photograph that is read here: {0}</source>
+        <translation>ist kein lesbares Foto: {0}</translation>
+    </message>
+    <message>
+        <source>holds values that are no numbers (NaN or infinite)</source>
+        <translation>enthält Werte, die keine Zahlen sind (NaN oder unendlich)</translation>
+    </message>
+    <message>
+        <source>has {0} channels; expected grey or red, green, blue</source>
+        <translation>hat {0} Kanäle; erwartet wurde Grau oder Rot, Grün, Blau</translation>
+    </message>
+    <message>
+        <source>a camera&apos;s raw file</source>
+        <translation>die Rohdatei einer Kamera</translation>
+    </message>
+    <message>
+        <source>a TIFF of 16 bits needs nothing more</source>
+        <translation>ein TIFF mit 16 Bit braucht nichts weiter</translation>
+    </message>
+    <message>
+        <source>cannot be read as a raw file ({0})</source>
+        <translation>ist nicht als Rohdatei lesbar ({0})</translation>
+    </message>
+    <message>
+        <source>holds no picture</source>
+        <translation>enthält kein Bild</translation>
+    </message>
+    <message>
+        <source>lacks the fields of its size and depth; it is damaged or no photograph</source>
+        <translation>hat die Felder seiner Größe und Tiefe nicht; es ist beschädigt oder kein Foto</translation>
+    </message>
+    <message>
+        <source>holds {0} values where one number belongs; the file is damaged</source>
+        <translation>enthält {0} Werte, wo eine Zahl hingehört; die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>field {0}</source>
+        <translation>Feld {0}</translation>
+    </message>
+    <message>
+        <source>has {0} channels; up to {1} are read</source>
+        <translation>hat {0} Kanäle; gelesen werden bis zu {1}</translation>
+    </message>
+    <message>
+        <source>field ImageWidth</source>
+        <translation>Feld ImageWidth</translation>
+    </message>
+    <message>
+        <source>is a volume of {0} pictures; a photograph is one</source>
+        <translation>ist ein Volumen von {0} Bildern; ein Foto ist eines</translation>
+    </message>
+    <message>
+        <source>names fewer strips than its pixels need; it is damaged</source>
+        <translation>nennt weniger Streifen, als seine Pixel brauchen; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>ends at byte {0}, its pixels at {1}; it was not copied whole</source>
+        <translation>endet bei Byte {0}, seine Pixel bei {1}; es wurde nicht ganz kopiert</translation>
+    </message>
+    <message>
+        <source>has numbers of {0} bits in a form that is not read; write 8 or 16 bits, or floats</source>
+        <translation>hat Zahlen mit {0} Bit in einer Form, die nicht gelesen wird; schreiben Sie 8 oder 16 Bit oder Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>field SampleFormat</source>
+        <translation>Feld SampleFormat</translation>
+    </message>
+    <message>
+        <source>has tiles of {0} × {1} pixels; it is damaged</source>
+        <translation>hat Kacheln von {0} × {1} Pixeln; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>has a strip that is too short; it is damaged</source>
+        <translation>hat einen zu kurzen Streifen; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>has a strip that cannot be unpacked ({0}); it is damaged</source>
+        <translation>hat einen Streifen, der sich nicht entpacken lässt ({0}); es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>has a strip that unpacks to more than its pixels; it is damaged</source>
+        <translation>hat einen Streifen, der entpackt mehr als seine Pixel ergibt; es ist beschädigt</translation>
+    </message>
+    <message>
+        <source>this packing of a TIFF</source>
+        <translation>diese Packung eines TIFF</translation>
+    </message>
+    <message>
+        <source>a TIFF without compression needs nothing more</source>
+        <translation>ein TIFF ohne Kompression braucht nichts weiter</translation>
+    </message>
+    <message>
+        <source>is a TIFF that OpenCV cannot unpack; write it without compression</source>
+        <translation>ist ein TIFF, das OpenCV nicht entpacken kann; schreiben Sie es ohne Kompression</translation>
+    </message>
+    <message>
+        <source>is a TIFF that cannot be unpacked; write it without compression</source>
+        <translation>ist ein TIFF, das sich nicht entpacken lässt; schreiben Sie es ohne Kompression</translation>
+    </message>
+    <message>
+        <source>ends before its fields do; it was not copied whole</source>
+        <translation>endet vor seinen Feldern; es wurde nicht ganz kopiert</translation>
+    </message>
+    <message>
+        <source>is a damaged TIFF; its fields contradict each other ({0})</source>
+        <translation>ist ein beschädigtes TIFF; seine Felder widersprechen einander ({0})</translation>
+    </message>
+    <message>
+        <source>the shape {0} does not fit {1} exposure times</source>
+        <translation>die Form {0} passt nicht zu {1} Belichtungszeiten</translation>
+    </message>
+    <message>
+        <source>photographs of whole codes need the response of their camera</source>
+        <translation>Fotos mit ganzen Codes brauchen die Kennlinie ihrer Kamera</translation>
+    </message>
+    <message>
+        <source>it has {0} channels, the photographs {1}</source>
+        <translation>sie hat {0} Kanäle, die Fotos {1}</translation>
+    </message>
+    <message>
+        <source>expected codes of 8 or 16 bits or floats, not {0}</source>
+        <translation>erwartet wurden Codes mit 8 oder 16 Bit oder Gleitkommazahlen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>it holds codes above the {0} of {1} bits</source>
+        <translation>es enthält Codes über den {0} von {1} Bit</translation>
+    </message>
+    <message>
+        <source>exposure {0} is not a number at column {1}, row {2}</source>
+        <translation>Belichtung {0} ist in Spalte {1}, Zeile {2} keine Zahl</translation>
+    </message>
+    <message>
+        <source>the shape is {0}, the pictures&apos; is {1}</source>
+        <translation>die Form ist {0}, die der Bilder {1}</translation>
+    </message>
+    <message>
+        <source>clipped or dark</source>
+        <translation>übersteuert oder dunkel</translation>
+    </message>
+    <message>
+        <source>The flat field is {0} in {1} % of its pixels; the screen must fill the picture, with an exposure that is neither.</source>
+        <translation>Das Hellfeld ist in {1} % seiner Pixel {0}; die Streuwand muss das Bild füllen, mit einer Belichtung, bei der beides nicht vorkommt.</translation>
+    </message>
+    <message>
+        <source>the screen does not fill it evenly</source>
+        <translation>die Streuwand füllt es nicht gleichmäßig</translation>
+    </message>
+    <message>
+        <source>The flat field falls to nothing within the picture; {0}.</source>
+        <translation>Das Hellfeld fällt im Bild auf nichts ab; {0}.</translation>
+    </message>
+    <message>
+        <source>The session names no white reference.</source>
+        <translation>Die Sitzung nennt keine Weißreferenz.</translation>
+    </message>
+    <message>
+        <source>The white reference ({0} …) is dark where it should show the white</source>
+        <translation>Die Weißreferenz ({0} …) ist dunkel, wo sie das Weiß zeigen sollte</translation>
+    </message>
+    <message>
+        <source>{0}: check its region.</source>
+        <translation>{0}: Prüfen Sie ihren Bereich.</translation>
+    </message>
+    <message>
+        <source>The lamp at {0}° does not light the white reference, which faces ({1}, {2}, {3}): check white.angle_deg and white.normal.</source>
+        <translation>Die Lampe bei {0}° beleuchtet die Weißreferenz nicht, die nach ({1}, {2}, {3}) zeigt: Prüfen Sie white.angle_deg und white.normal.</translation>
+    </message>
+    <message>
+        <source>Light and sphere could not be corrected by highlights, and stand as stated</source>
+        <translation>Licht und Kugel konnten nicht anhand der Glanzlichter berichtigt werden und bleiben wie angegeben</translation>
+    </message>
+    <message>
+        <source>The sphere&apos;s outline is that of all positions, before and after it moved</source>
+        <translation>Der Umriss der Kugel ist der aller Stellungen, vor und nach ihrer Bewegung</translation>
+    </message>
+    <message>
+        <source>the sphere has moved and stands elsewhere here</source>
+        <translation>die Kugel hat sich bewegt und steht hier anderswo</translation>
+    </message>
+    <message>
+        <source>reading for the geometry</source>
+        <translation>für die Geometrie lesen</translation>
+    </message>
+    <message>
+        <source>None of the positions that light the sphere&apos;s outline can be read.</source>
+        <translation>Keine der Stellungen, die den Umriss der Kugel beleuchten, ist lesbar.</translation>
+    </message>
+    <message>
+        <source>The scale is unknown: the session states no irradiance and has no white reference, so the table is right but for one factor per channel.</source>
+        <translation>Der Maßstab ist unbekannt: Die Sitzung gibt keine Bestrahlungsstärke an und hat keine Weißreferenz; die Tabelle stimmt daher bis auf einen Faktor je Kanal.</translation>
+    </message>
+    <message>
+        <source>The white reference ({0} …) is saturated in all exposures.</source>
+        <translation>Die Weißreferenz ({0} …) ist in allen Belichtungen gesättigt.</translation>
+    </message>
+    <message>
+        <source>{0}°; 30° to less than 90° are wanted</source>
+        <translation>{0}°; verlangt sind 30° bis unter 90°</translation>
+    </message>
+    <message>
+        <source>{0}; auto or linear are known</source>
+        <translation>{0}; bekannt sind auto und linear</translation>
+    </message>
+    <message>
+        <source>checking the files</source>
+        <translation>Dateien werden geprüft</translation>
+    </message>
+    <message>
+        <source>holds no finished position, so there is nothing to write yet</source>
+        <translation>enthält keine fertige Stellung; es gibt noch nichts zu schreiben</translation>
+    </message>
+    <message>
+        <source>a table goes into one of {0}; give it one of these endings</source>
+        <translation>eine Tabelle kommt in eines von {0}; geben Sie ihr eine dieser Endungen</translation>
+    </message>
+    <message>
+        <source>exists already and is left as it is; choose another name, or --overwrite</source>
+        <translation>gibt es schon und bleibt, wie es ist; wählen Sie einen anderen Namen, oder --overwrite</translation>
+    </message>
+    <message>
+        <source>cannot be written: there is no such folder</source>
+        <translation>lässt sich nicht schreiben: Diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>coverage and uncertainty are not held by this format</source>
+        <translation>Abdeckung und Unsicherheit speichert dieses Format nicht</translation>
+    </message>
+    <message>
+        <source>{0}; the session has positions 0 to {1}</source>
+        <translation>{0}; die Sitzung hat die Stellungen 0 bis {1}</translation>
+    </message>
+    <message>
+        <source>none is asked for</source>
+        <translation>keine wird verlangt</translation>
+    </message>
+    <message>
+        <source>has the shape {0}; that of the session has {1}</source>
+        <translation>hat die Form {0}; die der Sitzung ist {1}</translation>
+    </message>
+    <message>
+        <source>The response comes first; it was not calibrated yet.</source>
+        <translation>Zuerst kommt die Kennlinie; sie wurde noch nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>photographs are linear (float files)</source>
+        <translation>die Fotos sind linear (Gleitkommadateien)</translation>
+    </message>
+    <message>
+        <source>sRGB, as the session states</source>
+        <translation>sRGB, wie die Sitzung angibt</translation>
+    </message>
+    <message>
+        <source>reading for the response</source>
+        <translation>für die Kennlinie lesen</translation>
+    </message>
+    <message>
+        <source>Response and geometry come first; one of them was not calibrated yet.</source>
+        <translation>Zuerst kommen Kennlinie und Geometrie; eine davon wurde noch nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>was begun with another calibration; take that one, or begin anew</source>
+        <translation>wurde mit einer anderen Kalibrierung begonnen; nehmen Sie diese, oder beginnen Sie neu</translation>
+    </message>
+    <message>
+        <source>{0}go on with those, or begin anew (--restart)</source>
+        <translation>{0}machen Sie mit ihnen weiter, oder beginnen Sie neu (--restart)</translation>
+    </message>
+    <message>
+        <source>The coat&apos;s peak is narrower than these photographs resolve: it is {0}° wide at half of its height, and a pixel covers {1}° of the sphere, so its height and the sharp lobe&apos;s ks, m and r are not reliable. Photograph the sphere about {2} times as large: with more pixels, a longer lens, or the camera nearer.</source>
+        <translation>Die Spitze des Klarlacks ist schmaler, als diese Fotos auflösen: Sie ist in halber Höhe {0}° breit, und ein Pixel deckt {1}° der Kugel ab; ihre Höhe und ks, m und r der scharfen Keule sind daher nicht verlässlich. Fotografieren Sie die Kugel etwa {2}-mal so groß: mit mehr Pixeln, einem längeren Objektiv oder der Kamera näher daran.</translation>
+    </message>
+    <message>
+        <source>position {0} of {1}</source>
+        <translation>Stellung {0} von {1}</translation>
+    </message>
+    <message>
+        <source>The first: {0}</source>
+        <translation>Die erste: {0}</translation>
+    </message>
+    <message>
+        <source>No position gave a reading.{0}</source>
+        <translation>Keine Stellung ergab einen Wert.{0}</translation>
+    </message>
+    <message>
+        <source>filling holes</source>
+        <translation>Lücken werden gefüllt</translation>
+    </message>
+    <message>
+        <source>work file of a reconstruction</source>
+        <translation>Arbeitsdatei einer Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>is no work file of a reconstruction and is left as it is</source>
+        <translation>ist keine Arbeitsdatei einer Rekonstruktion und bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>cannot be read: {0}</source>
+        <translation>ist nicht lesbar: {0}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {0}</source>
+        <translation>lässt sich nicht schreiben: {0}</translation>
+    </message>
+    <message>
+        <source>is in use: another program reconstructs into it</source>
+        <translation>ist in Gebrauch: Ein anderes Programm rekonstruiert darin</translation>
+    </message>
+    <message>
+        <source>cannot be opened: {0}</source>
+        <translation>lässt sich nicht öffnen: {0}</translation>
+    </message>
+    <message>
+        <source>Too few codes are covered by the photographs to measure their noise.</source>
+        <translation>Die Fotos decken zu wenige Codes ab, um ihr Rauschen zu messen.</translation>
+    </message>
+    <message>
+        <source>response of the camera</source>
+        <translation>Kennlinie der Kamera</translation>
+    </message>
+    <message>
+        <source>Channel {0} has only {1} pixels with two exposures that are neither black nor clipped</source>
+        <translation>Kanal {0} hat nur {1} Pixel mit zwei Belichtungen, die weder schwarz noch übersteuert sind</translation>
+    </message>
+    <message>
+        <source>{0}; the response of the camera cannot be recovered from them.</source>
+        <translation>{0}; die Kennlinie der Kamera lässt sich daraus nicht ermitteln.</translation>
+    </message>
+    <message>
+        <source>of the stated curve</source>
+        <translation>nach der angegebenen Kennlinie</translation>
+    </message>
+    <message>
+        <source>The photographs are not {0}: their pixels show times of exposure that differ from the stated ones by up to a factor of {1}. Let the response be recovered (unknown), or check the times.</source>
+        <translation>Die Fotos sind nicht {0}: Ihre Pixel zeigen Belichtungszeiten, die von den angegebenen um einen Faktor von bis zu {1} abweichen. Lassen Sie die Kennlinie ermitteln (unbekannt), oder prüfen Sie die Zeiten.</translation>
+    </message>
+    <message>
+        <source>the shape is {0}; expected a row of codes</source>
+        <translation>die Form ist {0}; erwartet wurde eine Zeile von Codes</translation>
+    </message>
+    <message>
+        <source>exposures must be finite and must not fall as codes grow</source>
+        <translation>Belichtungen müssen endlich sein und dürfen mit wachsenden Codes nicht fallen</translation>
+    </message>
+    <message>
+        <source>one finite number of 0 or more for each channel</source>
+        <translation>eine endliche Zahl von 0 oder mehr für jeden Kanal</translation>
+    </message>
+    <message>
+        <source>it lies between the lowest and the largest code</source>
+        <translation>sie liegt zwischen dem niedrigsten und dem größten Code</translation>
+    </message>
+    <message>
+        <source>expected a whole number</source>
+        <translation>erwartet wurde eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>expected numbers for each channel</source>
+        <translation>erwartet wurden Zahlen für jeden Kanal</translation>
+    </message>
+    <message>
+        <source>{0} is outside the range 8 to 16</source>
+        <translation>{0} liegt außerhalb des Bereichs 8 bis 16</translation>
+    </message>
+    <message>
+        <source>expected two or more exposure times greater than 0</source>
+        <translation>erwartet wurden zwei oder mehr Belichtungszeiten über 0</translation>
+    </message>
+    <message>
+        <source>list the exposures from the shortest to the longest</source>
+        <translation>führen Sie die Belichtungen von der kürzesten zur längsten auf</translation>
+    </message>
+    <message>
+        <source>the shape is {0}, not ({1}, h, w, {2})</source>
+        <translation>die Form ist {0}, nicht ({1}, h, w, {2})</translation>
+    </message>
+    <message>
+        <source>expected codes, not {0}</source>
+        <translation>erwartet wurden Codes, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the {0} of {1} bits</source>
+        <translation>die {0} von {1} Bit</translation>
+    </message>
+    <message>
+        <source>A photograph holds the code {0}, above {1}.</source>
+        <translation>Ein Foto enthält den Code {0}, über {1}.</translation>
+    </message>
+    <message>
+        <source>and the others show the highlight go to the left as the angles grow: they are mirrored, or the angles have the wrong sign</source>
+        <translation>und in den anderen wandert das Glanzlicht mit wachsenden Winkeln nach links: Sie sind gespiegelt, oder die Winkel haben das falsche Vorzeichen</translation>
+    </message>
+    <message>
+        <source>shows the highlight at column {0}, {1}</source>
+        <translation>zeigt das Glanzlicht in Spalte {0}, {1}</translation>
+    </message>
+    <message>
+        <source>: does it belong to another position?</source>
+        <translation>: Gehört es zu einer anderen Stellung?</translation>
+    </message>
+    <message>
+        <source>before that of {0}°</source>
+        <translation>vor dem von {0}°</translation>
+    </message>
+    <message>
+        <source>beyond that of {0}°</source>
+        <translation>jenseits des von {0}°</translation>
+    </message>
+    <message>
+        <source>between those of {0}° and {1}°</source>
+        <translation>zwischen denen von {0}° und {1}°</translation>
+    </message>
+    <message>
+        <source>checked</source>
+        <translation>geprüft</translation>
+    </message>
+    <message>
+        <source>file {0} of {1}</source>
+        <translation>Datei {0} von {1}</translation>
+    </message>
+    <message>
+        <source>is {0} pixels, and the others are {1} × {2}</source>
+        <translation>hat {0} Pixel, die anderen {1} × {2}</translation>
+    </message>
+    <message>
+        <source>session.json says {0}; correct camera.bit_depth</source>
+        <translation>session.json sagt {0}; berichtigen Sie camera.bit_depth</translation>
+    </message>
+    <message>
+        <source>has {0} bits a channel, and {1}</source>
+        <translation>hat {0} Bit je Kanal, und {1}</translation>
+    </message>
+    <message>
+        <source>whole codes</source>
+        <translation>ganze Codes</translation>
+    </message>
+    <message>
+        <source>holds {0}, and the other photographs hold {1}, in another unit</source>
+        <translation>enthält {0}, die anderen Fotos enthalten {1}, in einer anderen Einheit</translation>
+    </message>
+    <message>
+        <source>is not taken off: of floats black is taken to be 0</source>
+        <translation>wird nicht abgezogen: Bei Gleitkommazahlen gilt 0 als Schwarz</translation>
+    </message>
+    <message>
+        <source>{0}; none of the {1} photographs of {2} can be used: bring them, or take {3} out of session.json</source>
+        <translation>{0}; keines der {1} Fotos von {2} ist verwendbar: Ergänzen Sie sie, oder nehmen Sie {3} aus session.json heraus</translation>
+    </message>
+    <message>
+        <source>has {0} × {1} pixels, and the region {2}, {3}, {4}, {5} (left, top, width, height) goes beyond them</source>
+        <translation>hat {0} × {1} Pixel, und der Bereich {2}, {3}, {4}, {5} (links, oben, Breite, Höhe) reicht darüber hinaus</translation>
+    </message>
+    <message>
+        <source>was exposed for {0} s as its EXIF says, and session.json says {1} s</source>
+        <translation>wurde laut EXIF {0} s belichtet, laut session.json {1} s</translation>
+    </message>
+    <message>
+        <source>; that is the time of exposure {0}, so that files may have been exchanged</source>
+        <translation>; das ist die Zeit der Belichtung {0}, die Dateien können also vertauscht sein</translation>
+    </message>
+    <message>
+        <source>; correct exposures_s</source>
+        <translation>; berichtigen Sie exposures_s</translation>
+    </message>
+    <message>
+        <source>is a JPEG, whose codes are never linear; set camera.response to unknown, or write linear TIFF from the raw files</source>
+        <translation>ist ein JPEG, dessen Codes nie linear sind; setzen Sie camera.response auf unknown, oder schreiben Sie lineares TIFF aus den Rohdateien</translation>
+    </message>
+    <message>
+        <source>is a JPEG with an unknown curve, and {0} exposures do not determine it; take {1} or more, or set camera.response to srgb where the camera applies just that</source>
+        <translation>ist ein JPEG mit unbekannter Kennlinie, und {0} Belichtungen bestimmen sie nicht; nehmen Sie {1} oder mehr, oder setzen Sie camera.response auf srgb, wo die Kamera genau das anwendet</translation>
+    </message>
+    <message>
+        <source>is a JPEG with an unknown curve: it is recovered from the exposures, to 8 bits, and holds only if the camera treated all photographs alike (no automatic contrast)</source>
+        <translation>ist ein JPEG mit unbekannter Kennlinie: Sie wird aus den Belichtungen ermittelt, auf 8 Bit genau, und gilt nur, wenn die Kamera alle Fotos gleich behandelt hat (kein automatischer Kontrast)</translation>
+    </message>
+    <message>
+        <source>{0}; none of the {1} photographs at {2}° can be used</source>
+        <translation>{0}; keines der {1} Fotos bei {2}° ist verwendbar</translation>
+    </message>
+    <message>
+        <source>none of its photographs can be used; see the files named before</source>
+        <translation>keines der Fotos ist verwendbar; siehe die zuvor genannten Dateien</translation>
+    </message>
+    <message>
+        <source>is {0}, and the photographs before it are {1}</source>
+        <translation>ist {0}, die Fotos davor sind {1}</translation>
+    </message>
+    <message>
+        <source>names no photograph that could be read</source>
+        <translation>nennt kein Foto, das lesbar war</translation>
+    </message>
+    <message>
+        <source>has {0} bits a channel, and session.json says {1}; correct camera.bit_depth</source>
+        <translation>hat {0} Bit je Kanal, und session.json sagt {1}; berichtigen Sie camera.bit_depth</translation>
+    </message>
+    <message>
+        <source>{0}correct camera.bit_depth in session.json</source>
+        <translation>{0}berichtigen Sie camera.bit_depth in session.json</translation>
+    </message>
+    <message>
+        <source>is {0}, and the session&apos;s mask is {1}</source>
+        <translation>ist {0}, die Maske der Sitzung ist {1}</translation>
+    </message>
+    <message>
+        <source>{0} × {1} pixels{2}</source>
+        <translation>{0} × {1} Pixel{2}</translation>
+    </message>
+    <message>
+        <source>expected three rows of three numbers, not {0}</source>
+        <translation>erwartet wurden drei Zeilen mit drei Zahlen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the row sums to {0}, not to 1, so that white would change</source>
+        <translation>die Zeile hat die Summe {0}, nicht 1, sodass sich Weiß ändern würde</translation>
+    </message>
+    <message>
+        <source>expected a list of pairs, not {0}</source>
+        <translation>erwartet wurde eine Liste von Paaren, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a pair, not {0}</source>
+        <translation>erwartet wurde ein Paar, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0}° is not beyond the one before</source>
+        <translation>{0}° liegt nicht jenseits des vorigen</translation>
+    </message>
+    <message>
+        <source>the profile starts at 0°, not at {0}°</source>
+        <translation>das Profil beginnt bei 0°, nicht bei {0}°</translation>
+    </message>
+    <message>
+        <source>expected left, top, width, height, not {0}</source>
+        <translation>erwartet wurden links, oben, Breite, Höhe, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a vector of length 0 has no direction</source>
+        <translation>ein Vektor der Länge 0 hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the list is empty</source>
+        <translation>die Liste ist leer</translation>
+    </message>
+    <message>
+        <source>the camera would stand inside the sphere</source>
+        <translation>die Kamera stünde im Inneren der Kugel</translation>
+    </message>
+    <message>
+        <source>the lamp would stand inside the sphere</source>
+        <translation>die Lampe stünde im Inneren der Kugel</translation>
+    </message>
+    <message>
+        <source>expected a list of positions, not {0}</source>
+        <translation>erwartet wurde eine Liste von Stellungen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0}, found {1}</source>
+        <translation>erwartet wurden 1 bis {0}, gefunden {1}</translation>
+    </message>
+    <message>
+        <source>{0}° comes after {1}°; list the positions in order of their angles</source>
+        <translation>{0}° kommt nach {1}°; führen Sie die Stellungen in der Reihenfolge ihrer Winkel auf</translation>
+    </message>
+    <message>
+        <source>there are {0} photographs for {1} exposures; expected one for each</source>
+        <translation>es gibt {0} Fotos für {1} Belichtungen; erwartet wurde eines für jede</translation>
+    </message>
+    <message>
+        <source>is not a folder; expected a folder of photographs with a session.json</source>
+        <translation>ist kein Ordner; erwartet wurde ein Ordner mit Fotos und einer session.json</translation>
+    </message>
+    <message>
+        <source>holds no {0}; {1} writes one to fill in</source>
+        <translation>enthält keine {0}; {1} schreibt eine zum Ausfüllen</translation>
+    </message>
+    <message>
+        <source>the message</source>
+        <translation>die Nachricht</translation>
+    </message>
+    <message>
+        <source>camera.distance_m, camera.height_m: level distance to the turntable&apos;s axis, height above the sphere&apos;s centre</source>
+        <translation>camera.distance_m, camera.height_m: waagerechter Abstand zur Achse des Drehtellers, Höhe über dem Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>sphere.radius_m: measure it with a caliper</source>
+        <translation>sphere.radius_m: Messen Sie ihn mit einem Messschieber</translation>
+    </message>
+    <message>
+        <source>light.distance_m, light.height_m: of the lamp, as of the camera</source>
+        <translation>light.distance_m, light.height_m: der Lampe, wie bei der Kamera</translation>
+    </message>
+    <message>
+        <source>camera.response: unknown (recovered from the exposures), linear or srgb</source>
+        <translation>camera.response: unknown (aus den Belichtungen ermittelt), linear oder srgb</translation>
+    </message>
+    <message>
+        <source>is there already, and is not overwritten</source>
+        <translation>gibt es schon und wird nicht überschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be made ({0})</source>
+        <translation>lässt sich nicht anlegen ({0})</translation>
+    </message>
+    <message>
+        <source>no session can be made of it: {0}: {1}</source>
+        <translation>daraus lässt sich keine Sitzung machen: {0}: {1}</translation>
+    </message>
+    <message>
+        <source>light.irradiance_rgb or a white reference: without them the table has no absolute scale</source>
+        <translation>light.irradiance_rgb oder eine Weißreferenz: ohne sie hat die Tabelle keinen absoluten Maßstab</translation>
+    </message>
+    <message>
+        <source>{0}each position has one for each exposure</source>
+        <translation>{0}jede Stellung hat eines für jede Belichtung</translation>
+    </message>
+    <message>
+        <source>camera.board: state the board&apos;s inner corners (columns, rows) and the side of a square</source>
+        <translation>camera.board: Geben Sie die inneren Ecken der Tafel (Spalten, Zeilen) und die Seite eines Quadrats an</translation>
+    </message>
+    <message>
+        <source>{0}: {1} photographs for {2} exposures are left out</source>
+        <translation>{0}: {1} Fotos für {2} Belichtungen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>{0}; expected one for each</source>
+        <translation>{0}; erwartet wurde eines für jede</translation>
+    </message>
+    <message>
+        <source>a region that shows nothing but the white</source>
+        <translation>ein Bereich, der nichts als das Weiß zeigt</translation>
+    </message>
+    <message>
+        <source>white: state its reflectance, the lamp&apos;s angle, and {0}</source>
+        <translation>white: Geben Sie seinen Reflexionsgrad, den Winkel der Lampe und {0} an</translation>
+    </message>
+    <message>
+        <source>flat_field: state its exposure time</source>
+        <translation>flat_field: Geben Sie seine Belichtungszeit an</translation>
+    </message>
+    <message>
+        <source>put those of each position of the lamp into a folder of their own</source>
+        <translation>legen Sie die jeder Stellung der Lampe in einen eigenen Ordner</translation>
+    </message>
+    <message>
+        <source>has its photographs beside each other; {0}</source>
+        <translation>hat seine Fotos nebeneinander; {0}</translation>
+    </message>
+    <message>
+        <source>exposures_s: taken from the EXIF of the first position</source>
+        <translation>exposures_s: aus den EXIF-Daten der ersten Stellung übernommen</translation>
+    </message>
+    <message>
+        <source>exposures_s: the files state no times, or the same twice; these are those of a typical rig</source>
+        <translation>exposures_s: Die Dateien geben keine Zeiten an, oder zweimal dieselbe; dies sind die eines üblichen Aufbaus</translation>
+    </message>
+    <message>
+        <source>positions: the numbers in the names of the folders are taken for degrees</source>
+        <translation>positions: Die Zahlen in den Namen der Ordner gelten als Grad</translation>
+    </message>
+    <message>
+        <source>positions: the angles are even steps from 0° to 180°; correct them</source>
+        <translation>positions: Die Winkel sind gleiche Schritte von 0° bis 180°; berichtigen Sie sie</translation>
+    </message>
+    <message>
+        <source>camera.bit_depth: the highest code of {0} is {1}</source>
+        <translation>camera.bit_depth: Der höchste Code von {0} ist {1}</translation>
+    </message>
+    <message>
+        <source>{0}, so {1} bits are taken</source>
+        <translation>{0}, daher gelten {1} Bit</translation>
+    </message>
+    <message>
+        <source>the folder holds no photographs yet; the names are those that the template proposes</source>
+        <translation>der Ordner enthält noch keine Fotos; die Namen sind die, die die Vorlage vorschlägt</translation>
+    </message>
+    <message>
+        <source>From the axis, level</source>
+        <translation>Von der Achse, waagerecht</translation>
+    </message>
+    <message>
+        <source>Above the sphere&apos;s centre</source>
+        <translation>Über dem Kugelmittelpunkt</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Of the camera&apos;s axis above the horizon</source>
+        <translation>Der Kameraachse über der Waagerechten</translation>
+    </message>
+    <message>
+        <source>Of the camera</source>
+        <translation>Der Kamera</translation>
+    </message>
+    <message>
+        <source>Principal point</source>
+        <translation>Hauptpunkt</translation>
+    </message>
+    <message>
+        <source>From the middle of pixel 0, 0</source>
+        <translation>Von der Mitte des Pixels 0, 0</translation>
+    </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Verzeichnung</translation>
+    </message>
+    <message>
+        <source>A coefficient of OpenCV&apos;s model</source>
+        <translation>Ein Koeffizient des Modells von OpenCV</translation>
+    </message>
+    <message>
+        <source>Colour matrix</source>
+        <translation>Farbmatrix</translation>
+    </message>
+    <message>
+        <source>Camera channels to linear Rec. 2020</source>
+        <translation>Kanäle der Kamera nach linearem Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Quadrat</translation>
+    </message>
+    <message>
+        <source>Side of a square of the board</source>
+        <translation>Seite eines Quadrats der Tafel</translation>
+    </message>
+    <message>
+        <source>Of the painted sphere</source>
+        <translation>Der lackierten Kugel</translation>
+    </message>
+    <message>
+        <source>In the world of the rig</source>
+        <translation>In der Welt des Aufbaus</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>A vector of any length</source>
+        <translation>Ein Vektor beliebiger Länge</translation>
+    </message>
+    <message>
+        <source>Added to every stated angle</source>
+        <translation>Wird zu jedem angegebenen Winkel addiert</translation>
+    </message>
+    <message>
+        <source>Irradiance</source>
+        <translation>Bestrahlungsstärke</translation>
+    </message>
+    <message>
+        <source>At the sphere&apos;s centre, facing the lamp</source>
+        <translation>Am Kugelmittelpunkt, der Lampe zugewandt</translation>
+    </message>
+    <message>
+        <source>Of what hides the sphere from the camera</source>
+        <translation>Dessen, was der Kamera die Kugel verdeckt</translation>
+    </message>
+    <message>
+        <source>Angle off the axis</source>
+        <translation>Winkel zur Achse</translation>
+    </message>
+    <message>
+        <source>Of the lamp</source>
+        <translation>Der Lampe</translation>
+    </message>
+    <message>
+        <source>Relative intensity</source>
+        <translation>Relative Stärke</translation>
+    </message>
+    <message>
+        <source>At this angle</source>
+        <translation>Bei diesem Winkel</translation>
+    </message>
+    <message>
+        <source>Of the white reference, π f_r</source>
+        <translation>Der Weißreferenz, π f_r</translation>
+    </message>
+    <message>
+        <source>Of the lamp, 0 in front of the camera</source>
+        <translation>Der Lampe, 0 vor der Kamera</translation>
+    </message>
+    <message>
+        <source>Exposure time</source>
+        <translation>Belichtungszeit</translation>
+    </message>
+    <message>
+        <source>Of a photograph</source>
+        <translation>Eines Fotos</translation>
+    </message>
+    <message>
+        <source>expected a whole number, not {0}</source>
+        <translation>erwartet wurde eine ganze Zahl, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} is outside the range {1} to {2}</source>
+        <translation>{0} liegt außerhalb des Bereichs {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>expected a list of times, not {0}</source>
+        <translation>erwartet wurde eine Liste von Zeiten, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected at most {0}, found {1}</source>
+        <translation>erwartet wurden höchstens {0}, gefunden {1}</translation>
+    </message>
+    <message>
+        <source>{0} s comes after {1} s; {2}</source>
+        <translation>{0} s kommt nach {1} s; {2}</translation>
+    </message>
+    <message>
+        <source>expected a list of names of files, not {0}</source>
+        <translation>erwartet wurde eine Liste von Dateinamen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected {0} to {1} files, found {2}</source>
+        <translation>erwartet wurden {0} bis {1} Dateien, gefunden {2}</translation>
+    </message>
+    <message>
+        <source>{0}: write folders with / between them, relative to session.json</source>
+        <translation>{0}: Schreiben Sie Ordner mit / dazwischen, relativ zu session.json</translation>
+    </message>
+    <message>
+        <source>{0} lies outside the folder of the session</source>
+        <translation>{0} liegt außerhalb des Ordners der Sitzung</translation>
+    </message>
+    <message>
+        <source>{0} is the file of {1} already</source>
+        <translation>{0} ist bereits die Datei von {1}</translation>
+    </message>
+    <message>
+        <source>photograph {0} of {1}</source>
+        <translation>Foto {0} von {1}</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>is not empty; name a new folder for the photographs and {0}</source>
+        <translation>ist nicht leer; nennen Sie einen neuen Ordner für die Fotos und {0}</translation>
+    </message>
+    <message>
+        <source>cannot be written ({0})</source>
+        <translation>lässt sich nicht schreiben ({0})</translation>
+    </message>
+    <message>
+        <source>Shortest exposure</source>
+        <translation>Kürzeste Belichtung</translation>
+    </message>
+    <message>
+        <source>Longest exposure</source>
+        <translation>Längste Belichtung</translation>
+    </message>
+    <message>
+        <source>Lamp offset</source>
+        <translation>Versatz der Lampe</translation>
+    </message>
+    <message>
+        <source>Of the turntable&apos;s zero</source>
+        <translation>Des Nullpunkts des Drehtellers</translation>
+    </message>
+    <message>
+        <source>Lamp height offset</source>
+        <translation>Versatz der Lampenhöhe</translation>
+    </message>
+    <message>
+        <source>Above what is stated</source>
+        <translation>Über dem angegebenen Wert</translation>
+    </message>
+    <message>
+        <source>From the axis</source>
+        <translation>Von der Achse</translation>
+    </message>
+    <message>
+        <source>The camera is tilted to the sphere</source>
+        <translation>Die Kamera ist zur Kugel geneigt</translation>
+    </message>
+    <message>
+        <source>Of the sphere</source>
+        <translation>Der Kugel</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Diameter of the sphere over the picture&apos;s shorter side</source>
+        <translation>Durchmesser der Kugel durch die kürzere Seite des Bildes</translation>
+    </message>
+    <message>
+        <source>At the corner, of the distance to it</source>
+        <translation>In der Ecke, bezogen auf den Abstand dorthin</translation>
+    </message>
+    <message>
+        <source>Vignetting</source>
+        <translation>Vignettierung</translation>
+    </message>
+    <message>
+        <source>Loss of light at the corner</source>
+        <translation>Lichtverlust in der Ecke</translation>
+    </message>
+    <message>
+        <source>Full well</source>
+        <translation>Sättigungsladung</translation>
+    </message>
+    <message>
+        <source>Electrons at full scale</source>
+        <translation>Elektronen bei Vollausschlag</translation>
+    </message>
+    <message>
+        <source>Root mean square</source>
+        <translation>Quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Dark current</source>
+        <translation>Dunkelstrom</translation>
+    </message>
+    <message>
+        <source>Mean of all pixels</source>
+        <translation>Mittel aller Pixel</translation>
+    </message>
+    <message>
+        <source>Gain spread</source>
+        <translation>Streuung der Verstärkung</translation>
+    </message>
+    <message>
+        <source>From pixel to pixel, root mean square</source>
+        <translation>Von Pixel zu Pixel, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>{0} is outside the range 16 to 16384</source>
+        <translation>{0} liegt außerhalb des Bereichs 16 bis 16384</translation>
+    </message>
+    <message>
+        <source>{0} is no whole number from {1} to {2}</source>
+        <translation>{0} ist keine ganze Zahl von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>must be longer than the shortest exposure</source>
+        <translation>muss länger als die kürzeste Belichtung sein</translation>
+    </message>
+    <message>
+        <source>position {0} is not one of the later ones</source>
+        <translation>Stellung {0} ist keine der späteren</translation>
+    </message>
+    <message>
+        <source>{0} pixels, the picture&apos;s size, are the most</source>
+        <translation>{0} Pixel, die Größe des Bildes, sind das Höchste</translation>
+    </message>
+    <message>
+        <source>{0}°; expected above 0° and below 90°</source>
+        <translation>{0}°; erwartet wurde über 0° und unter 90°</translation>
+    </message>
+    <message>
+        <source>{0} pixels; the photographs have {1}</source>
+        <translation>{0} Pixel; die Fotos haben {1}</translation>
+    </message>
+    <message>
+        <source>{0} rows and columns; {1} wanted</source>
+        <translation>{0} Zeilen und Spalten; verlangt sind {1}</translation>
+    </message>
+    <message>
+        <source>{0} of a photograph or those of the box wanted</source>
+        <translation>{0} eines Fotos oder die des gewünschten Kastens</translation>
+    </message>
+    <message>
+        <source>{0} rows and {1} columns; {2}</source>
+        <translation>{0} Zeilen und {1} Spalten; {2}</translation>
+    </message>
+    <message>
+        <source>expected a finite matrix of 3 × 3 numbers</source>
+        <translation>erwartet wurde eine endliche Matrix von 3 × 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>no bin has a reading; nothing was measured</source>
+        <translation>kein Feld hat einen Messwert; nichts wurde gemessen</translation>
+    </message>
+    <message>
+        <source>gloss is measured at 20, 60 or 85°, not {0}°</source>
+        <translation>Glanz wird bei 20, 60 oder 85° gemessen, nicht bei {0}°</translation>
+    </message>
+    <message>
+        <source>With {0} GU at 20°, a coat over this base (which gives {1} GU itself at 60°) reads from {2} to {3} GU at 60°; {4} GU cannot be reached.</source>
+        <translation>Bei {0} GU bei 20° liest man an einem Klarlack über dieser Basis (die selbst {1} GU bei 60° ergibt) {2} bis {3} GU bei 60° ab; {4} GU sind nicht erreichbar.</translation>
+    </message>
+    <message>
+        <source>A gloss of {0} GU at 20° cannot be reached: over this base, which gives {1} GU itself, a clearcoat reads from {2} to {3} GU.</source>
+        <translation>Ein Glanz von {0} GU bei 20° ist nicht erreichbar: Über dieser Basis, die selbst {1} GU ergibt, liest man an einem Klarlack {2} bis {3} GU ab.</translation>
+    </message>
+    <message>
+        <source>expected one of {0}, not {1}</source>
+        <translation>erwartet wurde eines von {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} colours{2} lie outside the working space (Rec. 2020); their negative channel became 0, a change of at most ΔE00 {3}.</source>
+        <translation>{0} von {1} Farben{2} liegen außerhalb des Arbeitsfarbraums (Rec. 2020); ihr negativer Kanal wurde 0, eine Änderung von höchstens ΔE00 {3}.</translation>
+    </message>
+    <message>
+        <source>{0} {1} colours are shown without a profile, so only roughly; the numbers are kept as they are.</source>
+        <translation>{0} {1}-Farben werden ohne Profil gezeigt, also nur ungefähr; die Zahlen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>{0} {1} colour is shown without a profile, so only roughly; the numbers are kept as they are.</source>
+        <translation>{0} {1}-Farbe wird ohne Profil gezeigt, also nur ungefähr; die Zahlen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>s are</source>
+        <translation>s sind</translation>
+    </message>
+    <message>
+        <source>The colour space {0} is not known here; its colours are shown as sRGB.</source>
+        <translation>Der Farbraum {0} ist hier nicht bekannt; seine Farben werden als sRGB gezeigt.</translation>
+    </message>
+    <message>
+        <source>expected a matrix of 3 by 3 finite numbers</source>
+        <translation>erwartet wurde eine Matrix von 3 mal 3 endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>expected a table of n by 3, not {0}</source>
+        <translation>erwartet wurde eine Tabelle von n mal 3, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected the 2° or the 10° observer, not {0}</source>
+        <translation>erwartet wurde der 2°- oder der 10°-Beobachter, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a list of wavelengths, not shape {0}</source>
+        <translation>erwartet wurde eine Liste von Wellenlängen, nicht Form {0}</translation>
+    </message>
+    <message>
+        <source>expected wavelengths from {0} to {1} nm</source>
+        <translation>erwartet wurden Wellenlängen von {0} bis {1} nm</translation>
+    </message>
+    <message>
+        <source>the wavelengths must rise</source>
+        <translation>die Wellenlängen müssen steigen</translation>
+    </message>
+    <message>
+        <source>expected {0} values along the last axis, not shape {1}</source>
+        <translation>erwartet wurden {0} Werte entlang der letzten Achse, nicht Form {1}</translation>
+    </message>
+    <message>
+        <source>expected a positive luminance in cd/m²</source>
+        <translation>erwartet wurde eine Leuchtdichte über 0 in cd/m²</translation>
+    </message>
+    <message>
+        <source>expected a relative luminance above 0 and to 100</source>
+        <translation>erwartet wurde eine relative Leuchtdichte über 0 und bis 100</translation>
+    </message>
+    <message>
+        <source>expected one of {0} or cmc:l:c, not {1}</source>
+        <translation>erwartet wurde eines von {0} oder cmc:l:c, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected a number from 0, not {0}</source>
+        <translation>erwartet wurde eine Zahl ab 0, nicht {0}</translation>
+    </message>
+    <message>
+        <source>tolerance of the {0}</source>
+        <translation>Toleranz von {0}</translation>
+    </message>
+    <message>
+        <source>tolerance at {0}°</source>
+        <translation>Toleranz bei {0}°</translation>
+    </message>
+    <message>
+        <source>expected {0} L*a*b* values of each, not shapes {1} and {2}</source>
+        <translation>erwartet wurden je {0} L*a*b*-Werte, nicht die Formen {1} und {2}</translation>
+    </message>
+    <message>
+        <source>a flop needs a reading before the face and one beyond it</source>
+        <translation>ein Flop braucht einen Messwert vor der Aufsicht und einen dahinter</translation>
+    </message>
+    <message>
+        <source>expected a number of at least 0, not {0}</source>
+        <translation>erwartet wurde eine Zahl von mindestens 0, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the flop index needs readings at 15, 45 and 110°</source>
+        <translation>der Flop-Index braucht Messwerte bei 15, 45 und 110°</translation>
+    </message>
+    <message>
+        <source>L* at 45° is 0: there is no flop index</source>
+        <translation>L* bei 45° ist 0: Es gibt keinen Flop-Index</translation>
+    </message>
+    <message>
+        <source>a reading is grey: there is no hue to travel from or to</source>
+        <translation>ein Messwert ist grau: Es gibt keinen Buntton, von dem oder zu dem der Weg führt</translation>
+    </message>
+    <message>
+        <source>lighter at 110° than at 15°: the flop index does not describe this paint</source>
+        <translation>bei 110° heller als bei 15°: Der Flop-Index beschreibt diesen Lack nicht</translation>
+    </message>
+    <message>
+        <source>L* at 45° is below {0}: the flop index is uncertain</source>
+        <translation>L* bei 45° liegt unter {0}: Der Flop-Index ist unsicher</translation>
+    </message>
+    <message>
+        <source>travel needs readings at 15° and at 110°</source>
+        <translation>der Weg braucht Messwerte bei 15° und bei 110°</translation>
+    </message>
+    <message>
+        <source>a reading has a chroma below {0}: the hue travel is uncertain</source>
+        <translation>ein Messwert hat eine Buntheit unter {0}: Der Weg des Bunttons ist unsicher</translation>
+    </message>
+    <message>
+        <source>expected a finite angle in degrees</source>
+        <translation>erwartet wurde ein endlicher Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>expected a polar angle from 0 to below 90°, not {0}°</source>
+        <translation>erwartet wurde ein Polarwinkel von 0 bis unter 90°, nicht {0}°</translation>
+    </message>
+    <message>
+        <source>with the light at {0}°, {1}° would look from below the surface (polar angle {2}°)</source>
+        <translation>mit dem Licht bei {0}° sähe {1}° von unterhalb der Oberfläche (Polarwinkel {2}°)</translation>
+    </message>
+    <message>
+        <source>{0}, light {1}°</source>
+        <translation>{0}, Licht {1}°</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0} geometries</source>
+        <translation>erwartet wurden 1 bis {0} Geometrien</translation>
+    </message>
+    <message>
+        <source>a geometry is named twice</source>
+        <translation>eine Geometrie ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>six angles, one beyond the mirror direction</source>
+        <translation>sechs Winkel, einer jenseits der Spiegelrichtung</translation>
+    </message>
+    <message>
+        <source>interference pigments, ASTM E2539</source>
+        <translation>Interferenzpigmente, ASTM E2539</translation>
+    </message>
+    <message>
+        <source>{0} is neither a named set ({1}) nor angles like 45:15,45,110;15:15</source>
+        <translation>{0} ist weder ein benannter Satz ({1}) noch Winkel wie 45:15,45,110;15:15</translation>
+    </message>
+    <message>
+        <source>the paint&apos;s own angles</source>
+        <translation>die eigenen Winkel des Lacks</translation>
+    </message>
+    <message>
+        <source>shape {0}, not (h, w, 3)</source>
+        <translation>Form {0}, nicht (h, w, 3)</translation>
+    </message>
+    <message>
+        <source>expected an angle of 0 to {0}°, not {1}</source>
+        <translation>erwartet wurde ein Winkel von 0 bis {0}°, nicht {1}°</translation>
+    </message>
+    <message>
+        <source>as measured under D65</source>
+        <translation>wie unter D65 gemessen</translation>
+    </message>
+    <message>
+        <source>adapted from D65; the spectrum is not known, so metamerism is not shown</source>
+        <translation>von D65 umgerechnet; das Spektrum ist nicht bekannt, Metamerie wird daher nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>recomputed from the spectrum</source>
+        <translation>aus dem Spektrum neu berechnet</translation>
+    </message>
+    <message>
+        <source>it has no light in one of X, Y, Z, so it cannot be brought to match</source>
+        <translation>es hat kein Licht in einem von X, Y, Z und lässt sich daher nicht angleichen</translation>
+    </message>
+    <message>
+        <source>colour temperature</source>
+        <translation>Farbtemperatur</translation>
+    </message>
+    <message>
+        <source>{0} K is outside the range 1,000 to 25,000 K</source>
+        <translation>{0} K liegt außerhalb des Bereichs 1.000 bis 25.000 K</translation>
+    </message>
+    <message>
+        <source>BRDF Suite texture 1</source>
+        <translation>BRDF Suite texture 1</translation>
+    </message>
+    <message>
+        <source>the evaluation of photographs</source>
+        <translation>die Auswertung von Fotos</translation>
+    </message>
+    <message>
+        <source>it is not a plain file</source>
+        <translation>sie ist keine einfache Datei</translation>
+    </message>
+    <message>
+        <source>Diffuse reflectance, linear Rec. 2020</source>
+        <translation>Diffuse Reflexion, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Spiegelnd</translation>
+    </message>
+    <message>
+        <source>Weight of the lobe, linear Rec. 2020</source>
+        <translation>Gewicht der Keule, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Root-mean-square slope of the facets</source>
+        <translation>Quadratisches Mittel der Facettenneigung</translation>
+    </message>
+    <message>
+        <source>Fresnel reflectance along the normal</source>
+        <translation>Fresnel-Reflexionsgrad entlang der Normalen</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>Brechzahl</translation>
+    </message>
+    <message>
+        <source>Index of refraction of the clearcoat</source>
+        <translation>Brechzahl des Klarlacks</translation>
+    </message>
+    <message>
+        <source>Beckmann α of the clearcoat</source>
+        <translation>Beckmann-α des Klarlacks</translation>
+    </message>
+    <message>
+        <source>a clearcoat</source>
+        <translation>einen Klarlack</translation>
+    </message>
+    <message>
+        <source>expected three numbers red, green, blue, not {0}</source>
+        <translation>erwartet wurden drei Zahlen Rot, Grün, Blau, nicht {0}</translation>
+    </message>
+    <message>
+        <source>its textures cannot be written ({0})</source>
+        <translation>seine Texturen lassen sich nicht schreiben ({0})</translation>
+    </message>
+    <message>
+        <source>lacks the map {0} that the paint reads</source>
+        <translation>ihm fehlt die Karte {0}, die der Lack liest</translation>
+    </message>
+    <message>
+        <source>part {0}</source>
+        <translation>Teil {0}</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} texels, which {2} does not read</source>
+        <translation>hat {0} × {1} Texel, die {2} nicht liest</translation>
+    </message>
+    <message>
+        <source>holds a number that is no factor</source>
+        <translation>enthält eine Zahl, die kein Faktor ist</translation>
+    </message>
+    <message>
+        <source>holds no maps ({0})</source>
+        <translation>enthält keine Karten ({0})</translation>
+    </message>
+    <message>
+        <source>holds no maps that can be decoded</source>
+        <translation>enthält keine Karten, die sich entschlüsseln lassen</translation>
+    </message>
+    <message>
+        <source>is larger than {0} MB, too large for the maps of a paint</source>
+        <translation>ist größer als {0} MB, zu groß für die Karten eines Lacks</translation>
+    </message>
+    <message>
+        <source>the textures of the paint cannot be read: {0}</source>
+        <translation>die Texturen des Lacks sind nicht lesbar: {0}</translation>
+    </message>
+    <message>
+        <source>the maps in {0} are not those that the paint was saved with; factor it again, or bring them back</source>
+        <translation>die Karten in {0} sind nicht die, mit denen der Lack gespeichert wurde; faktorisieren Sie ihn neu, oder bringen Sie sie zurück</translation>
+    </message>
+    <message>
+        <source>1/sr</source>
+        <translation>1/sr</translation>
+    </message>
+    <message>
+        <source>What the product of the maps is multiplied by</source>
+        <translation>Womit das Produkt der Karten multipliziert wird</translation>
+    </message>
+    <message>
+        <source>expected 64 hexadecimal digits, not {0}</source>
+        <translation>erwartet wurden 64 hexadezimale Ziffern, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a texture file, not {0}</source>
+        <translation>erwartet wurde eine Texturdatei, nicht {0}</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Share of the ink; 1 is full</source>
+        <translation>Anteil der Druckfarbe; 1 ist voll</translation>
+    </message>
+    <message>
+        <source>Angle of the hue</source>
+        <translation>Winkel des Bunttons</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>0 is grey</source>
+        <translation>0 ist grau</translation>
+    </message>
+    <message>
+        <source>Encoded value; 1 is the most of a display</source>
+        <translation>Kodierter Wert; 1 ist das Höchste eines Bildschirms</translation>
+    </message>
+    <message>
+        <source>Encoded value; 0 is black, 1 is white</source>
+        <translation>Kodierter Wert; 0 ist schwarz, 1 ist weiß</translation>
+    </message>
+    <message>
+        <source>Largest of R, G and B</source>
+        <translation>Größter von R, G und B</translation>
+    </message>
+    <message>
+        <source>Mean of the largest and the least of R, G and B</source>
+        <translation>Mittel aus dem größten und dem kleinsten von R, G und B</translation>
+    </message>
+    <message>
+        <source>Green to red</source>
+        <translation>Grün nach Rot</translation>
+    </message>
+    <message>
+        <source>Blue to yellow</source>
+        <translation>Blau nach Gelb</translation>
+    </message>
+    <message>
+        <source>The white&apos;s Y is 100</source>
+        <translation>Y des Weiß ist 100</translation>
+    </message>
+    <message>
+        <source>1 is a perfect diffuser</source>
+        <translation>1 ist ein vollkommen streuender Körper</translation>
+    </message>
+    <message>
+        <source>nm</source>
+        <translation>nm</translation>
+    </message>
+    <message>
+        <source>Of a band of the spectrum</source>
+        <translation>Eines Bandes des Spektrums</translation>
+    </message>
+    <message>
+        <source>expected 2, 10 or 0, not {0}</source>
+        <translation>erwartet wurde 2, 10 oder 0, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a list of at most {0} colours</source>
+        <translation>erwartet wurde eine Liste von höchstens {0} Farben</translation>
+    </message>
+    <message>
+        <source>expected a colour without others of its own</source>
+        <translation>erwartet wurde eine Farbe ohne weitere eigene</translation>
+    </message>
+    <message>
+        <source>expected a list of numbers, not {0}</source>
+        <translation>erwartet wurde eine Liste von Zahlen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a colour in {0} has none</source>
+        <translation>eine Farbe in {0} hat keine</translation>
+    </message>
+    <message>
+        <source>{0} has {1} numbers, not {2}</source>
+        <translation>{0} hat {1} Zahlen, nicht {2}</translation>
+    </message>
+    <message>
+        <source>expected 2 to {0} numbers, as many as wavelengths, not {1}</source>
+        <translation>erwartet wurden 2 bis {0} Zahlen, so viele wie Wellenlängen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>wavelengths must rise</source>
+        <translation>Wellenlängen müssen steigen</translation>
+    </message>
+    <message>
+        <source>Illumination</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Polar angle of the instrument&apos;s light</source>
+        <translation>Polarwinkel des Lichts im Messgerät</translation>
+    </message>
+    <message>
+        <source>From the mirror direction to the view, past the normal</source>
+        <translation>Von der Spiegelrichtung zum Blick, an der Normalen vorbei</translation>
+    </message>
+    <message>
+        <source>Reading at 20°, coat and base together</source>
+        <translation>Messwert bei 20°, Klarlack und Basis zusammen</translation>
+    </message>
+    <message>
+        <source>Reading at 60°, coat and base together</source>
+        <translation>Messwert bei 60°, Klarlack und Basis zusammen</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>Root mean square height of the coat&apos;s waviness</source>
+        <translation>Quadratisches Mittel der Höhe der Welligkeit des Klarlacks</translation>
+    </message>
+    <message>
+        <source>Peel wavelength</source>
+        <translation>Wellenlänge der Orangenhaut</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Flake density</source>
+        <translation>Flake-Dichte</translation>
+    </message>
+    <message>
+        <source>1/mm²</source>
+        <translation>1/mm²</translation>
+    </message>
+    <message>
+        <source>Flakes that can be seen per area</source>
+        <translation>Sichtbare Flakes je Fläche</translation>
+    </message>
+    <message>
+        <source>Flake size</source>
+        <translation>Flake-Größe</translation>
+    </message>
+    <message>
+        <source>Mean diameter of a flake</source>
+        <translation>Mittlerer Durchmesser eines Flakes</translation>
+    </message>
+    <message>
+        <source>Flake roughness</source>
+        <translation>Flake-Rauheit</translation>
+    </message>
+    <message>
+        <source>Spread of the flake tilts</source>
+        <translation>Streuung der Flake-Neigungen</translation>
+    </message>
+    <message>
+        <source>Flake colour spread</source>
+        <translation>Farbstreuung der Flakes</translation>
+    </message>
+    <message>
+        <source>0: all flakes of one colour; 1: every hue</source>
+        <translation>0: alle Flakes in einer Farbe; 1: jeder Buntton</translation>
+    </message>
+    <message>
+        <source>Sparkle 15°</source>
+        <translation>Glitzern 15°</translation>
+    </message>
+    <message>
+        <source>Grade in light from 15° to aim at</source>
+        <translation>Angestrebter Grad im Licht aus 15°</translation>
+    </message>
+    <message>
+        <source>Sparkle 45°</source>
+        <translation>Glitzern 45°</translation>
+    </message>
+    <message>
+        <source>Grade in light from 45° to aim at</source>
+        <translation>Angestrebter Grad im Licht aus 45°</translation>
+    </message>
+    <message>
+        <source>Sparkle 75°</source>
+        <translation>Glitzern 75°</translation>
+    </message>
+    <message>
+        <source>Grade in light from 75° to aim at</source>
+        <translation>Angestrebter Grad im Licht aus 75°</translation>
+    </message>
+    <message>
+        <source>Graininess</source>
+        <translation>Körnigkeit</translation>
+    </message>
+    <message>
+        <source>In diffuse light, to aim at</source>
+        <translation>In diffusem Licht, angestrebt</translation>
+    </message>
+    <message>
+        <source>Scales the base in the mirror direction; not measured</source>
+        <translation>Skaliert die Basis in der Spiegelrichtung; nicht gemessen</translation>
+    </message>
+    <message>
+        <source>expected three numbers L*, a*, b*, not {0}</source>
+        <translation>erwartet wurden drei Zahlen L*, a*, b*, nicht {0}</translation>
+    </message>
+    <message>
+        <source>waves of {0} µm and {1} mm would be steeper than {2}°; at this wavelength at most {3} µm</source>
+        <translation>Wellen von {0} µm und {1} mm wären steiler als {2}°; bei dieser Wellenlänge höchstens {3} µm</translation>
+    </message>
+    <message>
+        <source>expected gloss readings, not {0}</source>
+        <translation>erwartet wurden Glanzwerte, nicht {0}</translation>
+    </message>
+    <message>
+        <source>orange peel</source>
+        <translation>Orangenhaut</translation>
+    </message>
+    <message>
+        <source>targets of texture</source>
+        <translation>Zielwerte der Textur</translation>
+    </message>
+    <message>
+        <source>only the 10° observer is known, not {0}</source>
+        <translation>nur der 10°-Beobachter ist bekannt, nicht {0}</translation>
+    </message>
+    <message>
+        <source>nothing is measured with the light at {0}°; there are {1}°</source>
+        <translation>mit dem Licht bei {0}° ist nichts gemessen; es gibt {1}°</translation>
+    </message>
+    <message>
+        <source>with the light at {0}°</source>
+        <translation>mit dem Licht bei {0}°</translation>
+    </message>
+    <message>
+        <source>{0}° is not measured{1}; there are {2}°</source>
+        <translation>{0}° ist nicht gemessen{1}; es gibt {2}°</translation>
+    </message>
+    <message>
+        <source>expected a list, not {0}</source>
+        <translation>erwartet wurde eine Liste, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected 3 to {0} measurements, found {1}</source>
+        <translation>erwartet wurden 3 bis {0} Messwerte, gefunden {1}</translation>
+    </message>
+    <message>
+        <source>expected a measurement, not {0}</source>
+        <translation>erwartet wurde ein Messwert, nicht {0}</translation>
+    </message>
+    <message>
+        <source>has the same angles as measurements[{0}]</source>
+        <translation>hat dieselben Winkel wie measurements[{0}]</translation>
+    </message>
+    <message>
+        <source>expected a paint or a flat colour, not {0}</source>
+        <translation>erwartet wurde ein Lack oder eine einzelne Farbe, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the tag {0} is there twice</source>
+        <translation>das Schlagwort {0} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>a group has a name</source>
+        <translation>eine Gruppe hat einen Namen</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 0 to 10,000, not {0}</source>
+        <translation>erwartet wurde eine ganze Zahl von 0 bis 10.000, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the id {0} is there twice</source>
+        <translation>die Kennung {0} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the group {0} is there twice</source>
+        <translation>die Gruppe {0} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>{0} are more than the {1} allowed</source>
+        <translation>{0} sind mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>expected a name and a text</source>
+        <translation>erwartet wurden ein Name und ein Text</translation>
+    </message>
+    <message>
+        <source>expected #rrggbb in lower case, not {0}</source>
+        <translation>erwartet wurde #rrggbb in Kleinbuchstaben, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a date as in 2024-05-31, not {0}</source>
+        <translation>erwartet wurde ein Datum wie 2024-05-31, nicht {0}</translation>
+    </message>
+    <message>
+        <source>an entry is named twice</source>
+        <translation>ein Eintrag ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>the group {0} is there already</source>
+        <translation>die Gruppe {0} gibt es schon</translation>
+    </message>
+    <message>
+        <source>a group cannot go into itself</source>
+        <translation>eine Gruppe kann nicht in sich selbst gelegt werden</translation>
+    </message>
+    <message>
+        <source>no entry has the id {0}</source>
+        <translation>kein Eintrag hat die Kennung {0}</translation>
+    </message>
+    <message>
+        <source>there is no group {0}</source>
+        <translation>es gibt keine Gruppe {0}</translation>
+    </message>
+    <message>
+        <source>expected one of &quot;paint&quot; and &quot;flat&quot;</source>
+        <translation>erwartet wurde „paint“ oder „flat“</translation>
+    </message>
+    <message>
+        <source>expected a number, not {0}</source>
+        <translation>erwartet wurde eine Zahl, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a finite number, not {0}</source>
+        <translation>erwartet wurde eine endliche Zahl, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0}{1} is outside the range {2} to {3}{4}</source>
+        <translation>{0}{1} liegt außerhalb des Bereichs {2} bis {3}{4}</translation>
+    </message>
+    <message>
+        <source>expected a list of {0} numbers, not {1}</source>
+        <translation>erwartet wurde eine Liste von {0} Zahlen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected true or false, not {0}</source>
+        <translation>erwartet wurde wahr oder falsch, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected {0} or nothing, not {1}</source>
+        <translation>erwartet wurde {0} oder nichts, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected a {0}, not {1}</source>
+        <translation>erwartet wurde {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>the text {0}</source>
+        <translation>der Text {0}</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list of {0}</source>
+        <translation>eine Liste von {0}</translation>
+    </message>
+    <message>
+        <source>expected a text, not {0}</source>
+        <translation>erwartet wurde ein Text, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} characters are more than the {1} allowed</source>
+        <translation>{0} Zeichen sind mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>the text is empty</source>
+        <translation>der Text ist leer</translation>
+    </message>
+    <message>
+        <source>the character {0} is not allowed in this text</source>
+        <translation>das Zeichen {0} ist in diesem Text nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>expected a view, not {0}</source>
+        <translation>erwartet wurde eine Ansicht, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 1 to {0}, not {1}</source>
+        <translation>erwartet wurde eine ganze Zahl von 1 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected a paint, not {0}</source>
+        <translation>erwartet wurde ein Lack, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected an absolute path, not {0}</source>
+        <translation>erwartet wurde ein absoluter Pfad, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} is the name of another view</source>
+        <translation>{0} ist der Name einer anderen Ansicht</translation>
+    </message>
+    <message>
+        <source>no view of the project is called {0}</source>
+        <translation>keine Ansicht des Projekts heißt {0}</translation>
+    </message>
+    <message>
+        <source>is a folder without {0}</source>
+        <translation>ist ein Ordner ohne {0}</translation>
+    </message>
+    <message>
+        <source>{0} is no collected file of the project</source>
+        <translation>{0} ist keine eingesammelte Datei des Projekts</translation>
+    </message>
+    <message>
+        <source>is named in the project and is not there; it cannot be collected</source>
+        <translation>ist im Projekt genannt und nicht da; es lässt sich nicht einsammeln</translation>
+    </message>
+    <message>
+        <source>cannot be collected: {0}</source>
+        <translation>lässt sich nicht einsammeln: {0}</translation>
+    </message>
+    <message>
+        <source>is not empty and holds no project; name another folder</source>
+        <translation>ist nicht leer und enthält kein Projekt; nennen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>is a damaged project ({0})</source>
+        <translation>ist ein beschädigtes Projekt ({0})</translation>
+    </message>
+    <message>
+        <source>has {0} parts, more than the {1} allowed</source>
+        <translation>hat {0} Teile, mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>the part is there twice</source>
+        <translation>der Teil kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>is encrypted or packed by a method that projects do not have</source>
+        <translation>ist verschlüsselt oder auf eine Weise gepackt, die Projekte nicht haben</translation>
+    </message>
+    <message>
+        <source>expected {0} and plain files in {1}/</source>
+        <translation>erwartet wurden {0} und einfache Dateien in {1}/</translation>
+    </message>
+    <message>
+        <source>is a zip file without {0}</source>
+        <translation>ist eine ZIP-Datei ohne {0}</translation>
+    </message>
+    <message>
+        <source>{0} is larger than {1} MB</source>
+        <translation>{0} ist größer als {1} MB</translation>
+    </message>
+    <message>
+        <source>unpacks to more than {0} GB</source>
+        <translation>ergibt entpackt mehr als {0} GB</translation>
+    </message>
+    <message>
+        <source>expected an object, not {0}</source>
+        <translation>erwartet wurde ein Objekt, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the top level</source>
+        <translation>der obersten Ebene</translation>
+    </message>
+    <message>
+        <source>the field &quot;{0}&quot; is missing</source>
+        <translation>das Feld „{0}“ fehlt</translation>
+    </message>
+    <message>
+        <source>the field {0} is unknown</source>
+        <translation>das Feld {0} ist unbekannt</translation>
+    </message>
+    <message>
+        <source>is not text in UTF-8</source>
+        <translation>ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>the field is given twice</source>
+        <translation>das Feld ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>line {0}, column {1}</source>
+        <translation>Zeile {0}, Spalte {1}</translation>
+    </message>
+    <message>
+        <source>is not valid JSON ({0})</source>
+        <translation>ist kein gültiges JSON ({0})</translation>
+    </message>
+    <message>
+        <source>is nested too deep to be a document of ours</source>
+        <translation>ist zu tief verschachtelt für ein Dokument der Suite</translation>
+    </message>
+    <message>
+        <source>holds a number that cannot be read ({0})</source>
+        <translation>enthält eine Zahl, die nicht lesbar ist ({0})</translation>
+    </message>
+    <message>
+        <source>is larger than {0} MB, too large to be a document of ours</source>
+        <translation>ist größer als {0} MB, zu groß für ein Dokument der Suite</translation>
+    </message>
+    <message>
+        <source>expected &quot;{0}&quot;, not {1}</source>
+        <translation>erwartet wurde „{0}“, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from 1, not {0}</source>
+        <translation>erwartet wurde eine ganze Zahl ab 1, nicht {0}</translation>
+    </message>
+    <message>
+        <source>version {0} is newer than this program, which knows up to {1}; update it</source>
+        <translation>Version {0} ist neuer als dieses Programm, das bis {1} kennt; aktualisieren Sie es</translation>
+    </message>
+    <message>
+        <source>version {0} is too old to be read</source>
+        <translation>Version {0} ist zu alt, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>is of version {0} but not as that version was, so it cannot be brought up to date</source>
+        <translation>hat die Version {0}, ist aber nicht wie diese aufgebaut und lässt sich daher nicht aktualisieren</translation>
+    </message>
+    <message>
+        <source>the kinds known to this version are &quot;aspecular&quot;, &quot;cook_torrance&quot; and &quot;factored&quot;</source>
+        <translation>dieser Version sind die Arten „aspecular“, „cook_torrance“ und „factored“ bekannt</translation>
+    </message>
+    <message>
+        <source>a Cook-Torrance paint</source>
+        <translation>einen Cook-Torrance-Lack</translation>
+    </message>
+    <message>
+        <source>a factored paint</source>
+        <translation>einen faktorisierten Lack</translation>
+    </message>
+    <message>
+        <source>holds {0}; expected a paint of aspecular readings, which can be edited (brdf-suite render and fit take every kind)</source>
+        <translation>enthält {0}; erwartet wurde ein Lack aus aspekularen Messwerten, der sich bearbeiten lässt (brdf-suite render und fit nehmen jede Art)</translation>
+    </message>
+    <message>
+        <source>Of the lamp&apos;s middle</source>
+        <translation>Der Lampenmitte</translation>
+    </message>
+    <message>
+        <source>Where the lamp shines, a vector of any length</source>
+        <translation>Wohin die Lampe leuchtet, ein Vektor beliebiger Länge</translation>
+    </message>
+    <message>
+        <source>Both sides; outer diameter and width of a ring</source>
+        <translation>Beide Seiten; bei einem Ring Außendurchmesser und Breite</translation>
+    </message>
+    <message>
+        <source>In the unit of the studio</source>
+        <translation>In der Einheit des Studios</translation>
+    </message>
+    <message>
+        <source>Of the lamp&apos;s white</source>
+        <translation>Des Weiß der Lampe</translation>
+    </message>
+    <message>
+        <source>Over which the lamp&apos;s edge fades in</source>
+        <translation>Über die der Rand der Lampe ausläuft</translation>
+    </message>
+    <message>
+        <source>must lie below the ceiling, {0} m</source>
+        <translation>muss unter der Decke liegen, {0} m</translation>
+    </message>
+    <message>
+        <source>must be {0} m or more from the middle of the scene</source>
+        <translation>muss {0} m oder mehr von der Mitte der Szene entfernt sein</translation>
+    </message>
+    <message>
+        <source>a strip is at least as long as wide: length first, then width</source>
+        <translation>ein Streifen ist mindestens so lang wie breit: zuerst die Länge, dann die Breite</translation>
+    </message>
+    <message>
+        <source>a ring&apos;s band is at most half as wide as its outer diameter</source>
+        <translation>das Band eines Rings ist höchstens halb so breit wie sein Außendurchmesser</translation>
+    </message>
+    <message>
+        <source>expected either &quot;room&quot; or &quot;backdrop&quot;, and only one of them</source>
+        <translation>erwartet wurde entweder „room“ oder „backdrop“, und nur eines davon</translation>
+    </message>
+    <message>
+        <source>expected a list of lamps, not {0}</source>
+        <translation>erwartet wurde eine Liste von Lampen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} lamps are more than the {1} allowed</source>
+        <translation>{0} Lampen sind mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>lies outside of the room</source>
+        <translation>liegt außerhalb des Raums</translation>
+    </message>
+    <message>
+        <source>nothing gives light: expected a lamp or a backdrop of luminance above 0</source>
+        <translation>nichts gibt Licht: Erwartet wurde eine Lampe oder ein Hintergrund mit einer Leuchtdichte über 0</translation>
+    </message>
+    <message>
+        <source>Preetham&apos;s model holds from 1.9 on; take hosek_wilkie below</source>
+        <translation>Das Modell von Preetham gilt ab 1,9; nehmen Sie darunter hosek_wilkie</translation>
+    </message>
+    <message>
+        <source>the kinds known to this version are &quot;studio&quot; and &quot;sky&quot;</source>
+        <translation>dieser Version sind die Arten „studio“ und „sky“ bekannt</translation>
+    </message>
+    <message>
+        <source>From the target to the camera</source>
+        <translation>Vom Ziel zur Kamera</translation>
+    </message>
+    <message>
+        <source>The point in the middle of the picture</source>
+        <translation>Der Punkt in der Mitte des Bildes</translation>
+    </message>
+    <message>
+        <source>Encoded sRGB</source>
+        <translation>Kodiertes sRGB</translation>
+    </message>
+    <message>
+        <source>expected the name of a packaged one or an absolute path, not {0}</source>
+        <translation>erwartet wurde der Name einer mitgelieferten oder ein absoluter Pfad, nicht {0}</translation>
+    </message>
+    <message>
+        <source>Where a point lamp is, y up</source>
+        <translation>Wo eine Punktlampe steht, y nach oben</translation>
+    </message>
+    <message>
+        <source>Colour temperature</source>
+        <translation>Farbtemperatur</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Scale to</source>
+        <translation>Skalieren auf</translation>
+    </message>
+    <message>
+        <source>a part is named twice</source>
+        <translation>ein Teil ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>; did you mean {0}?</source>
+        <translation>; meinten Sie {0}?</translation>
+    </message>
+    <message>
+        <source>The task was cancelled.</source>
+        <translation>Die Aufgabe wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>, at {0}</source>
+        <translation>, bei {0}</translation>
+    </message>
+    <message>
+        <source>Assimp (assimp-py)</source>
+        <translation>Assimp (assimp-py)</translation>
+    </message>
+    <message>
+        <source>Open CASCADE (cascadio)</source>
+        <translation>Open CASCADE (cascadio)</translation>
+    </message>
+    <message>
+        <source>OpenUSD (usd-core)</source>
+        <translation>OpenUSD (usd-core)</translation>
+    </message>
+    <message>
+        <source>ffmpeg (imageio-ffmpeg)</source>
+        <translation>ffmpeg (imageio-ffmpeg)</translation>
+    </message>
+    <message>
+        <source>install the system library {0} with the package manager of this system</source>
+        <translation>installieren Sie die Systembibliothek {0} mit der Paketverwaltung dieses Systems</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which is installed but cannot be loaded ({2}); {3}</source>
+        <translation>{0} braucht {1}, das installiert ist, sich aber nicht laden lässt ({2}); {3}</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which this build of BRDF Suite does not contain; {2}</source>
+        <translation>{0} braucht {1}, das dieser Bau von BRDF Suite nicht enthält; {2}</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which this build of BRDF Suite does not contain</source>
+        <translation>{0} braucht {1}, das dieser Bau von BRDF Suite nicht enthält</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which is not published for Python {2}; {3}</source>
+        <translation>{0} braucht {1}, das es für Python {2} nicht gibt; {3}</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which is not published for Python {2}</source>
+        <translation>{0} braucht {1}, das es für Python {2} nicht gibt</translation>
+    </message>
+    <message>
+        <source>{0} needs {1}, which is not installed; {2}</source>
+        <translation>{0} braucht {1}, das nicht installiert ist; {2}</translation>
+    </message>
+    <message>
+        <source>{0} needs {1} {2} or later, and {3} is installed; {4}</source>
+        <translation>{0} braucht {1} {2} oder neuer, installiert ist {3}; {4}</translation>
+    </message>
+    <message>
+        <source>in a newer version</source>
+        <translation>in einer neueren Version</translation>
+    </message>
+    <message>
+        <source>install BRDF Suite again</source>
+        <translation>installieren Sie BRDF Suite neu</translation>
+    </message>
+    <message>
+        <source>`{0}` installs it{1}</source>
+        <translation>`{0}` installiert es{1}</translation>
+    </message>
+    <message>
+        <source>{0}, and {1}</source>
+        <translation>{0}, und {1}</translation>
+    </message>
+    <message>
+        <source>cannot be written: its facts are not plain values ({0})</source>
+        <translation>lässt sich nicht schreiben: Seine Angaben sind keine einfachen Werte ({0})</translation>
+    </message>
+    <message>
+        <source>cannot be written: its facts take {0} bytes, over {1}</source>
+        <translation>lässt sich nicht schreiben: Seine Angaben nehmen {0} Byte ein, mehr als {1}</translation>
+    </message>
+    <message>
+        <source>has {0} bytes that belong to no array</source>
+        <translation>hat {0} Byte, die zu keiner Zahlenreihe gehören</translation>
+    </message>
+    <message>
+        <source>has an array {0} that does not fit into it</source>
+        <translation>hat eine Zahlenreihe {0}, die nicht hineinpasst</translation>
+    </message>
+    <message>
+        <source>is cut off</source>
+        <translation>ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is damaged: a checksum of its arrays does not fit</source>
+        <translation>ist beschädigt: Eine Prüfsumme seiner Zahlenreihen stimmt nicht</translation>
+    </message>
+    <message>
+        <source>is no {0} (it does not begin with {1})</source>
+        <translation>ist kein {0} (beginnt nicht mit {1})</translation>
+    </message>
+    <message>
+        <source>is cut off within its first bytes</source>
+        <translation>ist innerhalb seiner ersten Bytes abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is of version {0}; this program reads {1}</source>
+        <translation>hat die Version {0}; dieses Programm liest {1}</translation>
+    </message>
+    <message>
+        <source>is damaged or cut off: a header of {0} bytes is named</source>
+        <translation>ist beschädigt oder abgeschnitten: Genannt ist ein Kopf von {0} Byte</translation>
+    </message>
+    <message>
+        <source>is damaged: its checksum does not fit its content</source>
+        <translation>ist beschädigt: Seine Prüfsumme passt nicht zum Inhalt</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked ({0})</source>
+        <translation>lässt sich nicht entpacken ({0})</translation>
+    </message>
+    <message>
+        <source>array {0}</source>
+        <translation>Zahlenreihe {0}</translation>
+    </message>
+    <message>
+        <source>unpacks to another size than its header says</source>
+        <translation>ergibt entpackt eine andere Größe, als sein Kopf angibt</translation>
+    </message>
+    <message>
+        <source>has a header that is not JSON ({0})</source>
+        <translation>hat einen Kopf, der kein JSON ist ({0})</translation>
+    </message>
+    <message>
+        <source>has a header that is no JSON object</source>
+        <translation>hat einen Kopf, der kein JSON-Objekt ist</translation>
+    </message>
+    <message>
+        <source>lists no arrays, or more than {0}</source>
+        <translation>führt keine Zahlenreihen auf, oder mehr als {0}</translation>
+    </message>
+    <message>
+        <source>header, arrays</source>
+        <translation>Kopf, Zahlenreihen</translation>
+    </message>
+    <message>
+        <source>header, arrays[{0}]</source>
+        <translation>Kopf, arrays[{0}]</translation>
+    </message>
+    <message>
+        <source>expected an object of {0}</source>
+        <translation>erwartet wurde ein Objekt aus {0}</translation>
+    </message>
+    <message>
+        <source>expected a name and one of {0}</source>
+        <translation>erwartet wurden ein Name und eines von {0}</translation>
+    </message>
+    <message>
+        <source>lists {0} twice, which does not fit</source>
+        <translation>führt {0} zweimal auf, was nicht passt</translation>
+    </message>
+    <message>
+        <source>expected a shape of at most {0} numbers</source>
+        <translation>erwartet wurde eine Form von höchstens {0} Zahlen</translation>
+    </message>
+    <message>
+        <source>expected a shape of positive whole numbers</source>
+        <translation>erwartet wurde eine Form aus positiven ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>expected at most {0} bytes of an array</source>
+        <translation>erwartet wurden höchstens {0} Byte einer Zahlenreihe</translation>
+    </message>
+    <message>
+        <source>cannot be read (its name holds a NUL character)</source>
+        <translation>ist nicht lesbar (der Name enthält ein NUL-Zeichen)</translation>
+    </message>
+    <message>
+        <source>(it is a folder)</source>
+        <translation>(es ist ein Ordner)</translation>
+    </message>
+    <message>
+        <source>is not a plain file{0}</source>
+        <translation>ist keine einfache Datei{0}</translation>
+    </message>
+    <message>
+        <source>has {0} bytes, more than the {1} that this format can need</source>
+        <translation>hat {0} Byte, mehr als die {1}, die dieses Format brauchen kann</translation>
+    </message>
+    <message>
+        <source>the line is longer than {0} bytes</source>
+        <translation>die Zeile ist länger als {0} Byte</translation>
+    </message>
+    <message>
+        <source>line {0}</source>
+        <translation>Zeile {0}</translation>
+    </message>
+    <message>
+        <source>holds a NUL byte, so it is not text</source>
+        <translation>enthält ein NUL-Byte, ist also kein Text</translation>
+    </message>
+    <message>
+        <source>expected a finite number for {0}, not {1}</source>
+        <translation>erwartet wurde eine endliche Zahl für {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>more memory than there is</source>
+        <translation>mehr Speicher, als es gibt</translation>
+    </message>
+    <message>
+        <source>{0} would take {1}; {2} GiB is allowed</source>
+        <translation>{0} würde {1} einnehmen; erlaubt sind {2} GiB</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for what it holds</source>
+        <translation>für den Inhalt reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>The packaged {0} are made again: {1} Install brdf-suite again to repair them.</source>
+        <translation>Mitgelieferte Daten ({0}) werden neu erzeugt: {1} Installieren Sie brdf-suite neu, um sie zu reparieren.</translation>
+    </message>
+    <message>
+        <source>checking {0} of {1}</source>
+        <translation>{0} von {1} wird geprüft</translation>
+    </message>
+    <message>
+        <source>{0} cannot be removed.</source>
+        <translation>{0} lässt sich nicht entfernen.</translation>
+    </message>
+    <message>
+        <source>Damaged {0} are removed and made again: {1}</source>
+        <translation>Beschädigte Daten ({0}) werden entfernt und neu erzeugt: {1}</translation>
+    </message>
+    <message>
+        <source>The {0} are not kept: {1} MB do not fit into the cache&apos;s {2} MB; {3} sets another limit.</source>
+        <translation>Nicht aufbewahrt ({0}): {1} MB passen nicht in die {2} MB des Zwischenspeichers; {3} setzt eine andere Grenze.</translation>
+    </message>
+    <message>
+        <source>The {0} are not kept: {1} cannot be written ({2}). Make room there, or set {3} to another folder.</source>
+        <translation>Zwischenspeicher nicht verfügbar ({0}): {1} lässt sich nicht beschreiben ({2}). Schaffen Sie dort Platz, oder setzen Sie {3} auf einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Waited {0} s for another program at the same work; continuing without it.</source>
+        <translation>{0} s auf ein anderes Programm bei derselben Arbeit gewartet; es geht ohne es weiter.</translation>
+    </message>
+    <message>
+        <source>The cache {0} cannot be locked ({1}).</source>
+        <translation>Der Zwischenspeicher {0} lässt sich nicht sperren ({1}).</translation>
+    </message>
+    <message>
+        <source>waiting for another program at the same work</source>
+        <translation>wartet auf ein anderes Programm bei derselben Arbeit</translation>
+    </message>
+    <message>
+        <source>paint version</source>
+        <translation>Version des Lacks</translation>
+    </message>
+    <message>
+        <source>is not CxF3: its root is {0}</source>
+        <translation>ist kein CxF3: Das Wurzelelement ist {0}</translation>
+    </message>
+    <message>
+        <source>holds no sample</source>
+        <translation>enthält keine Probe</translation>
+    </message>
+    <message>
+        <source>holds no sample read at several angles that can be used{0}</source>
+        <translation>enthält keine brauchbare, bei mehreren Winkeln gemessene Probe{0}</translation>
+    </message>
+    <message>
+        <source>{0} samples that were not read by a multi-angle instrument are left out</source>
+        <translation>{0} Proben, die kein Mehrwinkelgerät gemessen hat, sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples: L*a*b* is {2}.</source>
+        <translation>{0} von {1} Proben: L*a*b* ist {2}.</translation>
+    </message>
+    <message>
+        <source>“{0}” is the mean of up to {1} readings at an angle; they differ from it by at most ΔE00 {2}.</source>
+        <translation>„{0}“ ist das Mittel aus bis zu {1} Messwerten je Winkel; sie weichen davon um höchstens ΔE00 {2} ab.</translation>
+    </message>
+    <message>
+        <source>Sparkle and graininess are on the instrument&apos;s own scale; they are kept as notes.</source>
+        <translation>Glitzern und Körnigkeit stehen auf der eigenen Skala des Geräts; sie bleiben als Notizen erhalten.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples say nothing of gloss; as paints they get 90 GU at 20°.</source>
+        <translation>{0} von {1} Proben geben keinen Glanz an; als Lacke bekommen sie 90 GU bei 20°.</translation>
+    </message>
+    <message>
+        <source>the ColorSpecification {0} is not in the file</source>
+        <translation>die ColorSpecification {0} ist nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>a spectrum is left out: {0} ({1})</source>
+        <translation>ein Spektrum ist ausgelassen: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>the colour at {0}as{1} is of {2}, and without a spectrum it cannot become that of D65 and 10°</source>
+        <translation>die Farbe bei {0}as{1} gilt für {2} und lässt sich ohne Spektrum nicht auf D65 und 10° umrechnen</translation>
+    </message>
+    <message>
+        <source>{0} lists {1} angles, and no name says which of them the value of line {2} was read at</source>
+        <translation>{0} führt {1} Winkel auf, und kein Name sagt, bei welchem davon der Wert in Zeile {2} gemessen wurde</translation>
+    </message>
+    <message>
+        <source>{0} is out of the plane of incidence ({1}°)</source>
+        <translation>{0} liegt außerhalb der Einfallsebene ({1}°)</translation>
+    </message>
+    <message>
+        <source>a reading</source>
+        <translation>einen Messwert</translation>
+    </message>
+    <message>
+        <source>a second, different colour at {0}as{1} (ΔE00 {2} from their mean)</source>
+        <translation>eine zweite, andere Farbe bei {0}as{1} (ΔE00 {2} von ihrem Mittel)</translation>
+    </message>
+    <message>
+        <source>on the scale {0}</source>
+        <translation>auf der Skala {0}</translation>
+    </message>
+    <message>
+        <source>on a scale that is not named</source>
+        <translation>auf einer ungenannten Skala</translation>
+    </message>
+    <message>
+        <source>the texture is {0}, not {1}</source>
+        <translation>die Textur ist {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>{0}{1} must not be negative, is {2}</source>
+        <translation>{0}{1} darf nicht negativ sein, ist {2}</translation>
+    </message>
+    <message>
+        <source>neither it nor {0} says at which wavelengths it was read</source>
+        <translation>weder es noch {0} sagt, bei welchen Wellenlängen gemessen wurde</translation>
+    </message>
+    <message>
+        <source>a reflectance</source>
+        <translation>eine Reflexion</translation>
+    </message>
+    <message>
+        <source>expected a spectrum of 2 to {0} bands, not {1}</source>
+        <translation>erwartet wurde ein Spektrum von 2 bis {0} Bändern, nicht {1}</translation>
+    </message>
+    <message>
+        <source>the wavelengths of a spectrum must rise, from 100 to 10,000 nm</source>
+        <translation>die Wellenlängen eines Spektrums müssen steigen, von 100 bis 10.000 nm</translation>
+    </message>
+    <message>
+        <source>no stated illuminant</source>
+        <translation>keine angegebene Lichtart</translation>
+    </message>
+    <message>
+        <source>{0} and the {1} observer</source>
+        <translation>{0} und der {1}-Beobachter</translation>
+    </message>
+    <message>
+        <source>{0} has no {1}</source>
+        <translation>{0} hat keine {1}</translation>
+    </message>
+    <message>
+        <source>a ColorSpecification has no Id</source>
+        <translation>eine ColorSpecification hat keine Id</translation>
+    </message>
+    <message>
+        <source>two ColorSpecifications are called {0}</source>
+        <translation>zwei ColorSpecifications heißen {0}</translation>
+    </message>
+    <message>
+        <source>a MultiAngle has {0} angles; expected 1 to {1}</source>
+        <translation>ein MultiAngle hat {0} Winkel; erwartet wurden 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>line {0}, {1}</source>
+        <translation>Zeile {0}, {1}</translation>
+    </message>
+    <message>
+        <source>holds no paints in a format that is read here ({0})</source>
+        <translation>enthält keine Lacke in einem lesbaren Format ({0})</translation>
+    </message>
+    <message>
+        <source>The spectra are left out.</source>
+        <translation>Die Spektren sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>is not text in UTF-8 or UTF-16</source>
+        <translation>ist kein Text in UTF-8 oder UTF-16</translation>
+    </message>
+    <message>
+        <source>is not valid CSV ({0})</source>
+        <translation>ist kein gültiges CSV ({0})</translation>
+    </message>
+    <message>
+        <source>the column {0} is there twice</source>
+        <translation>die Spalte {0} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>has no columns name and L_15 (or of another angle), so it is no table of paints</source>
+        <translation>hat keine Spalten name und L_15 (oder eines anderen Winkels), ist also keine Tabelle von Lacken</translation>
+    </message>
+    <message>
+        <source>has more than {0} rows</source>
+        <translation>hat mehr als {0} Zeilen</translation>
+    </message>
+    <message>
+        <source>has more than {0} cells</source>
+        <translation>hat mehr als {0} Zellen</translation>
+    </message>
+    <message>
+        <source>holds no paint</source>
+        <translation>enthält keinen Lack</translation>
+    </message>
+    <message>
+        <source>The column {0} is none of a paint&apos;s and was skipped.</source>
+        <translation>Die Spalte {0} gehört zu keinem Lack und wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>The table says nothing of gloss; the paints get 90 GU at 20°.</source>
+        <translation>Die Tabelle gibt keinen Glanz an; die Lacke bekommen 90 GU bei 20°.</translation>
+    </message>
+    <message>
+        <source>colours of {0} and the {1}° observer cannot become those of D65 and 10° without a spectrum</source>
+        <translation>Farben von {0} und dem {1}°-Beobachter lassen sich ohne Spektrum nicht auf D65 und 10° umrechnen</translation>
+    </message>
+    <message>
+        <source>L*a*b* at every angle (D65, 10°), gloss, flakes and every other setting of a designed paint, texts.</source>
+        <translation>L*a*b* bei jedem Winkel (D65, 10°), Glanz, Flakes und jede weitere Einstellung eines entworfenen Lacks, Texte.</translation>
+    </message>
+    <message>
+        <source>The {0}, the rule between angles</source>
+        <translation>Die {0}, die Regel zwischen den Winkeln</translation>
+    </message>
+    <message>
+        <source>The rule between angles</source>
+        <translation>Die Regel zwischen den Winkeln</translation>
+    </message>
+    <message>
+        <source>{0} and the near-specular factor go in as tags of this suite; other programs pass over them.</source>
+        <translation>{0} und der Faktor nahe der Spiegelrichtung stehen als Marken dieser Suite darin; andere Programme übergehen sie.</translation>
+    </message>
+    <message>
+        <source>Characters that XML does not know are written as �.</source>
+        <translation>Zeichen, die XML nicht kennt, werden als � geschrieben.</translation>
+    </message>
+    <message>
+        <source>The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm.</source>
+        <translation>Die Spektren werden bei 400 bis 700 nm in Schritten von 10 nm abgelesen: CxF3 verlangt gleichmäßige Schritte ab 360 bis 400 nm.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} spectra are left out: a reflectance there is 3 or more, or -0.1 or less.</source>
+        <translation>{0} von {1} Spektren sind ausgelassen: Ein Reflexionsgrad darin ist 3 oder mehr, oder -0,1 oder weniger.</translation>
+    </message>
+    <message>
+        <source>Multi-angle colours of paints, D65 and 10° observer</source>
+        <translation>Mehrwinkelfarben von Lacken, D65 und 10°-Beobachter</translation>
+    </message>
+    <message>
+        <source>holds no sample that makes a paint ({0})</source>
+        <translation>enthält keine Probe, die einen Lack ergibt ({0})</translation>
+    </message>
+    <message>
+        <source>L*a*b* at every angle (D65, 10°), spectra where they are known, gloss, name, notes.</source>
+        <translation>L*a*b* bei jedem Winkel (D65, 10°), Spektren, wo sie bekannt sind, Glanz, Name, Notizen.</translation>
+    </message>
+    <message>
+        <source>expected as many finite numbers as wavelengths</source>
+        <translation>erwartet wurden so viele endliche Zahlen wie Wellenlängen</translation>
+    </message>
+    <message>
+        <source>{0} Read by virtual instruments.</source>
+        <translation>{0} Von virtuellen Messgeräten abgelesen.</translation>
+    </message>
+    <message>
+        <source>The flakes do not sparkle there: density, size and tilt are left out.</source>
+        <translation>Die Flakes glitzern dort nicht: Dichte, Größe und Neigung entfallen.</translation>
+    </message>
+    <message>
+        <source>The orange peel is left out: the surface is smooth there.</source>
+        <translation>Die Orangenhaut entfällt: Die Oberfläche ist dort glatt.</translation>
+    </message>
+    <message>
+        <source>Only what the virtual instruments read of it goes in: L*a*b* at {0} angles and gloss. How it reflects between and beyond them is left out.</source>
+        <translation>Nur was die virtuellen Messgeräte ablesen, wird übernommen: L*a*b* bei {0} Winkeln und Glanz. Wie er dazwischen und darüber hinaus reflektiert, entfällt.</translation>
+    </message>
+    <message>
+        <source>The model is fitted to the designed paint that has the same readings, not to the paint itself.</source>
+        <translation>Das Modell wird an den entworfenen Lack mit denselben Messwerten angepasst, nicht an den Lack selbst.</translation>
+    </message>
+    <message>
+        <source>glTF in a renderer with multiple scattering (Blender)</source>
+        <translation>glTF in einem Renderer mit Mehrfachstreuung (Blender)</translation>
+    </message>
+    <message>
+        <source>The clearcoat of glTF has the index {0}, whatever the paint&apos;s.</source>
+        <translation>Der Klarlack von glTF hat die Brechzahl {0}, gleich welche der Lack hat.</translation>
+    </message>
+    <message>
+        <source>Viewers show no flakes: readings, gloss, flakes and texts go along in the material&apos;s extras, which only this suite reads.</source>
+        <translation>Betrachter zeigen keine Flakes: Messwerte, Glanz, Flakes und Texte stehen in den Zusatzdaten des Materials, die nur diese Suite liest.</translation>
+    </message>
+    <message>
+        <source>holds no paint of this suite</source>
+        <translation>enthält keinen Lack dieser Suite</translation>
+    </message>
+    <message>
+        <source>glTF, clearcoat (KHR_materials_clearcoat)</source>
+        <translation>glTF, Klarlack (KHR_materials_clearcoat)</translation>
+    </message>
+    <message>
+        <source>A matt colour and a lobe of another under a clearcoat of index 1.5; the readings in extras.</source>
+        <translation>Eine matte Farbe und eine andersfarbige Keule unter einem Klarlack mit Brechzahl 1,5; die Messwerte in den Zusatzdaten.</translation>
+    </message>
+    <message>
+        <source>The measured table itself is left out: what the virtual instruments read of it goes in.</source>
+        <translation>Die gemessene Tabelle selbst entfällt: Übernommen wird, was die virtuellen Messgeräte ablesen.</translation>
+    </message>
+    <message>
+        <source>expected &quot;{0}&quot;</source>
+        <translation>erwartet wurde „{0}“</translation>
+    </message>
+    <message>
+        <source>version {0} is known here, not {1}</source>
+        <translation>bekannt ist hier Version {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0} paints, found {1}</source>
+        <translation>erwartet wurden 1 bis {0} Lacke, gefunden {1}</translation>
+    </message>
+    <message>
+        <source>holds data that are damaged ({0})</source>
+        <translation>enthält beschädigte Daten ({0})</translation>
+    </message>
+    <message>
+        <source>the paint in it</source>
+        <translation>der Lack darin</translation>
+    </message>
+    <message>
+        <source>JSON, paints with computed values</source>
+        <translation>JSON, Lacke mit berechneten Werten</translation>
+    </message>
+    <message>
+        <source>Everything of the paint&apos;s document; L*a*b*, LCh and XYZ at every angle, flop, travel, spectra where known.</source>
+        <translation>Alles aus dem Dokument des Lacks; L*a*b*, LCh und XYZ bei jedem Winkel, Flop, Weg, Spektren, wo sie bekannt sind.</translation>
+    </message>
+    <message>
+        <source>LuxCore&apos;s car paint (one lobe under a coat)</source>
+        <translation>Autolack von LuxCore (eine Keule unter einem Klarlack)</translation>
+    </message>
+    <message>
+        <source>A diffuse layer, a coloured lobe and a clearcoat, fitted on a sphere.</source>
+        <translation>Eine diffuse Schicht, eine farbige Keule und ein Klarlack, an eine Kugel angepasst.</translation>
+    </message>
+    <message>
+        <source>{0} at {1}°</source>
+        <translation>{0} bei {1}°</translation>
+    </message>
+    <message>
+        <source>{0} at {1}° (light {2}°)</source>
+        <translation>{0} bei {1}° (Licht {2}°)</translation>
+    </message>
+    <message>
+        <source>(light {0}°)</source>
+        <translation>(Licht {0}°)</translation>
+    </message>
+    <message>
+        <source>{0}: mean ΔE00 {1} on a sphere in the sun; {2}.</source>
+        <translation>{0}: ΔE00 {1} im Mittel auf einer Kugel in der Sonne; {2}.</translation>
+    </message>
+    <message>
+        <source>Gloss readings, notes and source are left out.</source>
+        <translation>Glanzwerte, Notizen und Quelle entfallen.</translation>
+    </message>
+    <message>
+        <source>A colour lies outside Rec. 709, in which the parameters are kept; it is moved to the edge.</source>
+        <translation>Eine Farbe liegt außerhalb von Rec. 709, worin die Parameter gespeichert werden; sie ist auf den Rand gerückt.</translation>
+    </message>
+    <message>
+        <source>OpenPBR in MaterialX</source>
+        <translation>OpenPBR in MaterialX</translation>
+    </message>
+    <message>
+        <source>{0}, by BRDF Suite {1}; ΔE00 at its readings: {2}</source>
+        <translation>{0}, von BRDF Suite {1}; ΔE00 an den Messwerten: {2}</translation>
+    </message>
+    <message>
+        <source>A matt colour and a lobe of another under a clearcoat, fitted on a sphere.</source>
+        <translation>Eine matte Farbe und eine andersfarbige Keule unter einem Klarlack, an eine Kugel angepasst.</translation>
+    </message>
+    <message>
+        <source>Name, gloss readings, notes and source are left out; nothing that is edited can be read back.</source>
+        <translation>Name, Glanzwerte, Notizen und Quelle entfallen; nichts Bearbeitbares lässt sich zurücklesen.</translation>
+    </message>
+    <message>
+        <source>The paint is tabulated: in the middle of the hemisphere within 2 in 10,000, near the horizon within percents.</source>
+        <translation>Der Lack wird tabelliert: in der Mitte der Halbkugel auf 2 von 10.000 genau, nahe dem Horizont auf Prozente.</translation>
+    </message>
+    <message>
+        <source>tabulating</source>
+        <translation>Tabelle wird berechnet</translation>
+    </message>
+    <message>
+        <source>How the paint reflects, for every pair of directions; spectra where they are known.</source>
+        <translation>Wie der Lack reflektiert, für jedes Richtungspaar; Spektren, wo sie bekannt sind.</translation>
+    </message>
+    <message>
+        <source>USD Preview Surface (one colour for every angle, so no change of hue)</source>
+        <translation>USD Preview Surface (eine Farbe für alle Winkel, also kein Wechsel des Bunttons)</translation>
+    </message>
+    <message>
+        <source>{0}; dE00 {1} on a sphere, at its readings {2}</source>
+        <translation>{0}; dE00 {1} auf einer Kugel, an den Messwerten {2}</translation>
+    </message>
+    <message>
+        <source>One base colour, metalness and roughness under a clearcoat, fitted on a sphere.</source>
+        <translation>Eine Grundfarbe, Metallanteil und Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
+    </message>
+    <message>
+        <source>has {0} bytes, more than the {1} allowed</source>
+        <translation>hat {0} Byte, mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>syntax error</source>
+        <translation>Syntaxfehler</translation>
+    </message>
+    <message>
+        <source>is not valid XML ({0})</source>
+        <translation>ist kein gültiges XML ({0})</translation>
+    </message>
+    <message>
+        <source>is in no encoding of text that can be read ({0})</source>
+        <translation>ist in keiner lesbaren Textkodierung ({0})</translation>
+    </message>
+    <message>
+        <source>holds no element</source>
+        <translation>enthält kein Element</translation>
+    </message>
+    <message>
+        <source>declares a document type or an entity, which no file of this kind needs</source>
+        <translation>deklariert einen Dokumenttyp oder eine Entität, die keine Datei dieser Art braucht</translation>
+    </message>
+    <message>
+        <source>has more than {0} elements</source>
+        <translation>hat mehr als {0} Elemente</translation>
+    </message>
+    <message>
+        <source>is nested deeper than {0} elements</source>
+        <translation>ist tiefer als {0} Elemente verschachtelt</translation>
+    </message>
+    <message>
+        <source>its root is {0}, not {1}</source>
+        <translation>das Wurzelelement ist {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} pixels, too thin to be reduced to {2} × {3}</source>
+        <translation>hat {0} × {1} Pixel, zu schmal, um auf {2} × {3} verkleinert zu werden</translation>
+    </message>
+    <message>
+        <source>{0} rows of {1} pixels</source>
+        <translation>{0} Zeilen von {1} Pixeln</translation>
+    </message>
+    <message>
+        <source>{0} × {1} pixels were reduced by area to {2} × {3}</source>
+        <translation>{0} × {1} Pixel wurden flächentreu auf {2} × {3} verkleinert</translation>
+    </message>
+    <message>
+        <source>{0}, which is all that the lobes resolve</source>
+        <translation>{0}, was alles ist, was die Keulen auflösen</translation>
+    </message>
+    <message>
+        <source>infinite radiance; it was set to {0}</source>
+        <translation>unendliche Strahldichte; sie wurde auf {0} gesetzt</translation>
+    </message>
+    <message>
+        <source>radiance above {0}; it was set to {1}</source>
+        <translation>Strahldichte über {0}; sie wurde auf {1} gesetzt</translation>
+    </message>
+    <message>
+        <source>minus infinity; it was set to 0</source>
+        <translation>minus unendlich; es wurde auf 0 gesetzt</translation>
+    </message>
+    <message>
+        <source>radiance below -{0}; it was set to 0</source>
+        <translation>Strahldichte unter -{0}; sie wurde auf 0 gesetzt</translation>
+    </message>
+    <message>
+        <source>{0} held {1}</source>
+        <translation>{0} enthielten {1}</translation>
+    </message>
+    <message>
+        <source>{0} held no number (NaN); they were filled from their neighbours</source>
+        <translation>{0} enthielten keine Zahl (NaN); sie wurden aus ihren Nachbarn gefüllt</translation>
+    </message>
+    <message>
+        <source>no number (NaN), nor did their neighbours; they were set to 0</source>
+        <translation>keine Zahl (NaN), ihre Nachbarn auch nicht; sie wurden auf 0 gesetzt</translation>
+    </message>
+    <message>
+        <source>all of them</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) held negative radiance, down to {2}; clamped to 0</source>
+        <translation>{0} ({1}) enthielten negative Strahldichte, bis {2}; auf 0 begrenzt</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} pixels, too small for an environment</source>
+        <translation>hat {0} × {1} Pixel, zu klein für eine Umgebung</translation>
+    </message>
+    <message>
+        <source>holds no number (NaN) in any pixel; there is nothing to repair it from</source>
+        <translation>enthält in keinem Pixel eine Zahl (nur NaN); es gibt nichts, woraus es zu reparieren wäre</translation>
+    </message>
+    <message>
+        <source>has unusable primaries: {0}</source>
+        <translation>hat unbrauchbare Primärfarben: {0}</translation>
+    </message>
+    <message>
+        <source>attribute chromaticities</source>
+        <translation>Attribut chromaticities</translation>
+    </message>
+    <message>
+        <source>every pixel is black: nothing is lit by this environment</source>
+        <translation>jedes Pixel ist schwarz: Diese Umgebung beleuchtet nichts</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>is {0}; an environment must be an OpenEXR (.exr) or Radiance (.hdr) file</source>
+        <translation>ist {0}; eine Umgebung muss eine OpenEXR- (.exr) oder Radiance-Datei (.hdr) sein</translation>
+    </message>
+    <message>
+        <source>is neither an OpenEXR (.exr) nor a Radiance (.hdr) file, whatever its name says</source>
+        <translation>ist weder eine OpenEXR- (.exr) noch eine Radiance-Datei (.hdr), was auch immer der Name sagt</translation>
+    </message>
+    <message>
+        <source>is not an OpenEXR file (its first four bytes are not the magic number)</source>
+        <translation>ist keine OpenEXR-Datei (die ersten vier Bytes sind nicht ihr Kennzeichen)</translation>
+    </message>
+    <message>
+        <source>has OpenEXR version {0}; only version 2 is read</source>
+        <translation>hat die OpenEXR-Version {0}; nur Version 2 wird gelesen</translation>
+    </message>
+    <message>
+        <source>is a deep OpenEXR file; flatten it to an ordinary image first</source>
+        <translation>ist eine OpenEXR-Datei mit Tiefenstapeln (deep); wandeln Sie sie zuerst in ein gewöhnliches Bild um</translation>
+    </message>
+    <message>
+        <source>has more than {0} parts</source>
+        <translation>hat mehr als {0} Teile</translation>
+    </message>
+    <message>
+        <source>is tiled but lacks a sound &apos;tiles&apos; attribute</source>
+        <translation>ist gekachelt, hat aber kein einwandfreies Attribut „tiles“</translation>
+    </message>
+    <message>
+        <source>lacks the header attribute {0}</source>
+        <translation>hat das Attribut {0} im Kopf nicht</translation>
+    </message>
+    <message>
+        <source>has a compression that is not known</source>
+        <translation>hat eine unbekannte Kompression</translation>
+    </message>
+    <message>
+        <source>has a part without a sound &apos;chunkCount&apos; attribute</source>
+        <translation>hat einen Teil ohne einwandfreies Attribut „chunkCount“</translation>
+    </message>
+    <message>
+        <source>is cut off within its header</source>
+        <translation>ist in seinem Kopf abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is cut off or damaged within a name of its header</source>
+        <translation>ist in einem Namen seines Kopfs abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>has a damaged description of channel {0}</source>
+        <translation>hat eine beschädigte Beschreibung des Kanals {0}</translation>
+    </message>
+    <message>
+        <source>has no channels</source>
+        <translation>hat keine Kanäle</translation>
+    </message>
+    <message>
+        <source>has a damaged {0}</source>
+        <translation>hat ein beschädigtes {0}</translation>
+    </message>
+    <message>
+        <source>has a {0} of {1} × {2} pixels</source>
+        <translation>hat ein {0} von {1} × {2} Pixeln</translation>
+    </message>
+    <message>
+        <source>the limit is {0} pixels</source>
+        <translation>die Grenze ist {0} Pixel</translation>
+    </message>
+    <message>
+        <source>has a {0} of {1} × {2} pixels; {3}</source>
+        <translation>hat ein {0} von {1} × {2} Pixeln; {3}</translation>
+    </message>
+    <message>
+        <source>is incomplete: its writer was stopped before the end</source>
+        <translation>ist unvollständig: Das Schreiben wurde vor dem Ende abgebrochen</translation>
+    </message>
+    <message>
+        <source>is cut off: pixel data is expected at byte {0}</source>
+        <translation>ist abgeschnitten: Bilddaten werden bei Byte {0} erwartet</translation>
+    </message>
+    <message>
+        <source>holds deep data only; flatten it to an ordinary image first</source>
+        <translation>enthält nur Tiefenstapel (deep); wandeln Sie sie zuerst in ein gewöhnliches Bild um</translation>
+    </message>
+    <message>
+        <source>R, G and B, or Y with or without RY and BY</source>
+        <translation>R, G und B, oder Y mit oder ohne RY und BY</translation>
+    </message>
+    <message>
+        <source>has the channels {0}; expected {1}</source>
+        <translation>hat die Kanäle {0}; erwartet wurden {1}</translation>
+    </message>
+    <message>
+        <source>part {0} of {1}{2} was read</source>
+        <translation>Teil {0} von {1}{2} wurde gelesen</translation>
+    </message>
+    <message>
+        <source>layer {0} was read</source>
+        <translation>Ebene {0} wurde gelesen</translation>
+    </message>
+    <message>
+        <source>stored as luminance and chroma</source>
+        <translation>als Helligkeit und Farbart gespeichert</translation>
+    </message>
+    <message>
+        <source>one channel, Y: the light is taken as neutral</source>
+        <translation>ein Kanal, Y: Das Licht gilt als neutral</translation>
+    </message>
+    <message>
+        <source>holds integers, not radiance</source>
+        <translation>enthält ganze Zahlen, keine Strahldichte</translation>
+    </message>
+    <message>
+        <source>channel {0}</source>
+        <translation>Kanal {0}</translation>
+    </message>
+    <message>
+        <source>is stored at reduced resolution, which is not read</source>
+        <translation>ist mit verringerter Auflösung gespeichert, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the data window {0} was placed in {1}; what lies outside is black</source>
+        <translation>das Datenfenster {0} wurde in {1} gelegt; was außerhalb liegt, ist schwarz</translation>
+    </message>
+    <message>
+        <source>attribute dataWindow</source>
+        <translation>Attribut dataWindow</translation>
+    </message>
+    <message>
+        <source>attribute displayWindow</source>
+        <translation>Attribut displayWindow</translation>
+    </message>
+    <message>
+        <source>its parts hold {0} MB together; {1} MB are read</source>
+        <translation>seine Teile enthalten zusammen {0} MB; gelesen werden {1} MB</translation>
+    </message>
+    <message>
+        <source>{0}. Write the part that is the light as a file of its own</source>
+        <translation>{0}. Schreiben Sie den Teil, der das Licht ist, als eigene Datei</translation>
+    </message>
+    <message>
+        <source>is damaged or cut off ({0})</source>
+        <translation>ist beschädigt oder abgeschnitten ({0})</translation>
+    </message>
+    <message>
+        <source>pixel data</source>
+        <translation>Bilddaten</translation>
+    </message>
+    <message>
+        <source>No copyright, use freely</source>
+        <translation>Kein Urheberrecht, frei verwendbar</translation>
+    </message>
+    <message>
+        <source>has no {0}: it describes the screen by tables alone; expected a matrix with curves</source>
+        <translation>hat kein {0}: Es beschreibt den Bildschirm allein durch Tabellen; erwartet wurde eine Matrix mit Kurven</translation>
+    </message>
+    <message>
+        <source>has channels whose colours are the same</source>
+        <translation>hat Kanäle mit gleichen Farben</translation>
+    </message>
+    <message>
+        <source>is not an ICC profile</source>
+        <translation>ist kein ICC-Profil</translation>
+    </message>
+    <message>
+        <source>is larger than {0} MB</source>
+        <translation>ist größer als {0} MB</translation>
+    </message>
+    <message>
+        <source>is of a device in {0}, not RGB</source>
+        <translation>gehört zu einem Gerät in {0}, nicht RGB</translation>
+    </message>
+    <message>
+        <source>connects by Lab, not by XYZ</source>
+        <translation>verbindet über Lab, nicht über XYZ</translation>
+    </message>
+    <message>
+        <source>says that it has {0} entries, which it is too short for</source>
+        <translation>gibt {0} Einträge an, wofür es zu kurz ist</translation>
+    </message>
+    <message>
+        <source>is cut off in its entry {0}</source>
+        <translation>ist in seinem Eintrag {0} abgeschnitten</translation>
+    </message>
+    <message>
+        <source>holds no XYZ colour</source>
+        <translation>enthält keine XYZ-Farbe</translation>
+    </message>
+    <message>
+        <source>is cut off in a curve</source>
+        <translation>ist in einer Kurve abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has a curve of a kind ({0}) that is not known, or cut off</source>
+        <translation>hat eine Kurve einer unbekannten Art ({0}), oder ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has a curve of a kind that is not known</source>
+        <translation>hat eine Kurve einer unbekannten Art</translation>
+    </message>
+    <message>
+        <source>has a curve that does not rise from black to white</source>
+        <translation>hat eine Kurve, die nicht von Schwarz nach Weiß steigt</translation>
+    </message>
+    <message>
+        <source>{0} picture</source>
+        <translation>{0}-Bild</translation>
+    </message>
+    <message>
+        <source>picture ({0})</source>
+        <translation>Bild ({0})</translation>
+    </message>
+    <message>
+        <source>is no {0} that can be read</source>
+        <translation>ist kein lesbares {0}</translation>
+    </message>
+    <message>
+        <source>has too many pixels to be read</source>
+        <translation>hat zu viele Pixel, um gelesen zu werden</translation>
+    </message>
+    <message>
+        <source>is damaged, or no {0} that can be read: {1}</source>
+        <translation>ist beschädigt oder kein lesbares {0}: {1}</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} pixels, too large to be read: they would take {2} MB, and at most {3} MB are given to a picture</source>
+        <translation>hat {0} × {1} Pixel, zu groß zum Lesen: Das wären {2} MB, und einem Bild werden höchstens {3} MB gegeben</translation>
+    </message>
+    <message>
+        <source>is not a Radiance picture (it does not begin with #?RADIANCE)</source>
+        <translation>ist kein Radiance-Bild (beginnt nicht mit #?RADIANCE)</translation>
+    </message>
+    <message>
+        <source>stored as XYZ</source>
+        <translation>als XYZ gespeichert</translation>
+    </message>
+    <message>
+        <source>is cut off or damaged within its header</source>
+        <translation>ist in seinem Kopf abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>has the pixel format {0}, which is not read</source>
+        <translation>hat das Pixelformat {0}, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>line FORMAT</source>
+        <translation>Zeile FORMAT</translation>
+    </message>
+    <message>
+        <source>has no size line such as &apos;-Y 512 +X 1024&apos;</source>
+        <translation>hat keine Größenzeile wie „-Y 512 +X 1024“</translation>
+    </message>
+    <message>
+        <source>{0} × {1} pixels</source>
+        <translation>{0} × {1} Pixel</translation>
+    </message>
+    <message>
+        <source>claims {0}; 1 to {1} are read</source>
+        <translation>gibt {0} an; gelesen werden 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>is cut off: {0} lines do not fit into it</source>
+        <translation>ist abgeschnitten: {0} Zeilen passen nicht hinein</translation>
+    </message>
+    <message>
+        <source>is cut off at line {0} of {1}</source>
+        <translation>ist in Zeile {0} von {1} abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is damaged: line {0} is not {1} pixels long</source>
+        <translation>ist beschädigt: Zeile {0} ist nicht {1} Pixel lang</translation>
+    </message>
+    <message>
+        <source>is cut off at line {0}</source>
+        <translation>ist in Zeile {0} abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is damaged: a run of line {0} does not fit</source>
+        <translation>ist beschädigt: Eine Lauflänge in Zeile {0} passt nicht</translation>
+    </message>
+    <message>
+        <source>has {0} where a number belongs</source>
+        <translation>hat {0}, wo eine Zahl hingehört</translation>
+    </message>
+    <message>
+        <source>has one channel; a normal map has three (a height map is none)</source>
+        <translation>hat einen Kanal; eine Normalenkarte hat drei (eine Höhenkarte ist keine)</translation>
+    </message>
+    <message>
+        <source>is no normal map: {0} % of its pixels are unit vectors off a surface</source>
+        <translation>ist keine Normalenkarte: {0} % der Pixel sind Einheitsvektoren von einer Oberfläche weg</translation>
+    </message>
+    <message>
+        <source>has one channel; a tangent map has two or more (directions along u and v)</source>
+        <translation>hat einen Kanal; eine Tangentenkarte hat zwei oder mehr (Richtungen entlang u und v)</translation>
+    </message>
+    <message>
+        <source>is no tangent map: {0} % of its pixels are unit vectors in the surface</source>
+        <translation>ist keine Tangentenkarte: {0} % der Pixel sind Einheitsvektoren in der Oberfläche</translation>
+    </message>
+    <message>
+        <source>holds numbers that are not finite</source>
+        <translation>enthält Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>is of no measured format that is known here ({0})</source>
+        <translation>hat kein hier bekanntes Messformat ({0})</translation>
+    </message>
+    <message>
+        <source>the ending {0} names no format that is written here ({1})</source>
+        <translation>die Endung {0} nennt kein Format, das hier geschrieben wird ({1})</translation>
+    </message>
+    <message>
+        <source>the coordinates give no direction above the surface</source>
+        <translation>die Koordinaten ergeben keine Richtung über der Oberfläche</translation>
+    </message>
+    <message>
+        <source>a number of columns</source>
+        <translation>eine Anzahl von Spalten</translation>
+    </message>
+    <message>
+        <source>{0} is no number of columns</source>
+        <translation>{0} ist keine Anzahl von Spalten</translation>
+    </message>
+    <message>
+        <source>the header, before line {0}</source>
+        <translation>der Kopf, vor Zeile {0}</translation>
+    </message>
+    <message>
+        <source>PARAM_IN is {0}; expected one of {1}</source>
+        <translation>PARAM_IN ist {0}; erwartet wurde eines von {1}</translation>
+    </message>
+    <message>
+        <source>PARAM_OUT is {0}; expected one of {1}</source>
+        <translation>PARAM_OUT ist {0}; erwartet wurde eines von {1}</translation>
+    </message>
+    <message>
+        <source>{0} has {1} inputs; DIM says {2}</source>
+        <translation>{0} hat {1} Eingänge; DIM sagt {2}</translation>
+    </message>
+    <message>
+        <source>{0} outputs; {1} are known</source>
+        <translation>{0} Ausgänge; bekannt sind {1}</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers, not {1}</source>
+        <translation>erwartet wurden {0} Zahlen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>a coordinate or a value</source>
+        <translation>eine Koordinate oder ein Wert</translation>
+    </message>
+    <message>
+        <source>the file ends before the first row</source>
+        <translation>die Datei endet vor der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>ALTA text</source>
+        <translation>ALTA-Text</translation>
+    </message>
+    <message>
+        <source>The spectra were left out: this format holds colours.</source>
+        <translation>Die Spektren sind ausgelassen: Dieses Format enthält Farben.</translation>
+    </message>
+    <message>
+        <source>ASTM text</source>
+        <translation>ASTM-Text</translation>
+    </message>
+    <message>
+        <source>an angle or a value</source>
+        <translation>ein Winkel oder ein Wert</translation>
+    </message>
+    <message>
+        <source>the file ends before the line VARS</source>
+        <translation>die Datei endet vor der Zeile VARS</translation>
+    </message>
+    <message>
+        <source>NUM_POINTS announces {0} samples, the file holds {1}</source>
+        <translation>NUM_POINTS kündigt {0} Messpunkte an, die Datei enthält {1}</translation>
+    </message>
+    <message>
+        <source>{0} variables are too many</source>
+        <translation>{0} Variablen sind zu viele</translation>
+    </message>
+    <message>
+        <source>theta_i, phi_i, theta_s, phi_s and at least one value</source>
+        <translation>theta_i, phi_i, theta_s, phi_s und mindestens ein Wert</translation>
+    </message>
+    <message>
+        <source>VARS must name {0}</source>
+        <translation>VARS muss {0} nennen</translation>
+    </message>
+    <message>
+        <source>a wavelength</source>
+        <translation>eine Wellenlänge</translation>
+    </message>
+    <message>
+        <source>the value columns must be R,G,B or X,Y,Z, wavelengths like 550nm, or one alone</source>
+        <translation>die Wertspalten müssen R,G,B oder X,Y,Z, Wellenlängen wie 550nm oder eine einzelne sein</translation>
+    </message>
+    <message>
+        <source>ASTM E1392-style text</source>
+        <translation>Text nach Art von ASTM E1392</translation>
+    </message>
+    <message>
+        <source>readings of several polarizations averaged</source>
+        <translation>Werte mehrerer Polarisationen gemittelt</translation>
+    </message>
+    <message>
+        <source>{0} geometries times {1} wavelengths are more than {2} readings</source>
+        <translation>{0} Geometrien mal {1} Wellenlängen sind mehr als {2} Messwerte</translation>
+    </message>
+    <message>
+        <source>not every geometry was read at every wavelength ({0})</source>
+        <translation>nicht jede Geometrie wurde bei jeder Wellenlänge gemessen ({0})</translation>
+    </message>
+    <message>
+        <source>not every geometry was read at every wavelength</source>
+        <translation>nicht jede Geometrie wurde bei jeder Wellenlänge gemessen</translation>
+    </message>
+    <message>
+        <source>data, entry {0}</source>
+        <translation>data, Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>the JSON text</source>
+        <translation>der JSON-Text</translation>
+    </message>
+    <message>
+        <source>does not follow the BRDF schema: {0} is a required property</source>
+        <translation>folgt nicht dem BRDF-Schema: {0} ist eine Pflichtangabe</translation>
+    </message>
+    <message>
+        <source>a list of 1 to {0} entries</source>
+        <translation>eine Liste von 1 bis {0} Einträgen</translation>
+    </message>
+    <message>
+        <source>does not follow the BRDF schema: {0} where {1} is expected</source>
+        <translation>folgt nicht dem BRDF-Schema: {0}, wo {1} erwartet wird</translation>
+    </message>
+    <message>
+        <source>has {0} entries where BRDF has {1}</source>
+        <translation>hat {0} Einträge, wo BRDF {1} hat</translation>
+    </message>
+    <message>
+        <source>this format holds spectra or grey values, and the reflectance has colours only</source>
+        <translation>dieses Format enthält Spektren oder Grauwerte, und die Reflexion hat nur Farben</translation>
+    </message>
+    <message>
+        <source>expected &quot;logarithmic&quot;, &quot;more&quot; and &quot;peak&quot; in the header</source>
+        <translation>erwartet wurden „logarithmic“, „more“ und „peak“ im Kopf</translation>
+    </message>
+    <message>
+        <source>there are arrays that no factor reads</source>
+        <translation>es gibt Zahlenreihen, die kein Faktor liest</translation>
+    </message>
+    <message>
+        <source>{0}: expected a list of at most {1} factors</source>
+        <translation>{0}: Erwartet wurde eine Liste von höchstens {1} Faktoren</translation>
+    </message>
+    <message>
+        <source>expected a name, a projection and true or false, and the array</source>
+        <translation>erwartet wurden ein Name, eine Projektion und wahr oder falsch, und die Zahlenreihe</translation>
+    </message>
+    <message>
+        <source>.brdftable file</source>
+        <translation>.brdftable-Datei</translation>
+    </message>
+    <message>
+        <source>expected the format &quot;brdftable&quot;</source>
+        <translation>erwartet wurde das Format „brdftable“</translation>
+    </message>
+    <message>
+        <source>header, format</source>
+        <translation>Kopf, Format</translation>
+    </message>
+    <message>
+        <source>has version {0}; this program reads {1}</source>
+        <translation>hat die Version {0}; dieses Programm liest {1}</translation>
+    </message>
+    <message>
+        <source>header, version</source>
+        <translation>Kopf, Version</translation>
+    </message>
+    <message>
+        <source>expected one of {0}</source>
+        <translation>erwartet wurde eines von {0}</translation>
+    </message>
+    <message>
+        <source>header, kind</source>
+        <translation>Kopf, Art</translation>
+    </message>
+    <message>
+        <source>lacks the array {0}</source>
+        <translation>hat die Zahlenreihe {0} nicht</translation>
+    </message>
+    <message>
+        <source>has an unknown array {0}</source>
+        <translation>hat eine unbekannte Zahlenreihe {0}</translation>
+    </message>
+    <message>
+        <source>is missing or no {0}</source>
+        <translation>fehlt oder ist kein {0}</translation>
+    </message>
+    <message>
+        <source>header, {0}</source>
+        <translation>Kopf, {0}</translation>
+    </message>
+    <message>
+        <source>is unknown</source>
+        <translation>ist unbekannt</translation>
+    </message>
+    <message>
+        <source>holds {0}; expected {1}</source>
+        <translation>enthält {0}; erwartet wurde {1}</translation>
+    </message>
+    <message>
+        <source>holds something else than 0 and 1</source>
+        <translation>enthält anderes als 0 und 1</translation>
+    </message>
+    <message>
+        <source>samples and deviation belong together; one of them is missing</source>
+        <translation>Messpunkte und Abweichung gehören zusammen; eines davon fehlt</translation>
+    </message>
+    <message>
+        <source>counts readings in a bin that holes says was not measured</source>
+        <translation>zählt Messwerte in einem Feld, das laut holes nicht gemessen wurde</translation>
+    </message>
+    <message>
+        <source>BRDF Suite table</source>
+        <translation>BRDF-Suite-Tabelle</translation>
+    </message>
+    <message>
+        <source>Cook-Torrance parameters</source>
+        <translation>Cook-Torrance-Parameter</translation>
+    </message>
+    <message>
+        <source>linear Rec. 2020</source>
+        <translation>lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>is a paint designed by its colours, not measured lobes; open it as a paint</source>
+        <translation>ist ein über seine Farben entworfener Lack, keine gemessenen Keulen; öffnen Sie ihn als Lack</translation>
+    </message>
+    <message>
+        <source>this format holds Cook-Torrance lobes, and the reflectance is not made of them</source>
+        <translation>dieses Format enthält Cook-Torrance-Keulen, und die Reflexion besteht nicht daraus</translation>
+    </message>
+    <message>
+        <source>Cook-Torrance parameters (JSON)</source>
+        <translation>Cook-Torrance-Parameter (JSON)</translation>
+    </message>
+    <message>
+        <source>{0} wavelengths are named where {1} were announced</source>
+        <translation>{0} Wellenlängen sind genannt, angekündigt waren {1}</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers (four angles, {1} values), not {2}</source>
+        <translation>erwartet wurden {0} Zahlen (vier Winkel, {1} Werte), nicht {2}</translation>
+    </message>
+    <message>
+        <source>the file ends before the first sample</source>
+        <translation>die Datei endet vor dem ersten Messpunkt</translation>
+    </message>
+    <message>
+        <source>Cornell text</source>
+        <translation>Cornell-Text</translation>
+    </message>
+    <message>
+        <source>expected the number of wavelengths, alone on its line</source>
+        <translation>erwartet wurde die Anzahl der Wellenlängen, allein in ihrer Zeile</translation>
+    </message>
+    <message>
+        <source>{0} wavelengths; expected 1 to {1}</source>
+        <translation>{0} Wellenlängen; erwartet wurden 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>this format holds spectra, and the reflectance has colours only</source>
+        <translation>dieses Format enthält Spektren, und die Reflexion hat nur Farben</translation>
+    </message>
+    <message>
+        <source>Cornell text (spectral, scattered)</source>
+        <translation>Cornell-Text (spektral, verstreut)</translation>
+    </message>
+    <message>
+        <source>tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance</source>
+        <translation>in 90 × 90 × 180 Halbwinkelfeldern tabelliert, als isotrope und reziproke Reflexion</translation>
+    </message>
+    <message>
+        <source>its spectra were left out; the colours are those of the chosen observer under D65</source>
+        <translation>seine Spektren sind ausgelassen; die Farben sind die des gewählten Beobachters unter D65</translation>
+    </message>
+    <message>
+        <source>has more than {0} rows of samples</source>
+        <translation>hat mehr als {0} Zeilen mit Messpunkten</translation>
+    </message>
+    <message>
+        <source>{0} wavelengths are named; expected 1 to {1}</source>
+        <translation>{0} Wellenlängen sind genannt; erwartet wurden 1 bis {1}</translation>
+    </message>
+    <message>
+        <source>the wavelengths do not rise from at least 100 to at most 10,000 nm</source>
+        <translation>die Wellenlängen steigen nicht von mindestens 100 bis höchstens 10.000 nm</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>enthält keine Messpunkte</translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation>das Ende der Datei</translation>
+    </message>
+    <message>
+        <source>a value is too large for a reflectance</source>
+        <translation>ein Wert ist zu groß für eine Reflexion</translation>
+    </message>
+    <message>
+        <source>{0} bands, {1} to {2} nm</source>
+        <translation>{0} Bänder, {1} bis {2} nm</translation>
+    </message>
+    <message>
+        <source>The spectra reach from {0} to {1} nm only; beyond, their last value is held, and colours are as good as that guess.</source>
+        <translation>Die Spektren reichen nur von {0} bis {1} nm; darüber hinaus gilt ihr letzter Wert, und Farben sind so gut wie diese Annahme.</translation>
+    </message>
+    <message>
+        <source>Read at {0} pairs of directions, as an isotropic reflectance.</source>
+        <translation>Bei {0} Richtungspaaren abgelesen, als isotrope Reflexion.</translation>
+    </message>
+    <message>
+        <source>every bin is negative, which means not measured</source>
+        <translation>jedes Feld ist negativ, also nicht gemessen</translation>
+    </message>
+    <message>
+        <source>whether it carries MERL&apos;s scale factors is uncertain (its reflectance without them is {0}); it was read as carrying them</source>
+        <translation>ob es die Skalierungsfaktoren von MERL trägt, ist unsicher (ohne sie ist seine Reflexion {0}); gelesen wurde es, als trüge es sie</translation>
+    </message>
+    <message>
+        <source>whether it carries MERL&apos;s scale factors is uncertain (its reflectance without them is {0}); it was read as plain f_r</source>
+        <translation>ob es die Skalierungsfaktoren von MERL trägt, ist unsicher (ohne sie ist seine Reflexion {0}); gelesen wurde es als reines f_r</translation>
+    </message>
+    <message>
+        <source>carrying them</source>
+        <translation>tragen</translation>
+    </message>
+    <message>
+        <source>plain f_r</source>
+        <translation>reines f_r</translation>
+    </message>
+    <message>
+        <source>it holds plain f_r, without MERL&apos;s scale factors, judged by its energy</source>
+        <translation>es enthält reines f_r, ohne die Skalierungsfaktoren von MERL, nach seiner Energie beurteilt</translation>
+    </message>
+    <message>
+        <source>{0} bins above the horizon were not measured and were filled from their neighbours</source>
+        <translation>{0} Felder über dem Horizont wurden nicht gemessen und aus ihren Nachbarn gefüllt</translation>
+    </message>
+    <message>
+        <source>the user</source>
+        <translation>Benutzerangabe</translation>
+    </message>
+    <message>
+        <source>a pair and its swap were averaged</source>
+        <translation>ein Paar und sein Tausch wurden gemittelt</translation>
+    </message>
+    <message>
+        <source>a pair and its swap were averaged: the layout holds φd from 0 to 180°</source>
+        <translation>ein Paar und sein Tausch wurden gemittelt: Die Anordnung enthält φd von 0 bis 180°</translation>
+    </message>
+    <message>
+        <source>{0} bins are too saturated for Rec. 709; their negative channels were written as 0</source>
+        <translation>{0} Felder sind für Rec. 709 zu gesättigt; ihre negativen Kanäle wurden als 0 geschrieben</translation>
+    </message>
+    <message>
+        <source>became shorter while it was read</source>
+        <translation>wurde beim Lesen kürzer</translation>
+    </message>
+    <message>
+        <source>holds a value that is no finite reflectance</source>
+        <translation>enthält einen Wert, der keine endliche Reflexion ist</translation>
+    </message>
+    <message>
+        <source>is cut off: {0} bytes are less than a header</source>
+        <translation>ist abgeschnitten: {0} Byte sind weniger als ein Kopf</translation>
+    </message>
+    <message>
+        <source>claims {0} × {1} × {2} bins, so it is not a MERL table</source>
+        <translation>gibt {0} × {1} × {2} Felder an, ist also keine MERL-Tabelle</translation>
+    </message>
+    <message>
+        <source>its header names {0} bins of φd; the file holds {1}, over 180°</source>
+        <translation>sein Kopf nennt {0} Felder von φd; die Datei enthält {1}, über 180°</translation>
+    </message>
+    <message>
+        <source>has {0} bins of φd beside {1} of θd; {2} (over 180°) or {3} are known</source>
+        <translation>hat {0} Felder von φd neben {1} von θd; bekannt sind {2} (über 180°) oder {3}</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgeschnitten</translation>
+    </message>
+    <message>
+        <source>too long</source>
+        <translation>zu lang</translation>
+    </message>
+    <message>
+        <source>is {0}: {1} × {2} × {3} bins take {4} bytes, the file has {5}</source>
+        <translation>ist {0}: {1} × {2} × {3} Felder nehmen {4} Byte ein, die Datei hat {5}</translation>
+    </message>
+    <message>
+        <source>MERL isotropic table</source>
+        <translation>MERL, isotrope Tabelle</translation>
+    </message>
+    <message>
+        <source>the incident angle</source>
+        <translation>der Einfallswinkel</translation>
+    </message>
+    <message>
+        <source>the incident azimuth</source>
+        <translation>das Azimut des Einfalls</translation>
+    </message>
+    <message>
+        <source>expected theta, phi and one value, not {0} numbers</source>
+        <translation>erwartet wurden Theta, Phi und ein Wert, nicht {0} Zahlen</translation>
+    </message>
+    <message>
+        <source>no header names the incident angle</source>
+        <translation>kein Kopf nennt den Einfallswinkel</translation>
+    </message>
+    <message>
+        <source>the lines that begin with #</source>
+        <translation>den Zeilen, die mit # beginnen</translation>
+    </message>
+    <message>
+        <source>no header names the format</source>
+        <translation>kein Kopf nennt das Format</translation>
+    </message>
+    <message>
+        <source>{0}; expected theta phi BSDF or DSF</source>
+        <translation>{0}; erwartet wurde theta phi BSDF oder DSF</translation>
+    </message>
+    <message>
+        <source>pgII text</source>
+        <translation>pgII-Text</translation>
+    </message>
+    <message>
+        <source>pgII gonioreflectometer text</source>
+        <translation>pgII-Goniometertext</translation>
+    </message>
+    <message>
+        <source>the file ends within {0}</source>
+        <translation>die Datei endet innerhalb von {0}</translation>
+    </message>
+    <message>
+        <source>does not begin with &quot;tensor_file&quot;</source>
+        <translation>beginnt nicht mit „tensor_file“</translation>
+    </message>
+    <message>
+        <source>the version</source>
+        <translation>die Version</translation>
+    </message>
+    <message>
+        <source>has version {0}.{1}; only 1.x is known</source>
+        <translation>hat die Version {0}.{1}; bekannt ist nur 1.x</translation>
+    </message>
+    <message>
+        <source>the number of fields</source>
+        <translation>die Anzahl der Felder</translation>
+    </message>
+    <message>
+        <source>names {0} fields, more than the {1} allowed</source>
+        <translation>nennt {0} Felder, mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>the name of a field</source>
+        <translation>der Name eines Feldes</translation>
+    </message>
+    <message>
+        <source>the file ends within the name of a field</source>
+        <translation>die Datei endet im Namen eines Feldes</translation>
+    </message>
+    <message>
+        <source>the field {0}</source>
+        <translation>das Feld {0}</translation>
+    </message>
+    <message>
+        <source>the field {0} has the unknown type {1}</source>
+        <translation>das Feld {0} hat den unbekannten Typ {1}</translation>
+    </message>
+    <message>
+        <source>the field {0} has {1} dimensions</source>
+        <translation>das Feld {0} hat {1} Dimensionen</translation>
+    </message>
+    <message>
+        <source>the field {0} of shape {1} does not fit into the file</source>
+        <translation>das Feld {0} der Form {1} passt nicht in die Datei</translation>
+    </message>
+    <message>
+        <source>the field {0} is given twice</source>
+        <translation>das Feld {0} ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>{0} bands are more than the {1} allowed</source>
+        <translation>{0} Bänder sind mehr als die erlaubten {1}</translation>
+    </message>
+    <message>
+        <source>{0} channels; expected {1}</source>
+        <translation>{0} Kanäle; erwartet wurden {1}</translation>
+    </message>
+    <message>
+        <source>expected one byte</source>
+        <translation>erwartet wurde ein Byte</translation>
+    </message>
+    <message>
+        <source>the field {0} is missing</source>
+        <translation>das Feld {0} fehlt</translation>
+    </message>
+    <message>
+        <source>the list of fields</source>
+        <translation>die Liste der Felder</translation>
+    </message>
+    <message>
+        <source>expected bytes, not {0} of shape {1}</source>
+        <translation>erwartet wurden Bytes, nicht {0} der Form {1}</translation>
+    </message>
+    <message>
+        <source>expected float32 of {0} dimensions, not {1} {2}</source>
+        <translation>erwartet wurde float32 mit {0} Dimensionen, nicht {1} {2}</translation>
+    </message>
+    <message>
+        <source>holds a number that is not finite</source>
+        <translation>enthält eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>holds a number over 1e30</source>
+        <translation>enthält eine Zahl über 1e30</translation>
+    </message>
+    <message>
+        <source>expected numbers rising within {0} and {1}</source>
+        <translation>erwartet wurden steigende Zahlen innerhalb von {0} und {1}</translation>
+    </message>
+    <message>
+        <source>the shape {0} does not begin with {1}, the incident directions</source>
+        <translation>die Form {0} beginnt nicht mit {1}, den Einfallsrichtungen</translation>
+    </message>
+    <message>
+        <source>expected grids of at least 2 x 2, not shape {0}</source>
+        <translation>erwartet wurden Raster von mindestens 2 x 2, nicht Form {0}</translation>
+    </message>
+    <message>
+        <source>a density is negative</source>
+        <translation>eine Dichte ist negativ</translation>
+    </message>
+    <message>
+        <source>the density of an incident direction is zero everywhere</source>
+        <translation>die Dichte einer Einfallsrichtung ist überall null</translation>
+    </message>
+    <message>
+        <source>cannot be written: the {0} {1}</source>
+        <translation>lässt sich nicht schreiben: {0} {1}</translation>
+    </message>
+    <message>
+        <source>Tabulated: for a paint, interpolation errs by about 2 in 10,000 in the middle of the hemisphere, and by percents within some degrees of the horizon.</source>
+        <translation>Tabelliert: Bei einem Lack irrt die Interpolation um etwa 2 von 10.000 in der Mitte der Halbkugel und um Prozente innerhalb einiger Grad vom Horizont.</translation>
+    </message>
+    <message>
+        <source>Some colours lie outside Rec. 709; a renderer may take their negative channel as 0.</source>
+        <translation>Einige Farben liegen außerhalb von Rec. 709; ein Renderer kann ihren negativen Kanal als 0 nehmen.</translation>
+    </message>
+    <message>
+        <source>RGL material (adaptive parameterization)</source>
+        <translation>RGL-Material (adaptive Parametrisierung)</translation>
+    </message>
+    <message>
+        <source>is {0}: expected {1} bytes, found {2}</source>
+        <translation>ist {0}: erwartet wurden {1} Byte, gefunden {2}</translation>
+    </message>
+    <message>
+        <source>every value is negative, which no reflectance is</source>
+        <translation>jeder Wert ist negativ, was keine Reflexion ist</translation>
+    </message>
+    <message>
+        <source>{0} negative values became 0</source>
+        <translation>{0} negative Werte wurden zu 0</translation>
+    </message>
+    <message>
+        <source>θ {0} × φ {1}, of light and of view</source>
+        <translation>θ {0} × φ {1}, von Licht und Blick</translation>
+    </message>
+    <message>
+        <source>RGB, Rec. 709, sRGB-encoded</source>
+        <translation>RGB, Rec. 709, sRGB-kodiert</translation>
+    </message>
+    <message>
+        <source>RGB, Rec. 709, taken as linear</source>
+        <translation>RGB, Rec. 709, als linear angenommen</translation>
+    </message>
+    <message>
+        <source>, sRGB-encoded</source>
+        <translation>, sRGB-kodiert</translation>
+    </message>
+    <message>
+        <source>, taken as linear</source>
+        <translation>, als linear angenommen</translation>
+    </message>
+    <message>
+        <source>it reflects {0} of the light that falls on it at 45°, so its values are not f_r as they stand</source>
+        <translation>es reflektiert {0} des bei 45° einfallenden Lichts, seine Werte sind also so nicht f_r</translation>
+    </message>
+    <message>
+        <source>UTIA anisotropic table</source>
+        <translation>UTIA, anisotrope Tabelle</translation>
+    </message>
+    <message>
+        <source>the file ends before {0}</source>
+        <translation>die Datei endet vor {0}</translation>
+    </message>
+    <message>
+        <source>the block {0}</source>
+        <translation>der Block {0}</translation>
+    </message>
+    <message>
+        <source>expected the block {0}, not {1}</source>
+        <translation>erwartet wurde der Block {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>the data</source>
+        <translation>die Daten</translation>
+    </message>
+    <message>
+        <source>expected a word of the head, not {0}</source>
+        <translation>erwartet wurde ein Wort des Kopfs, nicht {0}</translation>
+    </message>
+    <message>
+        <source>the head has no {0}</source>
+        <translation>im Kopf fehlt {0}</translation>
+    </message>
+    <message>
+        <source>holds transmission (BTDF), not reflection</source>
+        <translation>enthält Transmission (BTDF), nicht Reflexion</translation>
+    </message>
+    <message>
+        <source>the spectral content {0} is not known; Monochrome and XYZ are</source>
+        <translation>der spektrale Inhalt {0} ist nicht bekannt; bekannt sind Monochrome und XYZ</translation>
+    </message>
+    <message>
+        <source>the count of {0}</source>
+        <translation>die Anzahl von {0}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0} angles, not {1}</source>
+        <translation>erwartet wurden 1 bis {0} Winkel, nicht {1}</translation>
+    </message>
+    <message>
+        <source>the {0} angles of {1}</source>
+        <translation>die {0} Winkel von {1}</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>expected {0} angles, not {1}</source>
+        <translation>erwartet wurden {0} Winkel, nicht {1}</translation>
+    </message>
+    <message>
+        <source>an angle of {0} is beyond {1}°</source>
+        <translation>ein Winkel von {0} liegt jenseits von {1}°</translation>
+    </message>
+    <message>
+        <source>expected DataBegin</source>
+        <translation>erwartet wurde DataBegin</translation>
+    </message>
+    <message>
+        <source>expected TIS, not {0}</source>
+        <translation>erwartet wurde TIS, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a row of values</source>
+        <translation>eine Zeile mit Werten</translation>
+    </message>
+    <message>
+        <source>expected {0} values, not {1}</source>
+        <translation>erwartet wurden {0} Werte, nicht {1}</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>expected DataEnd</source>
+        <translation>erwartet wurde DataEnd</translation>
+    </message>
+    <message>
+        <source>Zemax BSDF text</source>
+        <translation>Zemax-BSDF-Text</translation>
+    </message>
+    <message>
+        <source>not a binary glTF file (it does not begin with the letters glTF)</source>
+        <translation>keine binäre glTF-Datei (sie beginnt nicht mit den Buchstaben glTF)</translation>
+    </message>
+    <message>
+        <source>binary glTF of version {0}; only version 2 can be read</source>
+        <translation>binäres glTF der Version {0}; lesbar ist nur Version 2</translation>
+    </message>
+    <message>
+        <source>cut short: {0} of {1} bytes are there</source>
+        <translation>abgeschnitten: {0} von {1} Byte sind da</translation>
+    </message>
+    <message>
+        <source>a chunk reaches past the end of the file</source>
+        <translation>ein Abschnitt reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>{0}its JSON is damaged ({1})</source>
+        <translation>{0}ihr JSON ist beschädigt ({1})</translation>
+    </message>
+    <message>
+        <source>{0}its JSON is not an object</source>
+        <translation>{0}ihr JSON ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>damaged mesh file ({0})</source>
+        <translation>beschädigte Netzdatei ({0})</translation>
+    </message>
+    <message>
+        <source>the triangles of all nodes</source>
+        <translation>die Dreiecke aller Knoten</translation>
+    </message>
+    <message>
+        <source>it requires the extension {0}, which is not read; export it again without</source>
+        <translation>es verlangt die Erweiterung {0}, die nicht gelesen wird; exportieren Sie es neu ohne sie</translation>
+    </message>
+    <message>
+        <source>not a list of objects</source>
+        <translation>keine Liste von Objekten</translation>
+    </message>
+    <message>
+        <source>a child that is not there</source>
+        <translation>ein Kind, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a child of two nodes</source>
+        <translation>ein Kind zweier Knoten</translation>
+    </message>
+    <message>
+        <source>the scene graph runs in a circle</source>
+        <translation>der Szenengraph läuft im Kreis</translation>
+    </message>
+    <message>
+        <source>a scene names a node twice, or one that stands below another</source>
+        <translation>eine Szene nennt einen Knoten zweimal, oder einen, der unter einem anderen steht</translation>
+    </message>
+    <message>
+        <source>its place in the scene is not finite</source>
+        <translation>seine Lage in der Szene ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>its matrix, translation, rotation or scale is damaged</source>
+        <translation>seine Matrix, Verschiebung, Drehung oder Skalierung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its points do not have three coordinates each</source>
+        <translation>seine Punkte haben nicht je drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>its {0} values</source>
+        <translation>seine {0} Werte</translation>
+    </message>
+    <message>
+        <source>its {0} values are not in the file; {1} may be left out</source>
+        <translation>seine {0} Werte sind nicht in der Datei; {1} kann ausgelassen sein</translation>
+    </message>
+    <message>
+        <source>its values reach past the end of the file</source>
+        <translation>seine Werte reichen über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>what its compressed views hold</source>
+        <translation>was seine komprimierten Ansichten enthalten</translation>
+    </message>
+    <message>
+        <source>its meshopt compression is damaged ({0})</source>
+        <translation>seine meshopt-Kompression ist beschädigt ({0})</translation>
+    </message>
+    <message>
+        <source>reaches past the end of the file</source>
+        <translation>reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>{0} is {1}, which is no size or place</source>
+        <translation>{0} ist {1}, was keine Größe oder Stelle ist</translation>
+    </message>
+    <message>
+        <source>refers to {0}, which is not in its folder</source>
+        <translation>verweist auf {0}, das nicht in seinem Ordner liegt</translation>
+    </message>
+    <message>
+        <source>needs {0}, which is not a plain file</source>
+        <translation>braucht {0}, das keine einfache Datei ist</translation>
+    </message>
+    <message>
+        <source>needs {0}, which is larger than 1 GiB</source>
+        <translation>braucht {0}, das größer als 1 GiB ist</translation>
+    </message>
+    <message>
+        <source>a Blender file</source>
+        <translation>eine Blender-Datei</translation>
+    </message>
+    <message>
+        <source>a Rhino file</source>
+        <translation>eine Rhino-Datei</translation>
+    </message>
+    <message>
+        <source>a JT file</source>
+        <translation>eine JT-Datei</translation>
+    </message>
+    <message>
+        <source>an AutoCAD drawing</source>
+        <translation>eine AutoCAD-Zeichnung</translation>
+    </message>
+    <message>
+        <source>a CATIA file</source>
+        <translation>eine CATIA-Datei</translation>
+    </message>
+    <message>
+        <source>a file of a CAD program</source>
+        <translation>eine Datei eines CAD-Programms</translation>
+    </message>
+    <message>
+        <source>{0}, which cannot be read</source>
+        <translation>{0}, die nicht lesbar ist</translation>
+    </message>
+    <message>
+        <source>of no kind of mesh that can be read</source>
+        <translation>keine lesbare Art von Netz</translation>
+    </message>
+    <message>
+        <source>{0}; export it as glTF, FBX, USD, STEP, OBJ, STL or PLY</source>
+        <translation>{0}; exportieren Sie es als glTF, FBX, USD, STEP, OBJ, STL oder PLY</translation>
+    </message>
+    <message>
+        <source>baked occlusion</source>
+        <translation>berechnete Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>does not fit the mesh ({0})</source>
+        <translation>passt nicht zum Netz ({0})</translation>
+    </message>
+    <message>
+        <source>baked surfaces</source>
+        <translation>berechnete Oberflächen</translation>
+    </message>
+    <message>
+        <source>occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>no reason is given</source>
+        <translation>ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>damaged, or of a kind that its library does not read ({0})</source>
+        <translation>beschädigt, oder von einer Art, die seine Bibliothek nicht liest ({0})</translation>
+    </message>
+    <message>
+        <source>its answer is damaged</source>
+        <translation>seine Antwort ist beschädigt</translation>
+    </message>
+    <message>
+        <source>a mesh with Draco compression</source>
+        <translation>ein Netz mit Draco-Kompression</translation>
+    </message>
+    <message>
+        <source>a USD file</source>
+        <translation>eine USD-Datei</translation>
+    </message>
+    <message>
+        <source>a file of this kind (FBX, Collada, 3MF, X3D, AC3D, 3DS)</source>
+        <translation>eine Datei dieser Art (FBX, Collada, 3MF, X3D, AC3D, 3DS)</translation>
+    </message>
+    <message>
+        <source>a file of CAD surfaces (STEP, IGES)</source>
+        <translation>eine Datei mit CAD-Flächen (STEP, IGES)</translation>
+    </message>
+    <message>
+        <source>glTF, OBJ, STL and PLY need nothing more</source>
+        <translation>glTF, OBJ, STL und PLY brauchen nichts weiter</translation>
+    </message>
+    <message>
+        <source>reading it takes more than {0} s; make it smaller</source>
+        <translation>das Lesen dauert länger als {0} s; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>no process could be started to read it ({0})</source>
+        <translation>es ließ sich kein Prozess starten, um sie zu lesen ({0})</translation>
+    </message>
+    <message>
+        <source>damaged, or too large: the library that reads it broke down</source>
+        <translation>beschädigt oder zu groß: Die Bibliothek, die sie liest, ist abgestürzt</translation>
+    </message>
+    <message>
+        <source>its triangles</source>
+        <translation>seine Dreiecke</translation>
+    </message>
+    <message>
+        <source>its Draco compression is damaged</source>
+        <translation>seine Draco-Kompression ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its Draco compression holds points, not triangles</source>
+        <translation>seine Draco-Kompression enthält Punkte, keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>damaged, or without a surface or a body that triangles can be made of</source>
+        <translation>beschädigt, oder ohne Fläche oder Körper, aus denen sich Dreiecke machen lassen</translation>
+    </message>
+    <message>
+        <source>damaged: its surfaces could not be cut into triangles</source>
+        <translation>beschädigt: Seine Flächen ließen sich nicht in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>damaged, or refers to files that are not there</source>
+        <translation>beschädigt, oder verweist auf Dateien, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>is cut off within its header of {0} bytes</source>
+        <translation>ist in seinem Kopf von {0} Byte abgeschnitten</translation>
+    </message>
+    <message>
+        <source>holds more than its triangles</source>
+        <translation>enthält mehr als seine Dreiecke</translation>
+    </message>
+    <message>
+        <source>its header promises {0} triangles, which take {1} bytes; it has {2}</source>
+        <translation>sein Kopf kündigt {0} Dreiecke an, die {1} Byte einnehmen; es hat {2}</translation>
+    </message>
+    <message>
+        <source>another file</source>
+        <translation>eine andere Datei</translation>
+    </message>
+    <message>
+        <source>needs {0} beside it, which cannot be read ({1})</source>
+        <translation>braucht {0} daneben, das nicht lesbar ist ({1})</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>sie ist nicht da</translation>
+    </message>
+    <message>
+        <source>damaged: it refers to data that it does not hold</source>
+        <translation>beschädigt: Es verweist auf Daten, die es nicht enthält</translation>
+    </message>
+    <message>
+        <source>damaged, or too large: there is not enough memory for what it announces</source>
+        <translation>beschädigt oder zu groß: Für das, was es ankündigt, reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>damaged: it holds bytes that are no text where text belongs</source>
+        <translation>beschädigt: Es enthält Bytes, die kein Text sind, wo Text hingehört</translation>
+    </message>
+    <message>
+        <source>damaged, or not the kind of mesh that its name says</source>
+        <translation>beschädigt, oder nicht die Art von Netz, die der Name angibt</translation>
+    </message>
+    <message>
+        <source>node {0}</source>
+        <translation>Knoten {0}</translation>
+    </message>
+    <message>
+        <source>mesh {0}</source>
+        <translation>Netz {0}</translation>
+    </message>
+    <message>
+        <source>not glTF:</source>
+        <translation>kein glTF:</translation>
+    </message>
+    <message>
+        <source>not a file</source>
+        <translation>keine Datei</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>{0} GiB; meshes of up to 1 GiB can be read</source>
+        <translation>{0} GiB; lesbar sind Netze bis 1 GiB</translation>
+    </message>
+    <message>
+        <source>holds no triangles (points or lines alone cannot be drawn)</source>
+        <translation>enthält keine Dreiecke (Punkte oder Linien allein lassen sich nicht zeichnen)</translation>
+    </message>
+    <message>
+        <source>taken as {0}</source>
+        <translation>als {0} angenommen</translation>
+    </message>
+    <message>
+        <source>taken as z up, which the file does not say</source>
+        <translation>z als oben angenommen, was die Datei nicht angibt</translation>
+    </message>
+    <message>
+        <source>no triangle that can be drawn ({0})</source>
+        <translation>kein Dreieck, das sich zeichnen lässt ({0})</translation>
+    </message>
+    <message>
+        <source>{0} m across as written, which no object is</source>
+        <translation>{0} m groß wie geschrieben, was kein Gegenstand ist</translation>
+    </message>
+    <message>
+        <source>{0}; taken as millimetres</source>
+        <translation>{0}; als Millimeter angenommen</translation>
+    </message>
+    <message>
+        <source>{0}; scaled by {1}</source>
+        <translation>{0}; mit {1} skaliert</translation>
+    </message>
+    <message>
+        <source>vn {0} {1} {2}</source>
+        <translation>vn {0} {1} {2}</translation>
+    </message>
+    <message>
+        <source>format binary_little_endian 1.0</source>
+        <translation>Format binary_little_endian 1.0</translation>
+    </message>
+    <message>
+        <source>comment {0}</source>
+        <translation>Kommentar {0}</translation>
+    </message>
+    <message>
+        <source>element vertex {0}</source>
+        <translation>Element vertex {0}</translation>
+    </message>
+    <message>
+        <source>property {0} {1}</source>
+        <translation>Eigenschaft {0} {1}</translation>
+    </message>
+    <message>
+        <source>element face {0}</source>
+        <translation>Element face {0}</translation>
+    </message>
+    <message>
+        <source>property list uchar int vertex_indices</source>
+        <translation>Eigenschaft list uchar int vertex_indices</translation>
+    </message>
+    <message>
+        <source>is both a value and a part</source>
+        <translation>ist sowohl ein Wert als auch ein Teil</translation>
+    </message>
+    <message>
+        <source>is no setting</source>
+        <translation>ist keine Einstellung</translation>
+    </message>
+    <message>
+        <source>the paint</source>
+        <translation>der Lack</translation>
+    </message>
+    <message>
+        <source>No palette format is called {0}; there are {1}.</source>
+        <translation>Kein Palettenformat heißt {0}; es gibt {1}.</translation>
+    </message>
+    <message>
+        <source>the ending {0} names no palette format that is written here ({1})</source>
+        <translation>die Endung {0} nennt kein Palettenformat, das hier geschrieben wird ({1})</translation>
+    </message>
+    <message>
+        <source>is of no palette format that is known here ({0})</source>
+        <translation>hat kein hier bekanntes Palettenformat ({0})</translation>
+    </message>
+    <message>
+        <source>the {0} file</source>
+        <translation>die {0}-Datei</translation>
+    </message>
+    <message>
+        <source>Lab identity built-in</source>
+        <translation>Lab-Einheitsprofil, eingebaut</translation>
+    </message>
+    <message>
+        <source>has no part {0}</source>
+        <translation>hat keinen Teil {0}</translation>
+    </message>
+    <message>
+        <source>A profile in the file {0}.</source>
+        <translation>Ein Profil in der Datei {0}.</translation>
+    </message>
+    <message>
+        <source>in the file</source>
+        <translation>in der Datei</translation>
+    </message>
+    <message>
+        <source>{0} part of the file without colours is left out.</source>
+        <translation>{0} Teil der Datei ohne Farben ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} parts of the file without colours are left out.</source>
+        <translation>{0} Teile der Datei ohne Farben sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>expected a whole number for {0}, not {1}</source>
+        <translation>erwartet wurde eine ganze Zahl für {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>{0} entry without a colour of a known model is left out.</source>
+        <translation>{0} Eintrag ohne Farbe eines bekannten Modells ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} entries without a colour of a known model are left out.</source>
+        <translation>{0} Einträge ohne Farbe eines bekannten Modells sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Krita palette</source>
+        <translation>Krita-Palette</translation>
+    </message>
+    <message>
+        <source>Names in any script, codes, groups, columns, RGB, CMYK, Lab and Gray with every digit, their profiles, inks of their own, comments.</source>
+        <translation>Namen in jeder Schrift, Codes, Gruppen, Spalten, RGB, CMYK, Lab und Grau mit allen Stellen, ihre Profile, eigene Druckfarben, Kommentare.</translation>
+    </message>
+    <message>
+        <source>none first</source>
+        <translation>ohne Gruppe zuerst</translation>
+    </message>
+    <message>
+        <source>{0} parts of the file that are no colours (profiles) are left out.</source>
+        <translation>{0} Teile der Datei, die keine Farben sind (Profile), sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours that the book does not show come at the end.</source>
+        <translation>{0} Farben, die das Buch nicht zeigt, stehen am Ende.</translation>
+    </message>
+    <message>
+        <source>{0} material of another kind (patterns, gradients) is left out.</source>
+        <translation>{0} Material anderer Art (Muster, Verläufe) ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} materials of another kind (patterns, gradients) are left out.</source>
+        <translation>{0} Materialien anderer Art (Muster, Verläufe) sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>two materials are called {0}</source>
+        <translation>zwei Materialien heißen {0}</translation>
+    </message>
+    <message>
+        <source>{0} swatch of a material that is not in the file is left out.</source>
+        <translation>{0} Muster eines Materials, das nicht in der Datei ist, ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} swatches of a material that is not in the file are left out.</source>
+        <translation>{0} Muster eines Materials, das nicht in der Datei ist, sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colour without numbers in a known model is left out.</source>
+        <translation>{0} Farbe ohne Zahlen in einem bekannten Modell ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours without numbers in a known model are left out.</source>
+        <translation>{0} Farben ohne Zahlen in einem bekannten Modell sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} further number of a model that is not known is left out.</source>
+        <translation>{0} weitere Zahl eines unbekannten Modells ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} further numbers of a model that is not known are left out.</source>
+        <translation>{0} weitere Zahlen eines unbekannten Modells sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>SwatchBooker swatch book</source>
+        <translation>SwatchBooker-Musterbuch</translation>
+    </message>
+    <message>
+        <source>Names in any script, codes, notes, groups within groups, several models for one colour with every digit, spot and global colours, columns.</source>
+        <translation>Namen in jeder Schrift, Codes, Notizen, Gruppen in Gruppen, mehrere Modelle für eine Farbe mit allen Stellen, Sonder- und globale Farben, Spalten.</translation>
+    </message>
+    <message>
+        <source>by groups</source>
+        <translation>nach Gruppen</translation>
+    </message>
+    <message>
+        <source>is packed by a method that palettes do not have ({0}); pack it by deflate</source>
+        <translation>ist auf eine Weise gepackt, die Paletten nicht haben ({0}); packen Sie es mit Deflate</translation>
+    </message>
+    <message>
+        <source>unpacks to more than the {0} bytes allowed</source>
+        <translation>ergibt entpackt mehr als die erlaubten {0} Byte</translation>
+    </message>
+    <message>
+        <source>is a damaged zip file ({0})</source>
+        <translation>ist eine beschädigte ZIP-Datei ({0})</translation>
+    </message>
+    <message>
+        <source>the signature</source>
+        <translation>die Kennung</translation>
+    </message>
+    <message>
+        <source>the number of the book</source>
+        <translation>die Nummer des Buchs</translation>
+    </message>
+    <message>
+        <source>version {0} is not known; 1 is</source>
+        <translation>Version {0} ist nicht bekannt; bekannt ist 1</translation>
+    </message>
+    <message>
+        <source>the title</source>
+        <translation>der Titel</translation>
+    </message>
+    <message>
+        <source>the prefix</source>
+        <translation>die Vorsilbe</translation>
+    </message>
+    <message>
+        <source>the postfix</source>
+        <translation>die Nachsilbe</translation>
+    </message>
+    <message>
+        <source>the description</source>
+        <translation>die Beschreibung</translation>
+    </message>
+    <message>
+        <source>the counts</source>
+        <translation>die Anzahlen</translation>
+    </message>
+    <message>
+        <source>the colour space {0} is not known; 0, 2 and 7 are</source>
+        <translation>der Farbraum {0} ist nicht bekannt; bekannt sind 0, 2 und 7</translation>
+    </message>
+    <message>
+        <source>{0} colours cannot lie in the {1} bytes that follow</source>
+        <translation>{0} Farben passen nicht in die {1} folgenden Bytes</translation>
+    </message>
+    <message>
+        <source>a name</source>
+        <translation>ein Name</translation>
+    </message>
+    <message>
+        <source>a code</source>
+        <translation>ein Code</translation>
+    </message>
+    <message>
+        <source>a colour</source>
+        <translation>eine Farbe</translation>
+    </message>
+    <message>
+        <source>the tail</source>
+        <translation>das Ende</translation>
+    </message>
+    <message>
+        <source>The bytes behind the last colour are skipped.</source>
+        <translation>Die Bytes hinter der letzten Farbe werden übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} empty slot skipped.</source>
+        <translation>{0} leerer Platz übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} empty slots skipped.</source>
+        <translation>{0} leere Plätze übergangen.</translation>
+    </message>
+    <message>
+        <source>Adobe colour book</source>
+        <translation>Adobe-Farbbuch</translation>
+    </message>
+    <message>
+        <source>Read only. Names, codes, RGB, CMYK or Lab in 8 bits, spot or process.</source>
+        <translation>Nur lesen. Namen, Codes, RGB, CMYK oder Lab mit 8 Bit, Sonder- oder Prozessfarbe.</translation>
+    </message>
+    <message>
+        <source>{0} bytes behind the last colour are skipped.</source>
+        <translation>{0} Bytes hinter der letzten Farbe werden übergangen.</translation>
+    </message>
+    <message>
+        <source>version {0} is not known; 1 and 2 are</source>
+        <translation>Version {0} ist nicht bekannt; bekannt sind 1 und 2</translation>
+    </message>
+    <message>
+        <source>the count of colours</source>
+        <translation>die Anzahl der Farben</translation>
+    </message>
+    <message>
+        <source>{0} colours of version {1} cannot lie in the {2} bytes that follow</source>
+        <translation>{0} Farben der Version {1} passen nicht in die {2} folgenden Bytes</translation>
+    </message>
+    <message>
+        <source>The colours of version 1 and 2 in the file differ; those of version 2 count.</source>
+        <translation>Die Farben der Versionen 1 und 2 in der Datei weichen ab; es gelten die der Version 2.</translation>
+    </message>
+    <message>
+        <source>the colour space {0} is a maker&apos;s own, without numbers that anyone else can read</source>
+        <translation>der Farbraum {0} ist der eines Herstellers, ohne Zahlen, die andere lesen können</translation>
+    </message>
+    <message>
+        <source>An ACO file holds 65,535 colours, and the palette has {0}.</source>
+        <translation>Eine ACO-Datei fasst 65.535 Farben, und die Palette hat {0}.</translation>
+    </message>
+    <message>
+        <source>Photoshop colour swatches</source>
+        <translation>Photoshop-Farbmuster</translation>
+    </message>
+    <message>
+        <source>Names in any script, RGB, HSB, CMYK, Lab and Gray in 16 bits; no groups.</source>
+        <translation>Namen in jeder Schrift, RGB, HSB, CMYK, Lab und Grau mit 16 Bit; keine Gruppen.</translation>
+    </message>
+    <message>
+        <source>has {0} bytes; a colour table has {1} or {2}</source>
+        <translation>hat {0} Byte; eine Farbtabelle hat {1} oder {2}</translation>
+    </message>
+    <message>
+        <source>the table</source>
+        <translation>die Tabelle</translation>
+    </message>
+    <message>
+        <source>the transparent colour</source>
+        <translation>die durchsichtige Farbe</translation>
+    </message>
+    <message>
+        <source>{0} colours are more than the 256 of the table</source>
+        <translation>{0} Farben sind mehr als die 256 der Tabelle</translation>
+    </message>
+    <message>
+        <source>The colour {0} is marked as transparent, which a paint cannot be.</source>
+        <translation>Die Farbe {0} ist als durchsichtig gekennzeichnet, was ein Lack nicht sein kann.</translation>
+    </message>
+    <message>
+        <source>Photoshop colour table, or raw PAL</source>
+        <translation>Photoshop-Farbtabelle, oder rohes PAL</translation>
+    </message>
+    <message>
+        <source>Read only. sRGB in 8 bits, without names, 256 at most.</source>
+        <translation>Nur lesen. sRGB mit 8 Bit, ohne Namen, höchstens 256.</translation>
+    </message>
+    <message>
+        <source>is a colour list of an old kind (streamtyped); save it once more by a present macOS</source>
+        <translation>ist eine Farbliste alter Art (streamtyped); speichern Sie sie noch einmal mit einem heutigen macOS</translation>
+    </message>
+    <message>
+        <source>is nested too deep</source>
+        <translation>ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>is no colour list of macOS ({0})</source>
+        <translation>ist keine Farbliste von macOS ({0})</translation>
+    </message>
+    <message>
+        <source>{0} colour without numbers (of the system, patterns) is left out.</source>
+        <translation>{0} Farbe ohne Zahlen (des Systems, Muster) ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours without numbers (of the system, patterns) are left out.</source>
+        <translation>{0} Farben ohne Zahlen (des Systems, Muster) sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The opacity of {0} colour is left out: a paint has none.</source>
+        <translation>Die Deckkraft von {0} Farbe entfällt: Ein Lack hat keine.</translation>
+    </message>
+    <message>
+        <source>The opacity of {0} colours is left out: a paint has none.</source>
+        <translation>Die Deckkraft von {0} Farben entfällt: Ein Lack hat keine.</translation>
+    </message>
+    <message>
+        <source>ends within the property list</source>
+        <translation>endet in der Eigenschaftsliste</translation>
+    </message>
+    <message>
+        <source>{0} objects cannot lie in it</source>
+        <translation>{0} Objekte passen nicht hinein</translation>
+    </message>
+    <message>
+        <source>Apple colour list</source>
+        <translation>Apple-Farbliste</translation>
+    </message>
+    <message>
+        <source>Read only. Names, RGB of several spaces, grey and CMYK.</source>
+        <translation>Nur lesen. Namen, RGB mehrerer Räume, Grau und CMYK.</translation>
+    </message>
+    <message>
+        <source>version {0}.{1} is not known; 1.0 is</source>
+        <translation>Version {0}.{1} ist nicht bekannt; bekannt ist 1.0</translation>
+    </message>
+    <message>
+        <source>the count of blocks</source>
+        <translation>die Anzahl der Blöcke</translation>
+    </message>
+    <message>
+        <source>{0} blocks cannot lie in the {1} bytes that follow</source>
+        <translation>{0} Blöcke passen nicht in die {1} folgenden Bytes</translation>
+    </message>
+    <message>
+        <source>the type of a block</source>
+        <translation>der Typ eines Blocks</translation>
+    </message>
+    <message>
+        <source>the length of a block</source>
+        <translation>die Länge eines Blocks</translation>
+    </message>
+    <message>
+        <source>a block of {0} bytes goes beyond the end of the file</source>
+        <translation>ein Block von {0} Byte reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>{0} end of groups that never began skipped.</source>
+        <translation>{0} Ende von Gruppen, die nie begannen, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} ends of groups that never began skipped.</source>
+        <translation>{0} Enden von Gruppen, die nie begannen, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} block of a kind that is not known skipped.</source>
+        <translation>{0} Block unbekannter Art übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} blocks of a kind that is not known skipped.</source>
+        <translation>{0} Blöcke unbekannter Art übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} bytes behind the last block are skipped.</source>
+        <translation>{0} Bytes hinter dem letzten Block werden übergangen.</translation>
+    </message>
+    <message>
+        <source>the length of a name</source>
+        <translation>die Länge eines Namens</translation>
+    </message>
+    <message>
+        <source>the model of a colour</source>
+        <translation>das Modell einer Farbe</translation>
+    </message>
+    <message>
+        <source>the colour model {0} is not known</source>
+        <translation>das Farbmodell {0} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a colour in {0}</source>
+        <translation>eine Farbe in {0}</translation>
+    </message>
+    <message>
+        <source>the kind of a colour</source>
+        <translation>die Art einer Farbe</translation>
+    </message>
+    <message>
+        <source>{0} colour of a kind that is not known counts as a process colour.</source>
+        <translation>{0} Farbe unbekannter Art gilt als Prozessfarbe.</translation>
+    </message>
+    <message>
+        <source>{0} colours of a kind that is not known count as process colours.</source>
+        <translation>{0} Farben unbekannter Art gelten als Prozessfarben.</translation>
+    </message>
+    <message>
+        <source>Names in any script, groups, RGB, CMYK, Lab and Gray in 32-bit floats, global, spot and process colours.</source>
+        <translation>Namen in jeder Schrift, Gruppen, RGB, CMYK, Lab und Grau als 32-Bit-Gleitkommazahlen, globale, Sonder- und Prozessfarben.</translation>
+    </message>
+    <message>
+        <source>ends within {0}: expected {1} bytes, {2} are left</source>
+        <translation>endet innerhalb von {0}: Erwartet wurden {1} Byte, übrig sind {2}</translation>
+    </message>
+    <message>
+        <source>the length of {0}</source>
+        <translation>die Länge von {0}</translation>
+    </message>
+    <message>
+        <source>{0} of {1} characters goes beyond the end of the file</source>
+        <translation>{0} von {1} Zeichen reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>7 wide</source>
+        <translation>7 breit</translation>
+    </message>
+    <message>
+        <source>12 inks</source>
+        <translation>12 Druckfarben</translation>
+    </message>
+    <message>
+        <source>X4 inks</source>
+        <translation>X4-Druckfarben</translation>
+    </message>
+    <message>
+        <source>does not begin as a CorelDRAW palette</source>
+        <translation>beginnt nicht wie eine CorelDRAW-Palette</translation>
+    </message>
+    <message>
+        <source>the palette&apos;s name</source>
+        <translation>der Name der Palette</translation>
+    </message>
+    <message>
+        <source>the count of headers</source>
+        <translation>die Anzahl der Köpfe</translation>
+    </message>
+    <message>
+        <source>expected 3 to 64 headers, not {0}</source>
+        <translation>erwartet wurden 3 bis 64 Köpfe, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a header</source>
+        <translation>ein Kopf</translation>
+    </message>
+    <message>
+        <source>has no header {0}, or one beyond its end</source>
+        <translation>hat keinen Kopf {0}, oder einen jenseits seines Endes</translation>
+    </message>
+    <message>
+        <source>the kind of palette</source>
+        <translation>die Art der Palette</translation>
+    </message>
+    <message>
+        <source>the columns</source>
+        <translation>die Spalten</translation>
+    </message>
+    <message>
+        <source>a colour&apos;s place</source>
+        <translation>der Platz einer Farbe</translation>
+    </message>
+    <message>
+        <source>{0} colour in a model that is not known here (YIQ, Hexachrome, registration) skipped.</source>
+        <translation>{0} Farbe in einem hier unbekannten Modell (YIQ, Hexachrome, Passer) übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} colours in a model that is not known here (YIQ, Hexachrome, registration) skipped.</source>
+        <translation>{0} Farben in einem hier unbekannten Modell (YIQ, Hexachrome, Passer) übergangen.</translation>
+    </message>
+    <message>
+        <source>A grey of 255 is taken for white, on which readers of this format disagree.</source>
+        <translation>Ein Grau von 255 gilt als Weiß, worin sich Leser dieses Formats uneinig sind.</translation>
+    </message>
+    <message>
+        <source>CorelDRAW palette (CPL)</source>
+        <translation>CorelDRAW-Palette (CPL)</translation>
+    </message>
+    <message>
+        <source>Read only. Names, numbers of inks, RGB, CMYK, Lab, HSB, HSL, CMY and grey in 8 bits, columns.</source>
+        <translation>Nur lesen. Namen, Nummern der Druckfarben, RGB, CMYK, Lab, HSB, HSL, CMY und Grau mit 8 Bit, Spalten.</translation>
+    </message>
+    <message>
+        <source>the length of the file</source>
+        <translation>die Länge der Datei</translation>
+    </message>
+    <message>
+        <source>{0} bytes are said to follow, {1} do</source>
+        <translation>{0} Byte sollen folgen, {1} sind es</translation>
+    </message>
+    <message>
+        <source>is a RIFF file, but holds no palette</source>
+        <translation>ist eine RIFF-Datei, enthält aber keine Palette</translation>
+    </message>
+    <message>
+        <source>the kind of a chunk</source>
+        <translation>die Art eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>the length of a chunk</source>
+        <translation>die Länge eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>a chunk of {0} bytes goes beyond the end of the file</source>
+        <translation>ein Abschnitt von {0} Byte reicht über das Ende der Datei hinaus</translation>
+    </message>
+    <message>
+        <source>{0} further part of the file skipped.</source>
+        <translation>{0} weiterer Teil der Datei übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} further parts of the file skipped.</source>
+        <translation>{0} weitere Teile der Datei übergangen.</translation>
+    </message>
+    <message>
+        <source>ends without a chunk of colours</source>
+        <translation>endet ohne einen Abschnitt mit Farben</translation>
+    </message>
+    <message>
+        <source>the version and the count</source>
+        <translation>die Version und die Anzahl</translation>
+    </message>
+    <message>
+        <source>version {0} is not known; 0x0300 is</source>
+        <translation>Version {0} ist nicht bekannt; bekannt ist 0x0300</translation>
+    </message>
+    <message>
+        <source>{0} colours cannot lie in a chunk of {1} bytes</source>
+        <translation>{0} Farben passen nicht in einen Abschnitt von {1} Byte</translation>
+    </message>
+    <message>
+        <source>A RIFF palette holds 65,535 colours, and this one has {0}.</source>
+        <translation>Eine RIFF-Palette fasst 65.535 Farben, und diese hat {0}.</translation>
+    </message>
+    <message>
+        <source>Windows palette (RIFF)</source>
+        <translation>Windows-Palette (RIFF)</translation>
+    </message>
+    <message>
+        <source>sRGB in 8 bits, without names.</source>
+        <translation>sRGB mit 8 Bit, ohne Namen.</translation>
+    </message>
+    <message>
+        <source>is no ICC profile of a device in CMYK</source>
+        <translation>ist kein ICC-Profil eines Geräts in CMYK</translation>
+    </message>
+    <message>
+        <source>is no profile that can be used ({0})</source>
+        <translation>ist kein brauchbares Profil ({0})</translation>
+    </message>
+    <message>
+        <source>colour is</source>
+        <translation>Farbe ist</translation>
+    </message>
+    <message>
+        <source>colours are</source>
+        <translation>Farben sind</translation>
+    </message>
+    <message>
+        <source>{0} CMYK {1} shown through the profile {2}; the numbers of the inks are kept as they are.</source>
+        <translation>{0} CMYK-{1} durch das Profil {2} gezeigt; die Zahlen der Druckfarben bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>{0} colours are more than the {1} that a file of this kind may have</source>
+        <translation>{0} Farben sind mehr als die {1}, die eine Datei dieser Art haben darf</translation>
+    </message>
+    <message>
+        <source>{0} name was cut: there were more than {1} characters.</source>
+        <translation>{0} Name wurde gekürzt: Er hatte mehr als {1} Zeichen.</translation>
+    </message>
+    <message>
+        <source>{0} names were cut: there were more than {1} characters.</source>
+        <translation>{0} Namen wurden gekürzt: Sie hatten mehr als {1} Zeichen.</translation>
+    </message>
+    <message>
+        <source>Control characters in {0} name became spaces.</source>
+        <translation>Steuerzeichen in {0} Namen wurden zu Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>Control characters in {0} names became spaces.</source>
+        <translation>Steuerzeichen in {0} Namen wurden zu Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>{0} text was cut: there were more than {1} characters.</source>
+        <translation>{0} Text wurde gekürzt: Er hatte mehr als {1} Zeichen.</translation>
+    </message>
+    <message>
+        <source>{0} texts were cut: there were more than {1} characters.</source>
+        <translation>{0} Texte wurden gekürzt: Sie hatten mehr als {1} Zeichen.</translation>
+    </message>
+    <message>
+        <source>groups are nested deeper than {0}</source>
+        <translation>Gruppen sind tiefer als {0} verschachtelt</translation>
+    </message>
+    <message>
+        <source>has more than {0} groups</source>
+        <translation>hat mehr als {0} Gruppen</translation>
+    </message>
+    <message>
+        <source>more than a thousand groups have the same name</source>
+        <translation>mehr als tausend Gruppen haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>{0} group of a name that was there already has a number now.</source>
+        <translation>{0} Gruppe mit einem schon vorhandenen Namen hat jetzt eine Nummer.</translation>
+    </message>
+    <message>
+        <source>{0} groups of a name that was there already have a number now.</source>
+        <translation>{0} Gruppen mit einem schon vorhandenen Namen haben jetzt eine Nummer.</translation>
+    </message>
+    <message>
+        <source>is not text in UTF-16</source>
+        <translation>ist kein Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>The file is not in UTF-8; its letters are taken for those of Latin-1 as Windows has it (1252).</source>
+        <translation>Die Datei ist nicht in UTF-8; ihre Zeichen gelten als die von Latin-1, wie Windows es hat (1252).</translation>
+    </message>
+    <message>
+        <source>BRDF Suite palette</source>
+        <translation>BRDF-Suite-Palette</translation>
+    </message>
+    <message>
+        <source>{0} is only read here; choose another format.</source>
+        <translation>{0} wird hier nur gelesen; wählen Sie ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>{0} are too many for {1}: the file {2}. Write it in parts, or as a .brdfpalette.</source>
+        <translation>{0} sind zu viele für {1}: Die Datei {2}. Schreiben Sie sie in Teilen oder als .brdfpalette.</translation>
+    </message>
+    <message>
+        <source>entry</source>
+        <translation>Eintrag</translation>
+    </message>
+    <message>
+        <source>The entries of each group stand together there.</source>
+        <translation>Die Einträge jeder Gruppe stehen dort beisammen.</translation>
+    </message>
+    <message>
+        <source>BRDF Suite opens no file of this kind with more than {0} colours, so it cannot read this one back.</source>
+        <translation>BRDF Suite öffnet keine Datei dieser Art mit mehr als {0} Farben und kann diese daher nicht zurücklesen.</translation>
+    </message>
+    <message>
+        <source>{0} left out.</source>
+        <translation>{0} ausgelassen.</translation>
+    </message>
+    <message>
+        <source>, computed without a profile</source>
+        <translation>, ohne Profil berechnet</translation>
+    </message>
+    <message>
+        <source>{0} in {1} {2} written as {3}{4}.</source>
+        <translation>{0} in {1} {2} als {3} geschrieben{4}.</translation>
+    </message>
+    <message>
+        <source>The palette&apos;s name is not stored; the file name is used.</source>
+        <translation>Der Name der Palette wird nicht gespeichert; der Dateiname wird verwendet.</translation>
+    </message>
+    <message>
+        <source>count of columns</source>
+        <translation>Anzahl der Spalten</translation>
+    </message>
+    <message>
+        <source>The palette&apos;s {0} are left out or changed.</source>
+        <translation>Die Angaben der Palette ({0}) entfallen oder sind geändert.</translation>
+    </message>
+    <message>
+        <source>The palette&apos;s {0} is left out or changed.</source>
+        <translation>Die Angabe der Palette ({0}) entfällt oder ist geändert.</translation>
+    </message>
+    <message>
+        <source>What another program&apos;s file said further of the palette is left out.</source>
+        <translation>Was die Datei eines anderen Programms sonst noch über die Palette angab, entfällt.</translation>
+    </message>
+    <message>
+        <source>{0} {1} left out.</source>
+        <translation>{0} {1} ausgelassen.</translation>
+    </message>
+    <message>
+        <source>empty group</source>
+        <translation>leere Gruppe</translation>
+    </message>
+    <message>
+        <source>The notes or colours of {0} are left out.</source>
+        <translation>Die Notizen oder Farben von {0} entfallen.</translation>
+    </message>
+    <message>
+        <source>{0} sample has fewer than three angles and became flat colours.</source>
+        <translation>{0} Probe hat weniger als drei Winkel und wurde zu einzelnen Farben.</translation>
+    </message>
+    <message>
+        <source>{0} samples have fewer than three angles and became flat colours.</source>
+        <translation>{0} Proben haben weniger als drei Winkel und wurden zu einzelnen Farben.</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>ein Kommentar endet nicht</translation>
+    </message>
+    <message>
+        <source>{0} custom property that is no colour known here skipped.</source>
+        <translation>{0} eigene Eigenschaft, die keine hier bekannte Farbe ist, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} custom properties that are no colours known here skipped.</source>
+        <translation>{0} eigene Eigenschaften, die keine hier bekannten Farben sind, übergangen.</translation>
+    </message>
+    <message>
+        <source>holds no custom property that is a colour</source>
+        <translation>enthält keine eigene Eigenschaft, die eine Farbe ist</translation>
+    </message>
+    <message>
+        <source>CSS custom properties</source>
+        <translation>Eigene CSS-Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Names in any script, groups within groups, RGB of several spaces, HSL, CMYK, Lab, LCh and XYZ with every digit, notes of the palette.</source>
+        <translation>Namen in jeder Schrift, Gruppen in Gruppen, RGB mehrerer Räume, HSL, CMYK, Lab, LCh und XYZ mit allen Stellen, Notizen der Palette.</translation>
+    </message>
+    <message>
+        <source>the column {0} is there twice, or there are too many</source>
+        <translation>die Spalte {0} kommt zweimal vor, oder es sind zu viele</translation>
+    </message>
+    <message>
+        <source>has no column &apos;name&apos;, or none of readings as &apos;L_45&apos;</source>
+        <translation>hat keine Spalte „name“, oder keine mit Messwerten wie „L_45“</translation>
+    </message>
+    <message>
+        <source>The column {0} is none of a palette&apos;s and was skipped.</source>
+        <translation>Die Spalte {0} gehört zu keiner Palette und wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>{0}, column usage</source>
+        <translation>{0}, Spalte usage</translation>
+    </message>
+    <message>
+        <source>In {0} row empty or repeated tags were left out.</source>
+        <translation>In {0} Zeile wurden leere oder doppelte Schlagwörter ausgelassen.</translation>
+    </message>
+    <message>
+        <source>In {0} rows empty or repeated tags were left out.</source>
+        <translation>In {0} Zeilen wurden leere oder doppelte Schlagwörter ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0}, column model</source>
+        <translation>{0}, Spalte model</translation>
+    </message>
+    <message>
+        <source>expected 2, 10 or nothing, not {0}</source>
+        <translation>erwartet wurde 2, 10 oder nichts, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0}, column observer_deg</source>
+        <translation>{0}, Spalte observer_deg</translation>
+    </message>
+    <message>
+        <source>has neither readings nor a model</source>
+        <translation>hat weder Messwerte noch ein Modell</translation>
+    </message>
+    <message>
+        <source>{0} row has fewer than three angles and became flat colours.</source>
+        <translation>{0} Zeile hat weniger als drei Winkel und wurde zu einzelnen Farben.</translation>
+    </message>
+    <message>
+        <source>{0} rows have fewer than three angles and became flat colours.</source>
+        <translation>{0} Zeilen haben weniger als drei Winkel und wurden zu einzelnen Farben.</translation>
+    </message>
+    <message>
+        <source>CSV table with angles</source>
+        <translation>CSV-Tabelle mit Winkeln</translation>
+    </message>
+    <message>
+        <source>Paints with L*a*b* at every angle (D65, 10°), gloss, flakes and settings; flat colours in every model; groups, codes, tags, usage, dates and notes.</source>
+        <translation>Lacke mit L*a*b* bei jedem Winkel (D65, 10°), Glanz, Flakes und Einstellungen; einzelne Farben in jedem Modell; Gruppen, Codes, Schlagwörter, Verwendung, Daten und Notizen.</translation>
+    </message>
+    <message>
+        <source>does not begin with {0}</source>
+        <translation>beginnt nicht mit {0}</translation>
+    </message>
+    <message>
+        <source>the line has more than {0} characters</source>
+        <translation>die Zeile hat mehr als {0} Zeichen</translation>
+    </message>
+    <message>
+        <source>The count of columns is none and was skipped.</source>
+        <translation>Die Anzahl der Spalten ist keine und wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>expected three numbers and a name, not {0}</source>
+        <translation>erwartet wurden drei Zahlen und ein Name, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} colour has numbers beyond 0 to 255, which were brought to its edge.</source>
+        <translation>{0} Farbe hat Zahlen jenseits von 0 bis 255, die auf den Rand gebracht wurden.</translation>
+    </message>
+    <message>
+        <source>{0} colours have numbers beyond 0 to 255, which were brought to its edge.</source>
+        <translation>{0} Farben haben Zahlen jenseits von 0 bis 255, die auf den Rand gebracht wurden.</translation>
+    </message>
+    <message>
+        <source>GIMP palette</source>
+        <translation>GIMP-Palette</translation>
+    </message>
+    <message>
+        <source>Names in any script, sRGB in 8 bits, columns, comments; no groups.</source>
+        <translation>Namen in jeder Schrift, sRGB mit 8 Bit, Spalten, Kommentare; keine Gruppen.</translation>
+    </message>
+    <message>
+        <source>expected a hex code as in #336699, alone or with a name, not {0}</source>
+        <translation>erwartet wurde ein Hex-Code wie #336699, allein oder mit einem Namen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>holds no hex code</source>
+        <translation>enthält keinen Hex-Code</translation>
+    </message>
+    <message>
+        <source>{0} has eight digits, and nothing says whether the first or the last two are the opacity</source>
+        <translation>{0} hat acht Ziffern, und nichts sagt, ob die ersten oder die letzten beiden die Deckkraft sind</translation>
+    </message>
+    <message>
+        <source>the codes</source>
+        <translation>die Codes</translation>
+    </message>
+    <message>
+        <source>List of hex codes</source>
+        <translation>Liste von Hex-Codes</translation>
+    </message>
+    <message>
+        <source>sRGB in 8 bits, and names on the same line.</source>
+        <translation>sRGB mit 8 Bit, und Namen in derselben Zeile.</translation>
+    </message>
+    <message>
+        <source>expected version 0100</source>
+        <translation>erwartet wurde Version 0100</translation>
+    </message>
+    <message>
+        <source>expected a count of colours, not {0}</source>
+        <translation>erwartet wurde eine Anzahl von Farben, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} line beyond the count that the file says skipped.</source>
+        <translation>{0} Zeile jenseits der angegebenen Anzahl übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} lines beyond the count that the file says skipped.</source>
+        <translation>{0} Zeilen jenseits der angegebenen Anzahl übergangen.</translation>
+    </message>
+    <message>
+        <source>expected three numbers from 0 to 255, not {0}</source>
+        <translation>erwartet wurden drei Zahlen von 0 bis 255, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} colours are said to follow, {1} do</source>
+        <translation>{0} Farben sollen folgen, {1} sind es</translation>
+    </message>
+    <message>
+        <source>Paint Shop Pro palette (JASC)</source>
+        <translation>Paint-Shop-Pro-Palette (JASC)</translation>
+    </message>
+    <message>
+        <source>is not JSON that can be read ({0})</source>
+        <translation>ist kein lesbares JSON ({0})</translation>
+    </message>
+    <message>
+        <source>holds no colour</source>
+        <translation>enthält keine Farbe</translation>
+    </message>
+    <message>
+        <source>is nested deeper than {0} groups</source>
+        <translation>ist tiefer als {0} Gruppen verschachtelt</translation>
+    </message>
+    <message>
+        <source>expected an object or a list</source>
+        <translation>erwartet wurde ein Objekt oder eine Liste</translation>
+    </message>
+    <message>
+        <source>{0} token that is no colour known here skipped.</source>
+        <translation>{0} Token, das keine hier bekannte Farbe ist, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} tokens that are no colours known here skipped.</source>
+        <translation>{0} Token, die keine hier bekannten Farben sind, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} value that is no colour skipped.</source>
+        <translation>{0} Wert, der keine Farbe ist, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} values that are no colours skipped.</source>
+        <translation>{0} Werte, die keine Farben sind, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} colour was changed by another program, and is flat now.</source>
+        <translation>{0} Farbe wurde von einem anderen Programm geändert und ist jetzt eine einzelne Farbe.</translation>
+    </message>
+    <message>
+        <source>{0} colours were changed by another program, and are flat now.</source>
+        <translation>{0} Farben wurden von einem anderen Programm geändert und sind jetzt einzelne Farben.</translation>
+    </message>
+    <message>
+        <source>JSON design tokens</source>
+        <translation>JSON-Design-Token</translation>
+    </message>
+    <message>
+        <source>Everything: for other programs names, groups and one colour, and all else as an extension of this program.</source>
+        <translation>Alles: für andere Programme Namen, Gruppen und eine Farbe, und alles Übrige als Erweiterung dieses Programms.</translation>
+    </message>
+    <message>
+        <source>{0} value that is no colour known here skipped.</source>
+        <translation>{0} Wert, der keine hier bekannte Farbe ist, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} values that are no colours known here skipped.</source>
+        <translation>{0} Werte, die keine hier bekannten Farben sind, übergangen.</translation>
+    </message>
+    <message>
+        <source>holds no variable that is a colour</source>
+        <translation>enthält keine Variable, die eine Farbe ist</translation>
+    </message>
+    <message>
+        <source>SCSS, Sass and LESS variables</source>
+        <translation>SCSS-, Sass- und LESS-Variablen</translation>
+    </message>
+    <message>
+        <source>Read only. Variables and maps of colours as CSS writes them, maps as groups.</source>
+        <translation>Nur lesen. Variablen und Listen von Farben, wie CSS sie schreibt, Listen als Gruppen.</translation>
+    </message>
+    <message>
+        <source>has no list of colours</source>
+        <translation>hat keine Liste von Farben</translation>
+    </message>
+    <message>
+        <source>{0} {1} are left out.</source>
+        <translation>{0} {1} sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>expected red, green and blue as numbers</source>
+        <translation>erwartet wurden Rot, Grün und Blau als Zahlen</translation>
+    </message>
+    <message>
+        <source>Sketch palette</source>
+        <translation>Sketch-Palette</translation>
+    </message>
+    <message>
+        <source>Names in any script, sRGB with every digit.</source>
+        <translation>Namen in jeder Schrift, sRGB mit allen Stellen.</translation>
+    </message>
+    <message>
+        <source>has the columns {0}; wanted are name (or none) and {1}</source>
+        <translation>hat die Spalten {0}; verlangt sind name (oder keine) und {1}</translation>
+    </message>
+    <message>
+        <source>holds no colour below its headings</source>
+        <translation>enthält unter den Überschriften keine Farbe</translation>
+    </message>
+    <message>
+        <source>The table has no headings; its columns were recognised by what is in them.</source>
+        <translation>Die Tabelle hat keine Überschriften; ihre Spalten wurden an ihrem Inhalt erkannt.</translation>
+    </message>
+    <message>
+        <source>{0} row without a colour was skipped.</source>
+        <translation>{0} Zeile ohne Farbe wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} rows without a colour were skipped.</source>
+        <translation>{0} Zeilen ohne Farbe wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>the column {0} is there twice, and no heading says what each is</source>
+        <translation>die Spalte {0} kommt zweimal vor, und keine Überschrift sagt, was jede ist</translation>
+    </message>
+    <message>
+        <source>the header</source>
+        <translation>der Kopf</translation>
+    </message>
+    <message>
+        <source>X, Y and Z are taken for those of a white of 1.</source>
+        <translation>X, Y und Z gelten als die eines Weiß von 1.</translation>
+    </message>
+    <message>
+        <source>{0} has no number but 0 and 1; 1 is taken for full.</source>
+        <translation>{0} hat keine Zahlen außer 0 und 1; 1 gilt als voll.</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers of {1}, not {2}</source>
+        <translation>erwartet wurden {0} Zahlen von {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>expected {0} from 0 to {1}, not {2}</source>
+        <translation>erwartet wurde {0} von 0 bis {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>The light {0} is not known here; its colours count as those of D50 and 2°.</source>
+        <translation>Das Licht {0} ist hier nicht bekannt; seine Farben gelten als die von D50 und 2°.</translation>
+    </message>
+    <message>
+        <source>{0} hex code had lost its zeros, as spreadsheets take them; they are put back.</source>
+        <translation>{0} Hex-Code hatte seine Nullen verloren, wie Tabellenkalkulationen sie weglassen; sie sind ergänzt.</translation>
+    </message>
+    <message>
+        <source>{0} hex codes had lost their zeros, as spreadsheets take them; they are put back.</source>
+        <translation>{0} Hex-Codes hatten ihre Nullen verloren, wie Tabellenkalkulationen sie weglassen; sie sind ergänzt.</translation>
+    </message>
+    <message>
+        <source>expected a hex code as in #336699, not {0}</source>
+        <translation>erwartet wurde ein Hex-Code wie #336699, nicht {0}</translation>
+    </message>
+    <message>
+        <source>Plain table (CSV, TSV)</source>
+        <translation>Einfache Tabelle (CSV, TSV)</translation>
+    </message>
+    <message>
+        <source>Read only. Names, codes, groups and notes; hex, RGB, L*a*b*, LCh, XYZ, CMYK, HSL, HSB, spectra; samples of instruments at several angles.</source>
+        <translation>Nur lesen. Namen, Codes, Gruppen und Notizen; Hex, RGB, L*a*b*, LCh, XYZ, CMYK, HSL, HSB, Spektren; Proben von Messgeräten bei mehreren Winkeln.</translation>
+    </message>
+    <message>
+        <source>{0} colour is encrypted by the book&apos;s maker, which only AutoCAD can read, and is left out.</source>
+        <translation>{0} Farbe ist vom Hersteller des Buchs verschlüsselt, nur AutoCAD kann sie lesen; sie ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours are encrypted by the book&apos;s maker, which only AutoCAD can read, and are left out.</source>
+        <translation>{0} Farben sind vom Hersteller des Buchs verschlüsselt, nur AutoCAD kann sie lesen; sie sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>all of its colours are encrypted by the book&apos;s maker</source>
+        <translation>alle Farben sind vom Hersteller des Buchs verschlüsselt</translation>
+    </message>
+    <message>
+        <source>it has no colorEntry</source>
+        <translation>es gibt kein colorEntry</translation>
+    </message>
+    <message>
+        <source>holds no colour that can be read: {0}</source>
+        <translation>enthält keine lesbare Farbe: {0}</translation>
+    </message>
+    <message>
+        <source>{0} colour without numbers is left out.</source>
+        <translation>{0} Farbe ohne Zahlen ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours without numbers are left out.</source>
+        <translation>{0} Farben ohne Zahlen sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>expected red, green and blue from 0 to 255</source>
+        <translation>erwartet wurden Rot, Grün und Blau von 0 bis 255</translation>
+    </message>
+    <message>
+        <source>AutoCAD colour book (XML)</source>
+        <translation>AutoCAD-Farbbuch (XML)</translation>
+    </message>
+    <message>
+        <source>Read only. Names, RGB in 8 bits; not the encrypted books of some makers.</source>
+        <translation>Nur lesen. Namen, RGB mit 8 Bit; nicht die verschlüsselten Bücher einiger Hersteller.</translation>
+    </message>
+    <message>
+        <source>{0} element that is no colour skipped.</source>
+        <translation>{0} Element, das keine Farbe ist, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} elements that are no colours skipped.</source>
+        <translation>{0} Elemente, die keine Farben sind, übergangen.</translation>
+    </message>
+    <message>
+        <source>{0} tint of inks is left out: only full inks have a colour here.</source>
+        <translation>{0} Abtönung von Druckfarben ist ausgelassen: Nur volle Druckfarben haben hier eine Farbe.</translation>
+    </message>
+    <message>
+        <source>{0} tints of inks are left out: only full inks have a colour here.</source>
+        <translation>{0} Abtönungen von Druckfarben sind ausgelassen: Nur volle Druckfarben haben hier eine Farbe.</translation>
+    </message>
+    <message>
+        <source>{0} colour in a model that is not known here is left out.</source>
+        <translation>{0} Farbe in einem hier unbekannten Modell ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} colours in a model that is not known here are left out.</source>
+        <translation>{0} Farben in einem hier unbekannten Modell sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers of {1} in tints, not {2}</source>
+        <translation>erwartet wurden {0} Zahlen von {1} in tints, nicht {2}</translation>
+    </message>
+    <message>
+        <source>A grey of 1 is taken for white, on which readers of this format disagree.</source>
+        <translation>Ein Grau von 1 gilt als Weiß, worin sich Leser dieses Formats uneinig sind.</translation>
+    </message>
+    <message>
+        <source>CorelDRAW palette (XML)</source>
+        <translation>CorelDRAW-Palette (XML)</translation>
+    </message>
+    <message>
+        <source>Read only. Names, RGB, CMYK, Lab, grey and HSB, inks with their values in several models.</source>
+        <translation>Nur lesen. Namen, RGB, CMYK, Lab, Grau und HSB, Druckfarben mit ihren Werten in mehreren Modellen.</translation>
+    </message>
+    <message>
+        <source>Paints with L*a*b* at every angle, spectra, gloss and settings; flat colours in every model; groups, codes and tags as tags of this suite.</source>
+        <translation>Lacke mit L*a*b* bei jedem Winkel, Spektren, Glanz und Einstellungen; einzelne Farben in jedem Modell; Gruppen, Codes und Schlagwörter als Marken dieser Suite.</translation>
+    </message>
+    <message>
+        <source>The file holds no sample.</source>
+        <translation>Die Datei enthält keine Probe.</translation>
+    </message>
+    <message>
+        <source>{0}: the mean of up to {1} readings at an angle, which differ from it by at most ΔE00 {2}.</source>
+        <translation>{0}: das Mittel aus bis zu {1} Messwerten je Winkel, die davon um höchstens ΔE00 {2} abweichen.</translation>
+    </message>
+    <message>
+        <source>{0} sample without a value that can be used is left out.</source>
+        <translation>{0} Probe ohne brauchbaren Wert ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} samples without a value that can be used are left out.</source>
+        <translation>{0} Proben ohne brauchbaren Wert sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} sample says nothing of gloss, and as a paint gets 90 GU at 20°.</source>
+        <translation>{0} Probe gibt keinen Glanz an und bekommt als Lack 90 GU bei 20°.</translation>
+    </message>
+    <message>
+        <source>{0} samples say nothing of gloss, and as a paint gets 90 GU at 20°.</source>
+        <translation>{0} Proben geben keinen Glanz an und bekommen als Lack 90 GU bei 20°.</translation>
+    </message>
+    <message>
+        <source>{0} sample: L*a*b* is {1}.</source>
+        <translation>{0} Probe: L*a*b* ist {1}.</translation>
+    </message>
+    <message>
+        <source>{0} samples: L*a*b* is {1}.</source>
+        <translation>{0} Proben: L*a*b* ist {1}.</translation>
+    </message>
+    <message>
+        <source>{0} value that is of no reflectance is left out.</source>
+        <translation>{0} Wert, der zu keiner Reflexion gehört, ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} values that are of no reflectance are left out.</source>
+        <translation>{0} Werte, die zu keiner Reflexion gehören, sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>MaxRange must be greater than 0</source>
+        <translation>MaxRange muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>{0} spectrum without wavelengths is left out.</source>
+        <translation>{0} Spektrum ohne Wellenlängen ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} spectra without wavelengths are left out.</source>
+        <translation>{0} Spektren ohne Wellenlängen sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>A spectrum is left out: {0} ({1}).</source>
+        <translation>Ein Spektrum ist ausgelassen: {0} ({1}).</translation>
+    </message>
+    <message>
+        <source>holds no element with a colour and an angle that are known here</source>
+        <translation>enthält kein Element mit einer Farbe und einem Winkel, die hier bekannt sind</translation>
+    </message>
+    <message>
+        <source>Instrument&apos;s or spreadsheet&apos;s XML</source>
+        <translation>XML eines Messgeräts oder einer Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Read only. Names, L*a*b*, LCh, XYZ or spectra at several angles, gloss; sparkle and graininess as notes.</source>
+        <translation>Nur lesen. Namen, L*a*b*, LCh, XYZ oder Spektren bei mehreren Winkeln, Glanz; Glitzern und Körnigkeit als Notizen.</translation>
+    </message>
+    <message>
+        <source>{0} colour without some of its numbers; these are 0, as in Scribus.</source>
+        <translation>{0} Farbe ohne einige ihrer Zahlen; diese sind 0, wie in Scribus.</translation>
+    </message>
+    <message>
+        <source>{0} colours without some of their numbers; these are 0, as in Scribus.</source>
+        <translation>{0} Farben ohne einige ihrer Zahlen; diese sind 0, wie in Scribus.</translation>
+    </message>
+    <message>
+        <source>expected {0} bytes as in #{1} for {2}, not {3}</source>
+        <translation>erwartet wurden {0} Byte wie in #{1} für {2}, nicht {3}</translation>
+    </message>
+    <message>
+        <source>the colour space {0} is not known; RGB, CMYK and Lab are</source>
+        <translation>der Farbraum {0} ist nicht bekannt; bekannt sind RGB, CMYK und Lab</translation>
+    </message>
+    <message>
+        <source>Scribus colours (XML)</source>
+        <translation>Scribus-Farben (XML)</translation>
+    </message>
+    <message>
+        <source>Names in any script, RGB, CMYK and Lab with every digit, inks of their own, registration marks.</source>
+        <translation>Namen in jeder Schrift, RGB, CMYK und Lab mit allen Stellen, eigene Druckfarben, Passermarken.</translation>
+    </message>
+    <message>
+        <source>expected a colour as in #336699, not {0}</source>
+        <translation>erwartet wurde eine Farbe wie #336699, nicht {0}</translation>
+    </message>
+    <message>
+        <source>LibreOffice colour table</source>
+        <translation>LibreOffice-Farbtabelle</translation>
+    </message>
+    <message>
+        <source>Names in any script, sRGB in 8 bits.</source>
+        <translation>Namen in jeder Schrift, sRGB mit 8 Bit.</translation>
+    </message>
+    <message>
+        <source>a paint needs readings at 3 angles at least, there are {0}</source>
+        <translation>ein Lack braucht Messwerte bei mindestens 3 Winkeln, vorhanden sind {0}</translation>
+    </message>
+    <message>
+        <source>Instrument&apos;s readings: {0}.</source>
+        <translation>Messwerte des Geräts: {0}.</translation>
+    </message>
+    <message>
+        <source>hex, or R G B, L a b, L C h, X Y Z, C M Y K, H S L or H S B, or L15 a15 b15 and so on for several angles, or wavelengths as 400 410 420</source>
+        <translation>Hex, oder R G B, L a b, L C h, X Y Z, C M Y K, H S L oder H S B, oder L15 a15 b15 und so weiter für mehrere Winkel, oder Wellenlängen wie 400 410 420</translation>
+    </message>
+    <message>
+        <source>has {0} cells under {1} headings; a decimal comma may have been taken for a separator</source>
+        <translation>hat {0} Zellen unter {1} Überschriften; ein Dezimalkomma kann als Trennzeichen gegolten haben</translation>
+    </message>
+    <message>
+        <source>the headings number readings {0}; wanted are angles, as 15, 25, 45</source>
+        <translation>die Überschriften zählen Messwerte {0}; verlangt sind Winkel, wie 15, 25, 45</translation>
+    </message>
+    <message>
+        <source>has more than {0} rows, or too many cells</source>
+        <translation>hat mehr als {0} Zeilen, oder zu viele Zellen</translation>
+    </message>
+    <message>
+        <source>is not a table that can be read ({0})</source>
+        <translation>ist keine lesbare Tabelle ({0})</translation>
+    </message>
+    <message>
+        <source>“{0}” is the mean of {1} measurements; {2}.</source>
+        <translation>„{0}“ ist das Mittel aus {1} Messungen; {2}.</translation>
+    </message>
+    <message>
+        <source>{0} names are those of several samples that differ by more than ΔE00 {1}; they stay apart.</source>
+        <translation>{0} Namen gehören zu mehreren Proben, die um mehr als ΔE00 {1} abweichen; sie bleiben getrennt.</translation>
+    </message>
+    <message>
+        <source>{0} more are left out</source>
+        <translation>{0} weitere sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>they differ from it by at most ΔE00 {0}</source>
+        <translation>sie weichen davon um höchstens ΔE00 {0} ab</translation>
+    </message>
+    <message>
+        <source>Mean of {0} measurements; {1}.</source>
+        <translation>Mittel aus {0} Messungen; {1}.</translation>
+    </message>
+    <message>
+        <source>the column {0} is there twice, and no heading says at which angle</source>
+        <translation>die Spalte {0} kommt zweimal vor, und keine Überschrift sagt, bei welchem Winkel</translation>
+    </message>
+    <message>
+        <source>The layout of the table is not published; its columns were recognised by their headings.</source>
+        <translation>Der Aufbau der Tabelle ist nicht veröffentlicht; ihre Spalten wurden an den Überschriften erkannt.</translation>
+    </message>
+    <message>
+        <source>L*a*b* without a named light are taken for those of D65 and 10°.</source>
+        <translation>L*a*b* ohne genanntes Licht gelten als die von D65 und 10°.</translation>
+    </message>
+    <message>
+        <source>{0} readings: L*a*b* is recomputed from the spectrum.</source>
+        <translation>{0} Messwerte: L*a*b* ist aus dem Spektrum neu berechnet.</translation>
+    </message>
+    <message>
+        <source>The spectra are taken for per cent: their largest values could be no factors.</source>
+        <translation>Die Spektren gelten als Prozentwerte: Ihre größten Werte könnten keine Faktoren sein.</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>und {0} weitere</translation>
+    </message>
+    <message>
+        <source>Columns that are not known here were skipped: {0}{1}.</source>
+        <translation>Hier unbekannte Spalten wurden übergangen: {0}{1}.</translation>
+    </message>
+    <message>
+        <source>its spectra, of at most {0}, may be per cent or fractions, and nothing says which; write % into a heading, or give L* a* b* beside them</source>
+        <translation>ihre Spektren, höchstens {0}, können Prozente oder Bruchteile sein, und nichts sagt, welche; schreiben Sie % in eine Überschrift, oder geben Sie L* a* b* daneben an</translation>
+    </message>
+    <message>
+        <source>{0} is no angle in the plane of incidence</source>
+        <translation>{0} ist kein Winkel in der Einfallsebene</translation>
+    </message>
+    <message>
+        <source>{0} is a statistic of the instrument, no measurement</source>
+        <translation>{0} ist eine Statistik des Geräts, kein Messwert</translation>
+    </message>
+    <message>
+        <source>gloss {0}</source>
+        <translation>Glanz {0}</translation>
+    </message>
+    <message>
+        <source>line {0}: {1}</source>
+        <translation>Zeile {0}: {1}</translation>
+    </message>
+    <message>
+        <source>the colour at {0}as{1} is left out: {2}</source>
+        <translation>die Farbe bei {0}as{1} ist ausgelassen: {2}</translation>
+    </message>
+    <message>
+        <source>{0}as{1} is out of the plane of incidence ({2}°)</source>
+        <translation>{0}as{1} liegt außerhalb der Einfallsebene ({2}°)</translation>
+    </message>
+    <message>
+        <source>L*a*b* of {0}as{1} are beyond what a paint can have</source>
+        <translation>L*a*b* von {0}as{1} liegen jenseits dessen, was ein Lack haben kann</translation>
+    </message>
+    <message>
+        <source>a spectrum with {0} in the place of a number is left out</source>
+        <translation>ein Spektrum mit {0} anstelle einer Zahl ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>a spectrum with values beyond any reflectance is left out</source>
+        <translation>ein Spektrum mit Werten jenseits jeder Reflexion ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>{0} stands in the place of a number</source>
+        <translation>{0} steht anstelle einer Zahl</translation>
+    </message>
+    <message>
+        <source>{0} and the {1}° observer</source>
+        <translation>{0} und der {1}°-Beobachter</translation>
+    </message>
+    <message>
+        <source>an unnamed light</source>
+        <translation>ein ungenanntes Licht</translation>
+    </message>
+    <message>
+        <source>has more than {0} readings, or too many fields</source>
+        <translation>hat mehr als {0} Messwerte, oder zu viele Felder</translation>
+    </message>
+    <message>
+        <source>{0}: the reflectance is negative or not finite at a sample of the fit.</source>
+        <translation>{0}: Die Reflexion ist an einem Messpunkt der Anpassung negativ oder nicht endlich.</translation>
+    </message>
+    <message>
+        <source>another paint of the database has the same file name</source>
+        <translation>ein anderer Lack der Datenbank hat denselben Dateinamen</translation>
+    </message>
+    <message>
+        <source>cannot be part of the database: {0}</source>
+        <translation>kann nicht Teil der Datenbank sein: {0}</translation>
+    </message>
+    <message>
+        <source>cannot be part of the database: nothing divides it into coat and base</source>
+        <translation>kann nicht Teil der Datenbank sein: Nichts teilt ihn in Klarlack und Basis</translation>
+    </message>
+    <message>
+        <source>{0}, edited</source>
+        <translation>{0}, bearbeitet</translation>
+    </message>
+    <message>
+        <source>there is no paint ({0}) in this folder</source>
+        <translation>in diesem Ordner gibt es keinen Lack ({0})</translation>
+    </message>
+    <message>
+        <source>this is no search of version {0}; remove it, or give --fresh</source>
+        <translation>dies ist keine Suche der Version {0}; entfernen Sie sie, oder geben Sie --fresh an</translation>
+    </message>
+    <message>
+        <source>this search is of other paints or other starts; remove it, or give --fresh</source>
+        <translation>diese Suche gehört zu anderen Lacken oder anderen Anfängen; entfernen Sie sie, oder geben Sie --fresh an</translation>
+    </message>
+    <message>
+        <source>the counts are not 1, 2, 3 …; remove it, or give --fresh</source>
+        <translation>die Anzahlen sind nicht 1, 2, 3 …; entfernen Sie sie, oder geben Sie --fresh an</translation>
+    </message>
+    <message>
+        <source>There is no basis of {0} lobes to be the default.</source>
+        <translation>Es gibt keine Basis von {0} Keulen als Vorgabe.</translation>
+    </message>
+    <message>
+        <source>expected {0} numbers</source>
+        <translation>erwartet wurden {0} Zahlen</translation>
+    </message>
+    <message>
+        <source>expected a number of at least 0</source>
+        <translation>erwartet wurde eine Zahl von mindestens 0</translation>
+    </message>
+    <message>
+        <source>{0} {1} or {2} {3}</source>
+        <translation>{0} {1} oder {2} {3}</translation>
+    </message>
+    <message>
+        <source>this is no search of lobes ({0})</source>
+        <translation>dies ist keine Suche nach Keulen ({0})</translation>
+    </message>
+    <message>
+        <source>expected a list of names</source>
+        <translation>erwartet wurde eine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>the counts do not rise</source>
+        <translation>die Anzahlen steigen nicht</translation>
+    </message>
+    <message>
+        <source>there is no basis of {0} lobes</source>
+        <translation>es gibt keine Basis von {0} Keulen</translation>
+    </message>
+    <message>
+        <source>Lobe exponents must be finite and at least 1, not {0}.</source>
+        <translation>Exponenten von Keulen müssen endlich und mindestens 1 sein, nicht {0}.</translation>
+    </message>
+    <message>
+        <source>The linear program of a basis was not solved; the basis is left out.</source>
+        <translation>Das lineare Programm einer Basis wurde nicht gelöst; die Basis ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>A worker process of the search ended before its work was done (short of memory?). What is found is kept: run the command again.</source>
+        <translation>Ein Arbeitsprozess der Suche endete, bevor seine Arbeit getan war (zu wenig Speicher?). Was gefunden ist, bleibt: Starten Sie den Befehl erneut.</translation>
+    </message>
+    <message>
+        <source>The search takes from 1 to {0} lobes, not {1}.</source>
+        <translation>Die Suche nimmt 1 bis {0} Keulen, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>The search needs at least 2 starts and 1 worker, not {0} and {1}.</source>
+        <translation>Die Suche braucht mindestens 2 Anfänge und 1 Prozess, nicht {0} und {1}.</translation>
+    </message>
+    <message>
+        <source>The database holds {0} paints</source>
+        <translation>Die Datenbank enthält {0} Lacke</translation>
+    </message>
+    <message>
+        <source>{0}; for {1} lobes it needs as many or more.</source>
+        <translation>{0}; für {1} Keulen braucht es so viele oder mehr.</translation>
+    </message>
+    <message>
+        <source>{0} lobes</source>
+        <translation>{0} Keulen</translation>
+    </message>
+    <message>
+        <source>{0} lobe</source>
+        <translation>{0} Keule</translation>
+    </message>
+    <message>
+        <source>with fewer than two there is nothing below it</source>
+        <translation>mit weniger als zweien bleibt darunter nichts</translation>
+    </message>
+    <message>
+        <source>A clearcoat counts as one of the lobes; {0}.</source>
+        <translation>Ein Klarlack zählt als eine der Keulen; {0}.</translation>
+    </message>
+    <message>
+        <source>one lobe</source>
+        <translation>eine Keule</translation>
+    </message>
+    <message>
+        <source>{0} values cannot determine the {1} parameters of {2}; measure more directions, or fit fewer lobes.</source>
+        <translation>{0} Werte können die {1} Parameter von {2} nicht bestimmen; messen Sie mehr Richtungen, oder passen Sie weniger Keulen an.</translation>
+    </message>
+    <message>
+        <source>{0} values cannot determine the {1} parameters of {2}; measure more directions.</source>
+        <translation>{0} Werte können die {1} Parameter von {2} nicht bestimmen; messen Sie mehr Richtungen.</translation>
+    </message>
+    <message>
+        <source>, or fit fewer lobes.</source>
+        <translation>, oder passen Sie weniger Keulen an.</translation>
+    </message>
+    <message>
+        <source>starts</source>
+        <translation>Anfänge</translation>
+    </message>
+    <message>
+        <source>start {0} of {1}</source>
+        <translation>Anfang {0} von {1}</translation>
+    </message>
+    <message>
+        <source>refining</source>
+        <translation>wird verfeinert</translation>
+    </message>
+    <message>
+        <source>is no file of kept starts; name another one</source>
+        <translation>ist keine Datei aufbewahrter Anfänge; nennen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>cannot be removed: {0}</source>
+        <translation>lässt sich nicht entfernen: {0}</translation>
+    </message>
+    <message>
+        <source>kd {0}</source>
+        <translation>kd {0}</translation>
+    </message>
+    <message>
+        <source>ks·r {0} {1}</source>
+        <translation>ks·r {0} {1}</translation>
+    </message>
+    <message>
+        <source>Lit at {0}° and beyond, the lobes send back up to {1} times the light: their rise towards grazing is more than a surface has.</source>
+        <translation>Bei Beleuchtung aus {0}° und mehr werfen die Keulen bis zum {1}-Fachen des Lichts zurück: Ihr Anstieg zum streifenden Winkel ist größer als der einer Oberfläche.</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>{0} samples are left out: black, not finite, not weighted, or seen at more than {1}° from the normal.</source>
+        <translation>{0} Messpunkte sind ausgelassen: schwarz, nicht endlich, ohne Gewicht oder aus mehr als {1}° von der Normalen gesehen.</translation>
+    </message>
+    <message>
+        <source>{0} values of 0 or less have no logarithm and are left out.</source>
+        <translation>{0} Werte von 0 oder weniger haben keinen Logarithmus und sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} % of the values are 0 or less: colours outside of the working space, or noise. To all, and to the fit, {1} % of the sample&apos;s brightest channel and {2} /sr are added before the logarithm.</source>
+        <translation>{0} % der Werte sind 0 oder weniger: Farben außerhalb des Arbeitsfarbraums, oder Rauschen. Zu allen, und zur Anpassung, werden vor dem Logarithmus {1} % des hellsten Kanals des Messpunkts und {2} /sr addiert.</translation>
+    </message>
+    <message>
+        <source>There is nothing in the {0} channel; its weights are 0.</source>
+        <translation>Im Kanal {0} ist nichts; seine Gewichte sind 0.</translation>
+    </message>
+    <message>
+        <source>the first has</source>
+        <translation>die erste hat</translation>
+    </message>
+    <message>
+        <source>the first {0} have</source>
+        <translation>die ersten {0} haben</translation>
+    </message>
+    <message>
+        <source>{0} as well as {1}; {2} no weight.</source>
+        <translation>{0} ebenso wie {1}; {2} kein Gewicht.</translation>
+    </message>
+    <message>
+        <source>The Fresnel reflectance of lobe {0} is not determined by these samples.</source>
+        <translation>Der Fresnel-Reflexionsgrad der Keule {0} ist durch diese Messpunkte nicht bestimmt.</translation>
+    </message>
+    <message>
+        <source>r is {0} ± {1}</source>
+        <translation>r ist {0} ± {1}</translation>
+    </message>
+    <message>
+        <source>Of lobe {0} only ks times r is known: {1}.</source>
+        <translation>Von Keule {0} ist nur ks mal r bekannt: {1}.</translation>
+    </message>
+    <message>
+        <source>Another answer fits as well within the noise: for lobe {0} it has m {1} and r {2} instead of {3} and {4}. The stated uncertainties cover both.</source>
+        <translation>Eine andere Lösung passt innerhalb des Rauschens ebenso: Bei Keule {0} hat sie m {1} und r {2} statt {3} und {4}. Die angegebenen Unsicherheiten decken beide ab.</translation>
+    </message>
+    <message>
+        <source>fit cook-torrance, or write a table</source>
+        <translation>passen Sie Cook-Torrance an, oder schreiben Sie eine Tabelle</translation>
+    </message>
+    <message>
+        <source>Lobes of the model {0} cannot be saved as a paint; {1}.</source>
+        <translation>Keulen des Modells {0} lassen sich nicht als Lack speichern; {1}.</translation>
+    </message>
+    <message>
+        <source>wi {0}, wo {1}, values {2}</source>
+        <translation>wi {0}, wo {1}, Werte {2}</translation>
+    </message>
+    <message>
+        <source>The samples do not fit together: {0}; expected (n, 3) of each.</source>
+        <translation>Die Messpunkte passen nicht zusammen: {0}; erwartet wurde je (n, 3).</translation>
+    </message>
+    <message>
+        <source>The weights must be {0} finite numbers, none negative.</source>
+        <translation>Die Gewichte müssen {0} endliche Zahlen sein, keine negativ.</translation>
+    </message>
+    <message>
+        <source>None of the {0} samples can be fitted: they are black, not finite, without weight, or seen at more than {1}° from the normal.</source>
+        <translation>Keiner der {0} Messpunkte lässt sich anpassen: Sie sind schwarz, nicht endlich, ohne Gewicht oder aus mehr als {1}° von der Normalen gesehen.</translation>
+    </message>
+    <message>
+        <source>The directions {0} have the shape {1}; expected (n, 3).</source>
+        <translation>Die Richtungen {0} haben die Form {1}; erwartet wurde (n, 3).</translation>
+    </message>
+    <message>
+        <source>The direction {0}[{1}] is not of unit length.</source>
+        <translation>Die Richtung {0}[{1}] hat nicht die Länge 1.</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>{0}° is outside the range 10° to 90°</source>
+        <translation>{0}° liegt außerhalb des Bereichs 10° bis 90°</translation>
+    </message>
+    <message>
+        <source>expected a whole number from {0} to {1}, not {2}</source>
+        <translation>erwartet wurde eine ganze Zahl von {0} bis {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>expected more than 1 time the body, not {0}</source>
+        <translation>erwartet wurde mehr als das 1-Fache des Körpers, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected 0 to {0}, not {1}</source>
+        <translation>erwartet wurde 0 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected more than 0 and at most 1, not {0}</source>
+        <translation>erwartet wurde mehr als 0 und höchstens 1, nicht {0}</translation>
+    </message>
+    <message>
+        <source>Every sample is 0: there is nothing to factor.</source>
+        <translation>Jeder Messpunkt ist 0: Es gibt nichts zu faktorisieren.</translation>
+    </message>
+    <message>
+        <source>The factorization has no finite answer; more smoothness may help.</source>
+        <translation>Die Faktorisierung hat keine endliche Lösung; mehr Glättung kann helfen.</translation>
+    </message>
+    <message>
+        <source>expected (n, 3) each, not {0}, {1}, {2}</source>
+        <translation>erwartet wurde je (n, 3), nicht {0}, {1}, {2}</translation>
+    </message>
+    <message>
+        <source>expected one finite number a sample, not negative</source>
+        <translation>erwartet wurde eine endliche Zahl je Messpunkt, nicht negativ</translation>
+    </message>
+    <message>
+        <source>No sample is finite and above the horizon: there is nothing to factor.</source>
+        <translation>Kein Messpunkt ist endlich und über dem Horizont: Es gibt nichts zu faktorisieren.</translation>
+    </message>
+    <message>
+        <source>one of {0} is wanted, not {1}</source>
+        <translation>verlangt ist eines von {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>sampling</source>
+        <translation>wird abgetastet</translation>
+    </message>
+    <message>
+        <source>the name {0} is the peak&apos;s; give the map another</source>
+        <translation>der Name {0} gehört der Spitze; geben Sie der Karte einen anderen</translation>
+    </message>
+    <message>
+        <source>homomorphic factorization of {0}</source>
+        <translation>homomorphe Faktorisierung von {0}</translation>
+    </message>
+    <message>
+        <source>product of textures</source>
+        <translation>Produkt von Texturen</translation>
+    </message>
+    <message>
+        <source>its folder is not there; make it first</source>
+        <translation>sein Ordner ist nicht da; legen Sie ihn zuerst an</translation>
+    </message>
+    <message>
+        <source>is there already and is no file; give another name</source>
+        <translation>gibt es schon und ist keine Datei; geben Sie einen anderen Namen an</translation>
+    </message>
+    <message>
+        <source>a product of textures goes into a {0} or a {1}</source>
+        <translation>ein Produkt von Texturen kommt in eine {0} oder eine {1}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0}, not {1}</source>
+        <translation>erwartet wurde 1 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected {0} to {1} texels, not {2}</source>
+        <translation>erwartet wurden {0} bis {1} Texel, nicht {2}</translation>
+    </message>
+    <message>
+        <source>normal equations</source>
+        <translation>Normalgleichungen</translation>
+    </message>
+    <message>
+        <source>Cholesky factor</source>
+        <translation>Cholesky-Faktor</translation>
+    </message>
+    <message>
+        <source>least squares by iteration</source>
+        <translation>kleinste Quadrate durch Iteration</translation>
+    </message>
+    <message>
+        <source>Give the base&apos;s aspecular angles and their weights together.</source>
+        <translation>Geben Sie die Aspekularwinkel der Basis und ihre Gewichte zusammen an.</translation>
+    </message>
+    <message>
+        <source>The smoothness over the angles is {0}; it must be 0 or more.</source>
+        <translation>Die Glättung über den Winkeln ist {0}; sie muss 0 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The system of one incidence holds a negative or not finite entry.</source>
+        <translation>Das Gleichungssystem eines Einfalls enthält einen negativen oder nicht endlichen Eintrag.</translation>
+    </message>
+    <message>
+        <source>at the aspecular angle {0}° under light at {1}°</source>
+        <translation>beim Aspekularwinkel {0}° unter Licht bei {1}°</translation>
+    </message>
+    <message>
+        <source>at least {0} angles of incidence and takes at most {1}</source>
+        <translation>mindestens {0} Einfallswinkel und höchstens {1}</translation>
+    </message>
+    <message>
+        <source>A fit at several angles needs {0}, not {1}.</source>
+        <translation>Eine Anpassung bei mehreren Winkeln braucht {0}, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>The power of the angles&apos; placement is {0}; it must be more than 0.</source>
+        <translation>Die Potenz der Verteilung der Winkel ist {0}; sie muss mehr als 0 sein.</translation>
+    </message>
+    <message>
+        <source>The smallest cosine of incidence is {0}; it must lie between 0 and cos 45°.</source>
+        <translation>Der kleinste Kosinus des Einfalls ist {0}; er muss zwischen 0 und cos 45° liegen.</translation>
+    </message>
+    <message>
+        <source>The {0} of a fit have shapes {1}, not {2}.</source>
+        <translation>{0} einer Anpassung haben die Formen {1}, nicht {2}.</translation>
+    </message>
+    <message>
+        <source>The target of a fit is not finite, or so large that its sum is not; scale it down.</source>
+        <translation>Das Ziel einer Anpassung ist nicht endlich, oder so groß, dass seine Summe es nicht ist; verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <source>A factor on a sample&apos;s weight is not a positive finite number.</source>
+        <translation>Ein Faktor auf das Gewicht eines Messpunkts ist keine positive endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The linear-programming solver found no optimum for these samples.</source>
+        <translation>Der Löser der linearen Optimierung fand für diese Messpunkte kein Optimum.</translation>
+    </message>
+    <message>
+        <source>The lobe basis is empty; give at least one exponent.</source>
+        <translation>Die Keulenbasis ist leer; geben Sie mindestens einen Exponenten an.</translation>
+    </message>
+    <message>
+        <source>The lobe exponent {0} is not a finite number of at least 1.</source>
+        <translation>Der Exponent {0} einer Keule ist keine endliche Zahl von mindestens 1.</translation>
+    </message>
+    <message>
+        <source>{0} follows {1}</source>
+        <translation>{0} folgt auf {1}</translation>
+    </message>
+    <message>
+        <source>The lobe exponents must ascend without repeats, but {0}.</source>
+        <translation>Die Exponenten der Keulen müssen ohne Wiederholung steigen, aber {0}.</translation>
+    </message>
+    <message>
+        <source>A lobe basis needs at least one lobe, not {0}.</source>
+        <translation>Eine Keulenbasis braucht mindestens eine Keule, nicht {0}.</translation>
+    </message>
+    <message>
+        <source>Exponents from {0} to {1} do not ascend from at least 1.</source>
+        <translation>Exponenten von {0} bis {1} steigen nicht ab mindestens 1.</translation>
+    </message>
+    <message>
+        <source>this is no {0} of version {1}</source>
+        <translation>dies ist kein {0} der Version {1}</translation>
+    </message>
+    <message>
+        <source>expected a list of numbers</source>
+        <translation>erwartet wurde eine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>there is no basis of {0} lobes; it has those of {1}</source>
+        <translation>es gibt keine Basis von {0} Keulen; es gibt die von {1}</translation>
+    </message>
+    <message>
+        <source>at most {0} lobes are drawn, not {1}</source>
+        <translation>höchstens {0} Keulen werden gezeichnet, nicht {1}</translation>
+    </message>
+    <message>
+        <source>{0} has samples of shape {1}, not {2}.</source>
+        <translation>{0} hat Messpunkte der Form {1}, nicht {2}.</translation>
+    </message>
+    <message>
+        <source>is not finite</source>
+        <translation>ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>is negative ({0} 1/sr)</source>
+        <translation>ist negativ ({0} 1/sr)</translation>
+    </message>
+    <message>
+        <source>is beyond any reflectance ({0} 1/sr)</source>
+        <translation>liegt jenseits jeder Reflexion ({0} 1/sr)</translation>
+    </message>
+    <message>
+        <source>beyond any reflectance</source>
+        <translation>jenseits jeder Reflexion</translation>
+    </message>
+    <message>
+        <source>{0} channel {1} {2}</source>
+        <translation>{0} Kanal {1} {2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be fitted: its {1}.</source>
+        <translation>{0} lässt sich nicht anpassen: {1}.</translation>
+    </message>
+    <message>
+        <source>The time limit of a fit is {0} s; it must be more than 0.</source>
+        <translation>Das Zeitlimit einer Anpassung ist {0} s; es muss mehr als 0 sein.</translation>
+    </message>
+    <message>
+        <source>The refractive index of the coat is {0}; it must be 1 or more.</source>
+        <translation>Die Brechzahl des Klarlacks ist {0}; sie muss 1 oder mehr sein.</translation>
+    </message>
+    <message>
+        <source>The base has no sample at {0} to read the diffuse term from.</source>
+        <translation>Die Basis hat keinen Messpunkt bei {0}, von dem sich der diffuse Anteil ablesen ließe.</translation>
+    </message>
+    <message>
+        <source>The base</source>
+        <translation>Die Basis</translation>
+    </message>
+    <message>
+        <source>The coat</source>
+        <translation>Der Klarlack</translation>
+    </message>
+    <message>
+        <source>at the aspecular angle {0}°</source>
+        <translation>beim Aspekularwinkel {0}°</translation>
+    </message>
+    <message>
+        <source>option {0}</source>
+        <translation>Option {0}</translation>
+    </message>
+    <message>
+        <source>The linear-programming solver refused its {0}.</source>
+        <translation>Der Löser der linearen Optimierung wies {0} zurück.</translation>
+    </message>
+    <message>
+        <source>There is nothing to fit: no sample has light and view above the horizon.</source>
+        <translation>Es gibt nichts anzupassen: Kein Messpunkt hat Licht und Blick über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>the view {0}° from its mirror direction</source>
+        <translation>der Blick {0}° von seiner Spiegelrichtung</translation>
+    </message>
+    <message>
+        <source>with the light at {0}° from the normal and {1}</source>
+        <translation>mit dem Licht bei {0}° von der Normalen und {1}</translation>
+    </message>
+    <message>
+        <source>The reflectance</source>
+        <translation>Die Reflexion</translation>
+    </message>
+    <message>
+        <source>fitting</source>
+        <translation>wird angepasst</translation>
+    </message>
+    <message>
+        <source>It is black wherever it was sampled; all weights are zero.</source>
+        <translation>Sie ist überall schwarz, wo sie abgetastet wurde; alle Gewichte sind null.</translation>
+    </message>
+    <message>
+        <source>There are fewer than {0} samples: the diffuse part alone is fitted.</source>
+        <translation>Es gibt weniger als {0} Messpunkte: Nur der diffuse Anteil wird angepasst.</translation>
+    </message>
+    <message>
+        <source>No sample lies near the mirror direction: the diffuse part alone is fitted.</source>
+        <translation>Kein Messpunkt liegt nahe der Spiegelrichtung: Nur der diffuse Anteil wird angepasst.</translation>
+    </message>
+    <message>
+        <source>No sample lies near enough to the mirror direction for lobes sharper than exponent {0}: what gloss there is beyond is not in the fit.</source>
+        <translation>Kein Messpunkt liegt nahe genug an der Spiegelrichtung für Keulen schärfer als Exponent {0}: Glanz darüber hinaus ist nicht in der Anpassung.</translation>
+    </message>
+    <message>
+        <source>The light stood at {0}° only. Gloss and directional-diffuse parts cannot be separated with fewer than {1} incidences: all lobes are taken as directional-diffuse, and the split is undetermined.</source>
+        <translation>Das Licht stand nur bei {0}°. Glanz und gerichtet-diffuser Anteil lassen sich mit weniger als {1} Einfallswinkeln nicht trennen: Alle Keulen gelten als gerichtet-diffus, und die Aufteilung ist unbestimmt.</translation>
+    </message>
+    <message>
+        <source>Cosine lobes about the mirror direction miss {0} % of it, most of all with the light at {1}° and the view {2}° from its mirror direction.</source>
+        <translation>Kosinuskeulen um die Spiegelrichtung verfehlen {0} % davon, am meisten mit dem Licht bei {1}° und dem Blick {2}° von seiner Spiegelrichtung.</translation>
+    </message>
+    <message>
+        <source>{0} samples at the horizon are left out.</source>
+        <translation>{0} Messpunkte am Horizont sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The samples differ with the surface&apos;s azimuth; the lobes, which do not, show their mean.</source>
+        <translation>Die Messpunkte unterscheiden sich mit dem Azimut der Oberfläche; die Keulen, die es nicht tun, zeigen ihr Mittel.</translation>
+    </message>
+    <message>
+        <source>It differs with the surface&apos;s azimuth; the lobes, which do not, show the mean over it.</source>
+        <translation>Sie ändert sich mit dem Azimut der Oberfläche; die Keulen, die es nicht tun, zeigen das Mittel darüber.</translation>
+    </message>
+    <message>
+        <source>{0} directions of the fit were not measured and are left out.</source>
+        <translation>{0} Richtungen der Anpassung wurden nicht gemessen und sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>of shape {0} does not match {1} sample weights</source>
+        <translation>der Form {0} passt nicht zu {1} Gewichten der Messpunkte</translation>
+    </message>
+    <message>
+        <source>The fitting system {0}.</source>
+        <translation>Das Gleichungssystem der Anpassung {0}.</translation>
+    </message>
+    <message>
+        <source>The fitting system holds a negative or not finite entry.</source>
+        <translation>Das Gleichungssystem der Anpassung enthält einen negativen oder nicht endlichen Eintrag.</translation>
+    </message>
+    <message>
+        <source>A sample weight is not a positive finite number.</source>
+        <translation>Das Gewicht eines Messpunkts ist keine positive endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>There is no sample weighting {0}; choose one of {1}.</source>
+        <translation>Es gibt keine Gewichtung {0} der Messpunkte; wählen Sie eine von {1}.</translation>
+    </message>
+    <message>
+        <source>choose &apos;joint&apos; or &apos;measured&apos;</source>
+        <translation>wählen Sie „joint“ oder „measured“</translation>
+    </message>
+    <message>
+        <source>There is no way {0} for the diffuse term; {1}.</source>
+        <translation>Es gibt keine Weise {0} für den diffusen Anteil; {1}.</translation>
+    </message>
+    <message>
+        <source>The weights over the angles cannot be solved for.</source>
+        <translation>Die Gewichte über den Winkeln lassen sich nicht berechnen.</translation>
+    </message>
+    <message>
+        <source>The lobe weights {0} have shape {1}, not {2}.</source>
+        <translation>Die Keulengewichte {0} haben die Form {1}, nicht {2}.</translation>
+    </message>
+    <message>
+        <source>The lobe weights {0} hold a negative or not finite value.</source>
+        <translation>Die Keulengewichte {0} enthalten einen negativen oder nicht endlichen Wert.</translation>
+    </message>
+    <message>
+        <source>Fresnel&apos;s angle is &quot;light&quot; or &quot;view&quot;, not &quot;{0}&quot;.</source>
+        <translation>Der Fresnel-Winkel ist „light“ oder „view“, nicht „{0}“.</translation>
+    </message>
+    <message>
+        <source>direction to the light</source>
+        <translation>Richtung zum Licht</translation>
+    </message>
+    <message>
+        <source>direction to the viewer</source>
+        <translation>Richtung zum Betrachter</translation>
+    </message>
+    <message>
+        <source>half vector</source>
+        <translation>Halbvektor</translation>
+    </message>
+    <message>
+        <source>cosine between light and view</source>
+        <translation>Kosinus zwischen Licht und Blick</translation>
+    </message>
+    <message>
+        <source>cosine between light and half vector</source>
+        <translation>Kosinus zwischen Licht und Halbvektor</translation>
+    </message>
+    <message>
+        <source>radius of the light on a parabolic map</source>
+        <translation>Radius des Lichts auf einer parabolischen Karte</translation>
+    </message>
+    <message>
+        <source>radius of the view on a parabolic map</source>
+        <translation>Radius des Blicks auf einer parabolischen Karte</translation>
+    </message>
+    <message>
+        <source>radius of the half vector there</source>
+        <translation>Radius des Halbvektors darauf</translation>
+    </message>
+    <message>
+        <source>root of that radius, fine at a peak</source>
+        <translation>Wurzel dieses Radius, fein an einer Spitze</translation>
+    </message>
+    <message>
+        <source>cosines light to half vector, half vector to normal</source>
+        <translation>Kosinus Licht zu Halbvektor, Halbvektor zu Normale</translation>
+    </message>
+    <message>
+        <source>cosines of light and view, the smaller first</source>
+        <translation>Kosinus von Licht und Blick, der kleinere zuerst</translation>
+    </message>
+    <message>
+        <source>p:wo q:h p:wi</source>
+        <translation>p:wo q:h p:wi</translation>
+    </message>
+    <message>
+        <source>{0} is not map:projection with a projection of {1}, as in {2}</source>
+        <translation>{0} ist nicht Karte:Projektion mit einer Projektion von {1}, wie in {2}</translation>
+    </message>
+    <message>
+        <source>the map {0} cannot be over {1} and over something of another form</source>
+        <translation>die Karte {0} kann nicht zugleich über {1} und über etwas anderer Form stehen</translation>
+    </message>
+    <message>
+        <source>the map {0} cannot have {1} and {2} texels</source>
+        <translation>die Karte {0} kann nicht {1} und {2} Texel haben</translation>
+    </message>
+    <message>
+        <source>expected 1 to {0} factors, not {1}</source>
+        <translation>erwartet wurden 1 bis {0} Faktoren, nicht {1}</translation>
+    </message>
+    <message>
+        <source>nothing divides measured data into coat and base, so they cannot be fitted at several angles; leave out the number of angles.</source>
+        <translation>nichts teilt gemessene Daten in Klarlack und Basis, sie lassen sich daher nicht bei mehreren Winkeln anpassen; lassen Sie die Anzahl der Winkel weg.</translation>
+    </message>
+    <message>
+        <source>it has no coat and base to be fitted at several angles; leave out the number of angles.</source>
+        <translation>es hat keinen Klarlack und keine Basis, die sich bei mehreren Winkeln anpassen ließen; lassen Sie die Anzahl der Winkel weg.</translation>
+    </message>
+    <message>
+        <source>light at {0}°, view at {1}°, {2}° out of the plane</source>
+        <translation>Licht bei {0}°, Blick bei {1}°, {2}° außerhalb der Ebene</translation>
+    </message>
+    <message>
+        <source>albedo</source>
+        <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>reciprocity</source>
+        <translation>Reziprozität</translation>
+    </message>
+    <message>
+        <source>hemispherical albedo, {0}</source>
+        <translation>hemisphärische Albedo, {0}</translation>
+    </message>
+    <message>
+        <source>reciprocity error, worst</source>
+        <translation>Reziprozitätsfehler, größter</translation>
+    </message>
+    <message>
+        <source>reciprocity error, median</source>
+        <translation>Reziprozitätsfehler, Median</translation>
+    </message>
+    <message>
+        <source>albedo at {0}°</source>
+        <translation>Albedo bei {0}°</translation>
+    </message>
+    <message>
+        <source>albedo at {0}°, {1}</source>
+        <translation>Albedo bei {0}°, {1}</translation>
+    </message>
+    <message>
+        <source>ΔE00 of the fit {0}</source>
+        <translation>ΔE00 der Anpassung {0}</translation>
+    </message>
+    <message>
+        <source>ΔE00 to the reference {0}</source>
+        <translation>ΔE00 zur Referenz {0}</translation>
+    </message>
+    <message>
+        <source>, away from the mirror</source>
+        <translation>, abseits der Spiegelrichtung</translation>
+    </message>
+    <message>
+        <source>a surface is written as {0}, not {1}</source>
+        <translation>eine Oberfläche wird als {0} geschrieben, nicht {1}</translation>
+    </message>
+    <message>
+        <source>has no value in any direction, so that there is nothing to write</source>
+        <translation>hat in keiner Richtung einen Wert, es gibt also nichts zu schreiben</translation>
+    </message>
+    <message>
+        <source>BRDF Suite, a lobe surface</source>
+        <translation>BRDF Suite, eine Keulenfläche</translation>
+    </message>
+    <message>
+        <source>x along the tangent, z along the normal of the surface</source>
+        <translation>x entlang der Tangente, z entlang der Normalen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>a value in 1/sr above 0 is wanted, not {0}</source>
+        <translation>verlangt ist ein Wert über 0 in 1/sr, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} to {1} decades are shown</source>
+        <translation>{0} bis {1} Dekaden werden gezeigt</translation>
+    </message>
+    <message>
+        <source>{0}: the target is the source itself; name another file.</source>
+        <translation>{0}: Das Ziel ist die Quelle selbst; nennen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>{0}, within {1}° of the normal</source>
+        <translation>{0}, innerhalb von {1}° von der Normalen</translation>
+    </message>
+    <message>
+        <source>{0}, none within {1}° of the steepest</source>
+        <translation>{0}, keiner innerhalb von {1}° vom steilsten</translation>
+    </message>
+    <message>
+        <source>{0} samples cannot be divided into a part to fit and a part to compare</source>
+        <translation>{0} Messpunkte lassen sich nicht in einen Teil zum Anpassen und einen zum Vergleichen teilen</translation>
+    </message>
+    <message>
+        <source>{0}; {1} or more are needed.</source>
+        <translation>{0}; {1} oder mehr werden gebraucht.</translation>
+    </message>
+    <message>
+        <source>a fifth of the samples, drawn at random</source>
+        <translation>ein Fünftel der Messpunkte, zufällig gezogen</translation>
+    </message>
+    <message>
+        <source>pairs even over √θh, θd and φd that no fit draws</source>
+        <translation>Paare gleichmäßig über √θh, θd und φd, die keine Anpassung verwendet</translation>
+    </message>
+    <message>
+        <source>The table has too few measured rows of θd to hold every fifth of them out.</source>
+        <translation>Die Tabelle hat zu wenige gemessene Zeilen von θd, um jede fünfte zurückzuhalten.</translation>
+    </message>
+    <message>
+        <source>bins of every fifth row of θd</source>
+        <translation>Felder jeder fünften Zeile von θd</translation>
+    </message>
+    <message>
+        <source>pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>taking pictures of the flakes</source>
+        <translation>Bilder der Flakes werden aufgenommen</translation>
+    </message>
+    <message>
+        <source>sparkle grade {0}°</source>
+        <translation>Glitzergrad {0}°</translation>
+    </message>
+    <message>
+        <source>{0}: nearest {1} %, {2} %</source>
+        <translation>{0}: nächster {1} %, {2} %</translation>
+    </message>
+    <message>
+        <source>Not reachable with flakes in a paint of this colour: {0}.</source>
+        <translation>Mit Flakes in einem Lack dieser Farbe nicht erreichbar: {0}.</translation>
+    </message>
+    <message>
+        <source>expected up to {0} readings, at least one</source>
+        <translation>erwartet wurden bis zu {0} Messwerte, mindestens einer</translation>
+    </message>
+    <message>
+        <source>looking for flakes</source>
+        <translation>Flakes werden gesucht</translation>
+    </message>
+    <message>
+        <source>a drawing is written as SVG; give a name that ends in .svg</source>
+        <translation>eine Zeichnung wird als SVG geschrieben; geben Sie einen Namen an, der auf .svg endet</translation>
+    </message>
+    <message>
+        <source>Cook-Torrance lobes</source>
+        <translation>Cook-Torrance-Keulen</translation>
+    </message>
+    <message>
+        <source>{0}, aspecular angles from 15 to 110°, light at 45°</source>
+        <translation>{0}, Aspekularwinkel von 15 bis 110°, Licht bei 45°</translation>
+    </message>
+    <message>
+        <source>aspecular angle, degrees; light at 45°</source>
+        <translation>Aspekularwinkel, Grad; Licht bei 45°</translation>
+    </message>
+    <message>
+        <source>luminous reflectance factor</source>
+        <translation>Lichtreflexionsfaktor</translation>
+    </message>
+    <message>
+        <source>{0}: given, and fitted {1}</source>
+        <translation>{0}: vorgegeben, und angepasst {1}</translation>
+    </message>
+    <message>
+        <source>, of which {0} are shown</source>
+        <translation>, von denen {0} gezeigt sind</translation>
+    </message>
+    <message>
+        <source>{0}: {1} entry{2}</source>
+        <translation>{0}: {1} Eintrag{2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} entries{2}</source>
+        <translation>{0}: {1} Einträge{2}</translation>
+    </message>
+    <message>
+        <source>wo and values</source>
+        <translation>wo und Werte</translation>
+    </message>
+    <message>
+        <source>give one subject, or all of wi, wo and values</source>
+        <translation>geben Sie einen Gegenstand an, oder alle von wi, wo und values</translation>
+    </message>
+    <message>
+        <source>; there are {0}</source>
+        <translation>; es gibt {0}</translation>
+    </message>
+    <message>
+        <source>module &apos;brdf_suite&apos; has no attribute {0}{1}</source>
+        <translation>das Modul „brdf_suite“ hat kein Attribut {0}{1}</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+    <message>
+        <source>this picture is {0}; give a name that ends in {1}</source>
+        <translation>dieses Bild ist {0}; geben Sie einen Namen an, der auf {1} endet</translation>
+    </message>
+    <message>
+        <source>expected {0} to {1} pixels, not {2}</source>
+        <translation>erwartet wurden {0} bis {1} Pixel, nicht {2}</translation>
+    </message>
+    <message>
+        <source>the documents cannot be read ({0})</source>
+        <translation>die Dokumente sind nicht lesbar ({0})</translation>
+    </message>
+    <message>
+        <source>kind: expected Material, Palette, Paint, Environment or View, not {0}.</source>
+        <translation>kind: Erwartet wurde Material, Palette, Paint, Environment oder View, nicht {0}.</translation>
+    </message>
+    <message>
+        <source>is no paint that is designed by its readings; load it as a Material</source>
+        <translation>ist kein über seine Messwerte entworfener Lack; laden Sie ihn als Material</translation>
+    </message>
+    <message>
+        <source>an environment goes into an .exr; give it that ending</source>
+        <translation>eine Umgebung kommt in ein .exr; geben Sie ihr diese Endung</translation>
+    </message>
+    <message>
+        <source>what is given is no paint; make one with fit_cook_torrance or factorize, or choose a measured format</source>
+        <translation>das Angegebene ist kein Lack; machen Sie einen mit fit_cook_torrance oder factorize, oder wählen Sie ein Messformat</translation>
+    </message>
+    <message>
+        <source>is no palette and no paint, which a palette&apos;s format could hold</source>
+        <translation>ist keine Palette und kein Lack, den das Format einer Palette enthalten könnte</translation>
+    </message>
+    <message>
+        <source>{0}: a palette holds paints; give one of its entries, as palette.entries[0].</source>
+        <translation>{0}: Eine Palette enthält Lacke; geben Sie einen ihrer Einträge an, wie palette.entries[0].</translation>
+    </message>
+    <message>
+        <source>must have shape (h, w, 3), at least (4, 8, 3), not {0}</source>
+        <translation>muss die Form (h, w, 3) haben, mindestens (4, 8, 3), nicht {0}</translation>
+    </message>
+    <message>
+        <source>must be finite and never negative</source>
+        <translation>muss endlich und darf nie negativ sein</translation>
+    </message>
+    <message>
+        <source>analysing the environment</source>
+        <translation>Umgebung wird ausgewertet</translation>
+    </message>
+    <message>
+        <source>the compiled filter</source>
+        <translation>das kompilierte Filter</translation>
+    </message>
+    <message>
+        <source>compiling the filter, once for this machine</source>
+        <translation>Filter wird kompiliert, einmal für diesen Rechner</translation>
+    </message>
+    <message>
+        <source>filling the cube</source>
+        <translation>Würfel wird gefüllt</translation>
+    </message>
+    <message>
+        <source>must be a finite number above 0, not {0}</source>
+        <translation>muss eine endliche Zahl über 0 sein, nicht {0}</translation>
+    </message>
+    <message>
+        <source>reading the environment&apos;s rings</source>
+        <translation>Ringe der Umgebung werden gelesen</translation>
+    </message>
+    <message>
+        <source>lobe {0} is filtered</source>
+        <translation>Keule {0} ist gefiltert</translation>
+    </message>
+    <message>
+        <source>the environment is filtered</source>
+        <translation>die Umgebung ist gefiltert</translation>
+    </message>
+    <message>
+        <source>{0} lobe of exponent {1}</source>
+        <translation>{0} Keule mit Exponent {1}</translation>
+    </message>
+    <message>
+        <source>the table is made</source>
+        <translation>die Tabelle ist fertig</translation>
+    </message>
+    <message>
+        <source>latitude-longitude map, twice as wide as high</source>
+        <translation>Längen-Breiten-Karte, doppelt so breit wie hoch</translation>
+    </message>
+    <message>
+        <source>cube unfolded to 4 × 3 faces: left, front, right, back; up and down at the front</source>
+        <translation>auf 4 × 3 Seiten entfalteter Würfel: links, vorn, rechts, hinten; oben und unten an der Vorderseite</translation>
+    </message>
+    <message>
+        <source>cube unfolded to 3 × 4 faces: left, front, right; up above, down and back (turned) below</source>
+        <translation>auf 3 × 4 Seiten entfalteter Würfel: links, vorn, rechts; oben darüber, unten und hinten (gedreht) darunter</translation>
+    </message>
+    <message>
+        <source>six faces side by side: right, left, up, down, front, back</source>
+        <translation>sechs Seiten nebeneinander: rechts, links, oben, unten, vorn, hinten</translation>
+    </message>
+    <message>
+        <source>six faces one below the other, in the same order</source>
+        <translation>sechs Seiten untereinander, in derselben Reihenfolge</translation>
+    </message>
+    <message>
+        <source>six faces one below the other as OpenEXR&apos;s cube maps have them</source>
+        <translation>sechs Seiten untereinander, wie die Würfelkarten von OpenEXR sie haben</translation>
+    </message>
+    <message>
+        <source>light probe: the angle from the front grows evenly with the radius, the rim is the back</source>
+        <translation>Lichtsonde: Der Winkel von vorn wächst gleichmäßig mit dem Radius, der Rand ist hinten</translation>
+    </message>
+    <message>
+        <source>photograph of a mirror ball from far away, the camera in front of it (+z)</source>
+        <translation>Foto einer Spiegelkugel aus großer Entfernung, die Kamera davor (+z)</translation>
+    </message>
+    <message>
+        <source>fisheye of the upper half: the zenith in the middle, the horizon at the rim, the front below</source>
+        <translation>Fischauge der oberen Hälfte: der Zenit in der Mitte, der Horizont am Rand, vorn unten</translation>
+    </message>
+    <message>
+        <source>its shape is that of a {0} of cube faces</source>
+        <translation>die Form ist die eines {0} aus Würfelseiten</translation>
+    </message>
+    <message>
+        <source>a square image is taken as a light probe (angular); a mirror ball or a dome must be named</source>
+        <translation>ein quadratisches Bild gilt als Lichtsonde (angular); eine Spiegelkugel oder eine Kuppel muss genannt werden</translation>
+    </message>
+    <message>
+        <source>2:1 (latitude-longitude), 4:3 or 3:4 (cross), 6:1 or 1:6 (strip), 1:1 (light probe)</source>
+        <translation>2:1 (Längen-Breiten), 4:3 oder 3:4 (Kreuz), 6:1 oder 1:6 (Streifen), 1:1 (Lichtsonde)</translation>
+    </message>
+    <message>
+        <source>cannot be determined: {0} × {1} pixels; the shapes that are read are {2}</source>
+        <translation>lässt sich nicht bestimmen: {0} × {1} Pixel; gelesen werden die Formen {2}</translation>
+    </message>
+    <message>
+        <source>twice as wide as high</source>
+        <translation>doppelt so breit wie hoch</translation>
+    </message>
+    <message>
+        <source>{0} × {1} square faces</source>
+        <translation>{0} × {1} quadratische Seiten</translation>
+    </message>
+    <message>
+        <source>is {0}, which must be {1}, but the image is {2}</source>
+        <translation>ist {0}, was {1} sein muss, das Bild ist aber {2}</translation>
+    </message>
+    <message>
+        <source>laying the environment out</source>
+        <translation>Umgebung wird ausgelegt</translation>
+    </message>
+    <message>
+        <source>must have length 1</source>
+        <translation>muss die Länge 1 haben</translation>
+    </message>
+    <message>
+        <source>must have the shape {0}, not {1}</source>
+        <translation>muss die Form {0} haben, nicht {1}</translation>
+    </message>
+    <message>
+        <source>must be finite, and never negative</source>
+        <translation>muss endlich und darf nie negativ sein</translation>
+    </message>
+    <message>
+        <source>must be 1 to {0} lights, not {1}</source>
+        <translation>es müssen 1 bis {0} Lichter sein, nicht {1}</translation>
+    </message>
+    <message>
+        <source>must be one of {0}, not {1}</source>
+        <translation>muss eines von {0} sein, nicht {1}</translation>
+    </message>
+    <message>
+        <source>map file</source>
+        <translation>Kartendatei</translation>
+    </message>
+    <message>
+        <source>file of packed maps</source>
+        <translation>Datei gepackter Karten</translation>
+    </message>
+    <message>
+        <source>was made from another environment, or for other lobes</source>
+        <translation>wurde aus einer anderen Umgebung oder für andere Keulen gemacht</translation>
+    </message>
+    <message>
+        <source>header, key</source>
+        <translation>Kopf, Schlüssel</translation>
+    </message>
+    <message>
+        <source>is damaged ({0})</source>
+        <translation>ist beschädigt ({0})</translation>
+    </message>
+    <message>
+        <source>An overcast day: CIE standard overcast sky, 15 klx on flat ground without a skyline.</source>
+        <translation>Ein bedeckter Tag: CIE-Normhimmel, bedeckt, 15 klx auf ebenem Boden ohne Silhouette.</translation>
+    </message>
+    <message>
+        <source>{0} The value 1.0 is {1} cd/m².</source>
+        <translation>{0} Der Wert 1,0 ist {1} cd/m².</translation>
+    </message>
+    <message>
+        <source>drawing the light</source>
+        <translation>Licht wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Hošek and Wilkie 2012 and 2013</source>
+        <translation>Hošek und Wilkie 2012 und 2013</translation>
+    </message>
+    <message>
+        <source>Preetham, Shirley and Smits 1999; sun of Hošek and Wilkie 2013</source>
+        <translation>Preetham, Shirley und Smits 1999; Sonne von Hošek und Wilkie 2013</translation>
+    </message>
+    <message>
+        <source>CIE S 011, type 16 (Moon and Spencer 1942)</source>
+        <translation>CIE S 011, Typ 16 (Moon und Spencer 1942)</translation>
+    </message>
+    <message>
+        <source>, turbidity {0}, sun {1}° high</source>
+        <translation>, Trübung {0}, Sonne {1}° hoch</translation>
+    </message>
+    <message>
+        <source>A sky: {0}{1}, ground albedo {2}.</source>
+        <translation>Ein Himmel: {0}{1}, Albedo des Bodens {2}.</translation>
+    </message>
+    <message>
+        <source>A studio: {0}; {1} lamps.</source>
+        <translation>Ein Studio: {0}; {1} Lampen.</translation>
+    </message>
+    <message>
+        <source>A light booth: a grey room, 9 × 14 × 4.2 m, with soft boxes of 4 to 6 kcd/m², all neutral (D65).</source>
+        <translation>Eine Lichtkabine: ein grauer Raum, 9 × 14 × 4,2 m, mit Softboxen von 4 bis 6 kcd/m², alles neutral (D65).</translation>
+    </message>
+    <message>
+        <source>reading the picture</source>
+        <translation>Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>1 to {0} samples a pixel are taken, not {1}</source>
+        <translation>1 bis {0} Abtastwerte je Pixel werden genommen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>1 to {0} exposures are averaged, not {1}</source>
+        <translation>1 bis {0} Belichtungen werden gemittelt, nicht {1}</translation>
+    </message>
+    <message>
+        <source>pictures are written as PNG or EXR; give a name that ends in {0}</source>
+        <translation>Bilder werden als PNG oder EXR geschrieben; geben Sie einen Namen an, der auf {0} endet</translation>
+    </message>
+    <message>
+        <source>{0} has {1} bits a channel, not {2}</source>
+        <translation>{0} hat {1} Bit je Kanal, nicht {2}</translation>
+    </message>
+    <message>
+        <source>PNG pictures are written in srgb or display-p3; rec2020 is for EXR</source>
+        <translation>PNG-Bilder werden in srgb oder display-p3 geschrieben; rec2020 ist für EXR</translation>
+    </message>
+    <message>
+        <source>its folder cannot be used: {0}</source>
+        <translation>sein Ordner ist nicht verwendbar: {0}</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>sein Ordner existiert nicht</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>drawing, {0} of {1} rows</source>
+        <translation>wird gezeichnet, {0} von {1} Zeilen</translation>
+    </message>
+    <message>
+        <source>{0} on {1} in {2}, {3} EV, light turned {4}°, tone curve {5}, fresnel {6}</source>
+        <translation>{0} auf {1} in {2}, {3} EV, Licht um {4}° gedreht, Tonwertkurve {5}, Fresnel {6}</translation>
+    </message>
+    <message>
+        <source>preparing the light ({0})</source>
+        <translation>Licht wird vorbereitet ({0})</translation>
+    </message>
+    <message>
+        <source>2 to {0} frames make a turn, not {1}</source>
+        <translation>eine Drehung hat 2 bis {0} Bilder, nicht {1}</translation>
+    </message>
+    <message>
+        <source>1 to 240 are played a second, not {0}</source>
+        <translation>1 bis 240 werden je Sekunde gezeigt, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a shutter is open for 0 to 360°, not {0}</source>
+        <translation>ein Verschluss ist über 0 bis 360° offen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>a video has 8 bits in sRGB and no transparency; a folder of PNG has them</source>
+        <translation>ein Video hat 8 Bit in sRGB und keine Durchsichtigkeit; ein Ordner mit PNG hat sie</translation>
+    </message>
+    <message>
+        <source>frame {0} of {1}</source>
+        <translation>Bild {0} von {1}</translation>
+    </message>
+    <message>
+        <source>a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending</source>
+        <translation>eine Drehung ist ein .mp4, ein .webm oder ein Ordner mit PNG-Bildern: ein Name ohne Endung</translation>
+    </message>
+    <message>
+        <source>is there already and not an empty folder; name a new one</source>
+        <translation>gibt es schon und ist kein leerer Ordner; nennen Sie einen neuen</translation>
+    </message>
+    <message>
+        <source>cannot be made: {0}</source>
+        <translation>lässt sich nicht anlegen: {0}</translation>
+    </message>
+    <message>
+        <source>a turntable as a folder of PNG pictures needs nothing more</source>
+        <translation>eine Drehung als Ordner mit PNG-Bildern braucht nichts weiter</translation>
+    </message>
+    <message>
+        <source>a video</source>
+        <translation>ein Video</translation>
+    </message>
+    <message>
+        <source>a video needs ffmpeg, which the installed imageio-ffmpeg does not contain and the system does not offer; install the package ffmpeg with the package manager of this system, and {0}</source>
+        <translation>ein Video braucht ffmpeg, das das installierte imageio-ffmpeg nicht enthält und das System nicht bietet; installieren Sie das Paket ffmpeg mit der Paketverwaltung dieses Systems, und {0}</translation>
+    </message>
+    <message>
+        <source>a video has an even width and height: {0}x{1}, not {2}x{3}</source>
+        <translation>ein Video hat eine gerade Breite und Höhe: {0}x{1}, nicht {2}x{3}</translation>
+    </message>
+    <message>
+        <source>({0}, {1}, 3) uint8</source>
+        <translation>({0}, {1}, 3) uint8</translation>
+    </message>
+    <message>
+        <source>the video could not be made: {0}</source>
+        <translation>das Video ließ sich nicht erzeugen: {0}</translation>
+    </message>
+    <message>
+        <source>the video could not be made: ffmpeg gave no reason</source>
+        <translation>das Video ließ sich nicht erzeugen: ffmpeg gab keinen Grund an</translation>
+    </message>
+    <message>
+        <source>ffmpeg gave no reason</source>
+        <translation>ffmpeg gab keinen Grund an</translation>
+    </message>
+    <message>
+        <source>at least {0} readings under one light are wanted</source>
+        <translation>verlangt sind mindestens {0} Messwerte unter einem Licht</translation>
+    </message>
+    <message>
+        <source>there is a reading at {0}° already</source>
+        <translation>es gibt schon einen Messwert bei {0}°</translation>
+    </message>
+    <message>
+        <source>a paint needs at least {0} readings under one light, so this one stays</source>
+        <translation>ein Lack braucht mindestens {0} Messwerte unter einem Licht, daher bleibt dieser</translation>
+    </message>
+    <message>
+        <source>looking for the nearest paint</source>
+        <translation>nächster Lack wird gesucht</translation>
+    </message>
+    <message>
+        <source>reading {0}</source>
+        <translation>{0} wird abgelesen</translation>
+    </message>
+    <message>
+        <source>reading the colours</source>
+        <translation>Farben werden abgelesen</translation>
+    </message>
+    <message>
+        <source>reading the gloss</source>
+        <translation>Glanz wird abgelesen</translation>
+    </message>
+    <message>
+        <source>Read by the virtual spectrophotometer from {0}</source>
+        <translation>Vom virtuellen Spektralfotometer abgelesen von {0}</translation>
+    </message>
+    <message>
+        <source>Of flakes a reflectance says nothing: the design has none that can be seen singly.</source>
+        <translation>Über Flakes sagt eine Reflexion nichts: Der Entwurf hat keine einzeln sichtbaren.</translation>
+    </message>
+    <message>
+        <source>comparing at angles that were not used</source>
+        <translation>wird an nicht verwendeten Winkeln verglichen</translation>
+    </message>
+    <message>
+        <source>scattered samples lie too far apart for a mirror lobe</source>
+        <translation>verstreute Messpunkte liegen zu weit auseinander für eine Spiegelkeule</translation>
+    </message>
+    <message>
+        <source>the data are not finite numbers around the mirror direction</source>
+        <translation>die Daten sind um die Spiegelrichtung keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>No gloss could be had of the data ({0}); {1} GU at 20° is set instead,</source>
+        <translation>Aus den Daten ergab sich kein Glanz ({0}); stattdessen sind {1} GU bei 20° gesetzt,</translation>
+    </message>
+    <message>
+        <source>{0} not measured.</source>
+        <translation>{0} nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>{0} GU at {1}°</source>
+        <translation>{0} GU bei {1}°</translation>
+    </message>
+    <message>
+        <source>The glossmeter reads {0}, which no clearcoat gives; only the 20° reading is taken.</source>
+        <translation>Das Glanzmessgerät zeigt {0}, was kein Klarlack ergibt; nur der 20°-Messwert wird genommen.</translation>
+    </message>
+    <message>
+        <source>{0} {1} GU at 20°, the nearest found, is set instead.</source>
+        <translation>{0} Stattdessen ist {1} GU bei 20° gesetzt, der nächste gefundene Wert.</translation>
+    </message>
+    <message>
+        <source>The glossmeter reads {0}, and no clearcoat over these colours was found: {1}.</source>
+        <translation>Das Glanzmessgerät zeigt {0}, und über diesen Farben wurde kein Klarlack gefunden: {1}.</translation>
+    </message>
+    <message>
+        <source>At {0} L*a*b* {1} is beyond what a paint holds; the nearest is taken.</source>
+        <translation>Bei {0} liegt L*a*b* {1} jenseits dessen, was ein Lack fasst; der nächste Wert gilt.</translation>
+    </message>
+    <message>
+        <source>held out</source>
+        <translation>zurückgehalten</translation>
+    </message>
+    <message>
+        <source>angles that were not used</source>
+        <translation>nicht verwendete Winkel</translation>
+    </message>
+    <message>
+        <source>The design cannot be drawn yet: {0}</source>
+        <translation>Der Entwurf lässt sich noch nicht zeichnen: {0}</translation>
+    </message>
+    <message>
+        <source>Between the angles the {0} rule is used: it is nearer to the original (ΔE00 {1} in the mean) than the {2} rule ({3}).</source>
+        <translation>Zwischen den Winkeln gilt die {0}: Sie liegt näher am Original (ΔE00 {1} im Mittel) als die {2} ({3}).</translation>
+    </message>
+    <message>
+        <source>from {0} to {1} is wanted, not {2}</source>
+        <translation>verlangt ist {0} bis {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>both paints must be read at the same angles</source>
+        <translation>beide Lacke müssen bei denselben Winkeln gemessen sein</translation>
+    </message>
+    <message>
+        <source>{0} has no reading at {1}, and nothing that one could be computed from.</source>
+        <translation>{0} hat keinen Messwert bei {1}, und nichts, woraus er sich berechnen ließe.</translation>
+    </message>
+    <message>
+        <source>Its colours are read by the virtual spectrophotometer.</source>
+        <translation>Seine Farben werden vom virtuellen Spektralfotometer abgelesen.</translation>
+    </message>
+    <message>
+        <source>read</source>
+        <translation>abgelesen</translation>
+    </message>
+    <message>
+        <source>holds no paint, so there is no standard in it</source>
+        <translation>enthält keinen Lack, also keinen Bezug</translation>
+    </message>
+    <message>
+        <source>{0}: no sample can be a standard: {1}.</source>
+        <translation>{0}: Keine Probe kann ein Bezug sein: {1}.</translation>
+    </message>
+    <message>
+        <source>mean of {0} measurements, which differ from it by at most ΔE00 {1}</source>
+        <translation>Mittel aus {0} Messungen, die davon um höchstens ΔE00 {1} abweichen</translation>
+    </message>
+    <message>
+        <source>This paint has no flakes.</source>
+        <translation>Dieser Lack hat keine Flakes.</translation>
+    </message>
+    <message>
+        <source>{0} would be {1}, beyond {2} to {3}.</source>
+        <translation>{0} wäre {1}, außerhalb von {2} bis {3}.</translation>
+    </message>
+    <message>
+        <source>A grey has no chroma to change.</source>
+        <translation>Ein Grau hat keine Buntheit, die sich ändern ließe.</translation>
+    </message>
+    <message>
+        <source>Its largest chroma is {0}, less than the step.</source>
+        <translation>Seine größte Buntheit ist {0}, weniger als der Schritt.</translation>
+    </message>
+    <message>
+        <source>A grey has no hue to turn.</source>
+        <translation>Ein Grau hat keinen Buntton, der sich drehen ließe.</translation>
+    </message>
+    <message>
+        <source>A white has no depth.</source>
+        <translation>Ein Weiß hat keine Tiefe.</translation>
+    </message>
+    <message>
+        <source>It has the warmest hue already.</source>
+        <translation>Er hat schon den wärmsten Buntton.</translation>
+    </message>
+    <message>
+        <source>It has no flop left to take away.</source>
+        <translation>Er hat keinen Flop mehr, der sich verringern ließe.</translation>
+    </message>
+    <message>
+        <source>L* at {0} would be {1}, darker than black.</source>
+        <translation>L* bei {0} wäre {1}, dunkler als Schwarz.</translation>
+    </message>
+    <message>
+        <source>{0} at {1} would be {2}, beyond {3} to {4}.</source>
+        <translation>{0} bei {1} wäre {2}, außerhalb von {3} bis {4}.</translation>
+    </message>
+    <message>
+        <source>0 to {0} ΔE00 is wanted, not {1}</source>
+        <translation>verlangt ist 0 bis {0} ΔE00, nicht {1}</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>verglichen</translation>
+    </message>
+    <message>
+        <source>comparing {0} of {1}</source>
+        <translation>{0} von {1} wird verglichen</translation>
+    </message>
+    <message>
+        <source>measuring groups</source>
+        <translation>Gruppen werden gemessen</translation>
+    </message>
+    <message>
+        <source>measuring a group, {0} of {1}</source>
+        <translation>eine Gruppe wird gemessen, {0} von {1}</translation>
+    </message>
+    <message>
+        <source>the colour</source>
+        <translation>die Farbe</translation>
+    </message>
+    <message>
+        <source>the name</source>
+        <translation>der Name</translation>
+    </message>
+    <message>
+        <source>the group</source>
+        <translation>die Gruppe</translation>
+    </message>
+    <message>
+        <source>the code</source>
+        <translation>der Code</translation>
+    </message>
+    <message>
+        <source>the notes</source>
+        <translation>die Notizen</translation>
+    </message>
+    <message>
+        <source>the mark</source>
+        <translation>das Zeichen</translation>
+    </message>
+    <message>
+        <source>the usage</source>
+        <translation>die Verwendung</translation>
+    </message>
+    <message>
+        <source>the date</source>
+        <translation>das Datum</translation>
+    </message>
+    <message>
+        <source>the number of columns</source>
+        <translation>die Anzahl der Spalten</translation>
+    </message>
+    <message>
+        <source>what another program keeps in it</source>
+        <translation>was ein anderes Programm darin ablegt</translation>
+    </message>
+    <message>
+        <source>the place</source>
+        <translation>der Platz</translation>
+    </message>
+    <message>
+        <source>the palette {0}</source>
+        <translation>die Palette {0}</translation>
+    </message>
+    <message>
+        <source>the group {0}</source>
+        <translation>die Gruppe {0}</translation>
+    </message>
+    <message>
+        <source>the entry {0}</source>
+        <translation>der Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>{0} is {1}</source>
+        <translation>{0} ist {1}</translation>
+    </message>
+    <message>
+        <source>here and was changed in the file</source>
+        <translation>hier und wurde in der Datei geändert</translation>
+    </message>
+    <message>
+        <source>in the file and was changed here</source>
+        <translation>in der Datei und wurde hier geändert</translation>
+    </message>
+    <message>
+        <source>{0} was removed {1}; it is kept as it was changed</source>
+        <translation>{0} wurde {1} entfernt; es bleibt in der geänderten Form</translation>
+    </message>
+    <message>
+        <source>the name of {0} was changed here and in the file: here {1}, in the file {2}; it stays as it is here</source>
+        <translation>der Name von {0} wurde hier und in der Datei geändert: hier {1}, in der Datei {2}; es bleibt bei dem von hier</translation>
+    </message>
+    <message>
+        <source>{0} of {1} was changed here and in the file</source>
+        <translation>{0} von {1} wurde hier und in der Datei geändert</translation>
+    </message>
+    <message>
+        <source>{0}; it stays as it is here</source>
+        <translation>{0}; es bleibt, wie es hier ist</translation>
+    </message>
+    <message>
+        <source>a colour at each of {0} angles is wanted</source>
+        <translation>verlangt ist eine Farbe an jedem von {0} Winkeln</translation>
+    </message>
+    <message>
+        <source>the colour is known at none of the angles</source>
+        <translation>die Farbe ist an keinem der Winkel bekannt</translation>
+    </message>
+    <message>
+        <source>a whole number of pixels is wanted, not {0}</source>
+        <translation>verlangt ist eine ganze Zahl von Pixeln, nicht {0}</translation>
+    </message>
+    <message>
+        <source>{0} to {1} pixels are drawn, not {2}</source>
+        <translation>{0} bis {1} Pixel werden gezeichnet, nicht {2}</translation>
+    </message>
+    <message>
+        <source>1 to {0} angles are wanted</source>
+        <translation>verlangt sind 1 bis {0} Winkel</translation>
+    </message>
+    <message>
+        <source>with the light at 45°, angles lie above -45° and below 135°</source>
+        <translation>mit dem Licht bei 45° liegen Winkel über -45° und unter 135°</translation>
+    </message>
+    <message>
+        <source>a size and a list of angles are wanted</source>
+        <translation>verlangt sind eine Größe und eine Liste von Winkeln</translation>
+    </message>
+    <message>
+        <source>the request</source>
+        <translation>die Anforderung</translation>
+    </message>
+    <message>
+        <source>The program met a fault of its own: {0}: {1}</source>
+        <translation>Das Programm stieß auf einen eigenen Fehler: {0}: {1}</translation>
+    </message>
+    <message>
+        <source>The pictures in {0} are in use by another program; doing without.</source>
+        <translation>Die Bilder in {0} sind bei einem anderen Programm in Gebrauch; es geht ohne sie.</translation>
+    </message>
+    <message>
+        <source>The kept pictures {0} are damaged ({1}); they are made anew.</source>
+        <translation>Die aufbewahrten Bilder {0} sind beschädigt ({1}); sie werden neu gemacht.</translation>
+    </message>
+    <message>
+        <source>Pictures of paints are not kept: {0} cannot be used ({1}). Make room there, or set {2} to another folder.</source>
+        <translation>Bilder von Lacken werden nicht aufbewahrt: {0} ist nicht verwendbar ({1}). Schaffen Sie dort Platz, oder setzen Sie {2} auf einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>it holds another table</source>
+        <translation>es enthält eine andere Tabelle</translation>
+    </message>
+    <message>
+        <source>must be {0} or one of {1}, not {2}</source>
+        <translation>muss {0} oder eines von {1} sein, nicht {2}</translation>
+    </message>
+    <message>
+        <source>Its product has more than {0} maps, too many to be drawn by: lamps light the lobes instead.</source>
+        <translation>Sein Produkt hat mehr als {0} Karten, zu viele zum Zeichnen: Lampen beleuchten stattdessen die Keulen.</translation>
+    </message>
+    <message>
+        <source>8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)</source>
+        <translation>8 Lichtrichtungen mal 16 x 32 Blickrichtungen, gleichmäßig im Raumwinkel über beide Halbkugeln (Mittelpunkte in cos θ und φ)</translation>
+    </message>
+    <message>
+        <source>each fifth of the samples by a fit to the other four, weighted by the solid angle of views they stand for</source>
+        <translation>jedes Fünftel der Messpunkte durch eine Anpassung an die anderen vier, gewichtet mit dem Raumwinkel der Blickrichtungen, für die sie stehen</translation>
+    </message>
+    <message>
+        <source>It has no separate coat, so of the settings of the fit the exponents alone apply: the diffuse term is fitted with the lobes, and the weights of the samples are those of measured data.</source>
+        <translation>Sie hat keinen getrennten Klarlack, daher gelten von den Einstellungen der Anpassung nur die Exponenten: Der diffuse Anteil wird mit den Keulen angepasst, und die Gewichte der Messpunkte sind die gemessener Daten.</translation>
+    </message>
+    <message>
+        <source>The lobes are fitted with the light at {0}°; the readings under other lights enter the picture by weights fitted for every angle of the view. The error stated at such a reading is that of lobes fitted with its light.</source>
+        <translation>Die Keulen sind mit dem Licht bei {0}° angepasst; die Messwerte unter anderen Lichtern gehen durch Gewichte in das Bild ein, die für jeden Blickwinkel angepasst sind. Der an einem solchen Messwert genannte Fehler ist der von Keulen, die mit seinem Licht angepasst sind.</translation>
+    </message>
+    <message>
+        <source>It has no sharp lobe that would be a coat: everything is fitted as base.</source>
+        <translation>Sie hat keine scharfe Keule, die ein Klarlack wäre: Alles wird als Basis angepasst.</translation>
+    </message>
+    <message>
+        <source>A flat colour has no gloss and no angles; it is shown as a solid paint of that colour.</source>
+        <translation>Eine einzelne Farbe hat keinen Glanz und keine Winkel; sie wird als Unilack dieser Farbe gezeigt.</translation>
+    </message>
+    <message>
+        <source>Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the samples near them.</source>
+        <translation>Verstreute Messpunkte werden interpoliert: Glanz, und Farben fern von jedem Messpunkt, sind nur so gut wie die Messpunkte in ihrer Nähe.</translation>
+    </message>
+    <message>
+        <source>Its spectra are seen through the {0}° observer; L*a*b* follows from the working space, as for every reading.</source>
+        <translation>Seine Spektren werden mit dem {0}°-Beobachter gesehen; L*a*b* folgt aus dem Arbeitsfarbraum, wie bei jedem Messwert.</translation>
+    </message>
+    <message>
+        <source>holds no {0} file</source>
+        <translation>enthält keine {0}-Datei</translation>
+    </message>
+    <message>
+        <source>is a palette of {0} paints; name one of them, as in {1}</source>
+        <translation>ist eine Palette mit {0} Lacken; nennen Sie einen davon, wie in {1}</translation>
+    </message>
+    <message>
+        <source>has no entry {0}</source>
+        <translation>hat keinen Eintrag {0}</translation>
+    </message>
+    <message>
+        <source>is neither a paint nor a palette nor measured data of a format that is known here (the pages measured_files and formats of the documents list them)</source>
+        <translation>ist weder ein Lack noch eine Palette noch Messdaten eines hier bekannten Formats (die Seiten measured_files und formats der Dokumentation führen sie auf)</translation>
+    </message>
+    <message>
+        <source>angle fitter</source>
+        <translation>Anpassung über die Winkel</translation>
+    </message>
+    <message>
+        <source>weights by the view</source>
+        <translation>Gewichte nach dem Blick</translation>
+    </message>
+    <message>
+        <source>with the view at {0}° from the normal</source>
+        <translation>mit dem Blick bei {0}° von der Normalen</translation>
+    </message>
+    <message>
+        <source>reading the surface</source>
+        <translation>Oberfläche wird gelesen</translation>
+    </message>
+    <message>
+        <source>shaping the surface</source>
+        <translation>Oberfläche wird geformt</translation>
+    </message>
+    <message>
+        <source>{0} The picture is drawn without occlusion and ground.</source>
+        <translation>{0} Das Bild wird ohne Umgebungsverdeckung und Boden gezeichnet.</translation>
+    </message>
+    <message>
+        <source>computing ambient occlusion</source>
+        <translation>Umgebungsverdeckung wird berechnet</translation>
+    </message>
+    <message>
+        <source>reading the images</source>
+        <translation>Bilder werden gelesen</translation>
+    </message>
+    <message>
+        <source>fitting the second paint</source>
+        <translation>zweiter Lack wird angepasst</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>the table of look-ups cannot be read; install brdf-suite again</source>
+        <translation>die Nachschlagetabelle ist nicht lesbar; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>loading the broad lobes&apos; maps</source>
+        <translation>Laden der Karten der breiten Keulen</translation>
+    </message>
+    <message>
+        <source>loading the environment&apos;s maps</source>
+        <translation>Laden der Karten der Umgebung</translation>
+    </message>
+    <message>
+        <source>drawing a ball of {0}</source>
+        <translation>Zeichnen einer Kugel von {0}</translation>
+    </message>
+    <message>
+        <source>writing the factors of {0}</source>
+        <translation>Schreiben der Faktoren von {0}</translation>
+    </message>
+    <message>
+        <source>expected (n, 3) or (rows, columns, 3), not {0}</source>
+        <translation>erwartet wurde (n, 3) oder (Zeilen, Spalten, 3), nicht {0}</translation>
+    </message>
+    <message>
+        <source>at most {0} texels along an edge, not {1}</source>
+        <translation>höchstens {0} Texel entlang einer Kante, nicht {1}</translation>
+    </message>
+    <message>
+        <source>not every number is finite</source>
+        <translation>nicht jede Zahl ist endlich</translation>
+    </message>
+    <message>
+        <source>expected logarithms within ±{0}</source>
+        <translation>erwartet wurden Logarithmen innerhalb von ±{0}</translation>
+    </message>
+    <message>
+        <source>must not be negative</source>
+        <translation>darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>expected finite numbers that are not negative</source>
+        <translation>erwartet wurden endliche Zahlen, die nicht negativ sind</translation>
+    </message>
+    <message>
+        <source>{0} is none of {1}</source>
+        <translation>{0} ist keines von {1}</translation>
+    </message>
+    <message>
+        <source>expected an index of 1 to 100 and shares of 0 to 1, not {0}</source>
+        <translation>erwartet wurden eine Brechzahl von 1 bis 100 und Anteile von 0 bis 1, nicht {0}</translation>
+    </message>
+    <message>
+        <source>1 to {0} maps are drawn, not {1}</source>
+        <translation>1 bis {0} Karten werden gezeichnet, nicht {1}</translation>
+    </message>
+    <message>
+        <source>1 or more with {0} factors in all, not {1}</source>
+        <translation>1 oder mehr mit insgesamt {0} Faktoren, nicht {1}</translation>
+    </message>
+    <message>
+        <source>expected a number above 0, to 10⁸, not {0}</source>
+        <translation>erwartet wurde eine Zahl über 0, bis 10⁸, nicht {0}</translation>
+    </message>
+    <message>
+        <source>there is no map {0}</source>
+        <translation>es gibt keine Karte {0}</translation>
+    </message>
+    <message>
+        <source>the map {0} is read in two forms</source>
+        <translation>die Karte {0} wird in zwei Formen gelesen</translation>
+    </message>
+    <message>
+        <source>the map {0} is not of the form of {1}</source>
+        <translation>die Karte {0} hat nicht die Form von {1}</translation>
+    </message>
+    <message>
+        <source>nothing reads {0}</source>
+        <translation>nichts liest {0}</translation>
+    </message>
+    <message>
+        <source>Install Mesa&apos;s EGL (on Debian: apt-get install libegl1 libgl1-mesa-dri) or a graphics driver</source>
+        <translation>Installieren Sie EGL von Mesa (unter Debian: apt-get install libegl1 libgl1-mesa-dri) oder einen Grafiktreiber</translation>
+    </message>
+    <message>
+        <source>Install the graphics driver of the machine</source>
+        <translation>Installieren Sie den Grafiktreiber des Rechners</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 needs a graphical login session on macOS</source>
+        <translation>OpenGL 3.3 braucht unter macOS eine grafische Sitzung</translation>
+    </message>
+    <message>
+        <source>software rasterizer</source>
+        <translation>Software-Rasterisierer</translation>
+    </message>
+    <message>
+        <source>No OpenGL 3.3 context could be made ({0}). {1}.</source>
+        <translation>Es ließ sich kein OpenGL-3.3-Kontext anlegen ({0}). {1}.</translation>
+    </message>
+    <message>
+        <source>The window has no usable OpenGL context ({0}). {1}.</source>
+        <translation>Das Fenster hat keinen brauchbaren OpenGL-Kontext ({0}). {1}.</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 is needed, but {0} offers {1}. {2}.</source>
+        <translation>OpenGL 3.3 wird gebraucht, {0} bietet aber {1}. {2}.</translation>
+    </message>
+    <message>
+        <source>The graphics driver failed while {0}: {1}.</source>
+        <translation>Der Grafiktreiber versagte ({0}): {1}.</translation>
+    </message>
+    <message>
+        <source>reserving {0} bytes</source>
+        <translation>Reservieren von {0} Byte</translation>
+    </message>
+    <message>
+        <source>making a cube map of {0} texels</source>
+        <translation>Anlegen einer Würfelkarte von {0} Texeln</translation>
+    </message>
+    <message>
+        <source>making a stack of {0} maps of {1} texels</source>
+        <translation>Anlegen eines Stapels von {0} Karten mit {1} Texeln</translation>
+    </message>
+    <message>
+        <source>making a table of {0}x{1} numbers</source>
+        <translation>Anlegen einer Tabelle von {0}x{1} Zahlen</translation>
+    </message>
+    <message>
+        <source>making an image of {0}x{1} pixels</source>
+        <translation>Anlegen eines Bildes von {0}x{1} Pixeln</translation>
+    </message>
+    <message>
+        <source>making a depth buffer of {0}x{1} pixels</source>
+        <translation>Anlegen eines Tiefenpuffers von {0}x{1} Pixeln</translation>
+    </message>
+    <message>
+        <source>making a depth map of {0}x{1} pixels</source>
+        <translation>Anlegen einer Tiefenkarte von {0}x{1} Pixeln</translation>
+    </message>
+    <message>
+        <source>making a framebuffer</source>
+        <translation>Anlegen eines Framebuffers</translation>
+    </message>
+    <message>
+        <source>making a query</source>
+        <translation>Anlegen einer Abfrage</translation>
+    </message>
+    <message>
+        <source>making a vertex array</source>
+        <translation>Anlegen einer Vertexliste</translation>
+    </message>
+    <message>
+        <source>vertex array</source>
+        <translation>Vertexliste</translation>
+    </message>
+    <message>
+        <source>The shader file {0} is missing{1}; install brdf-suite again.</source>
+        <translation>Die Shaderdatei {0} fehlt{1}; installieren Sie brdf-suite neu.</translation>
+    </message>
+    <message>
+        <source>, asked for by {0}, line {1}</source>
+        <translation>, verlangt von {0}, Zeile {1}</translation>
+    </message>
+    <message>
+        <source>{0} with {1}</source>
+        <translation>{0} mit {1}</translation>
+    </message>
+    <message>
+        <source>The shader {0}, line {1}, does not compile: {2}.</source>
+        <translation>Der Shader {0}, Zeile {1}, lässt sich nicht übersetzen: {2}.</translation>
+    </message>
+    <message>
+        <source>The shaders {0} do not compile or link: {1}.</source>
+        <translation>Die Shader {0} lassen sich nicht übersetzen oder binden: {1}.</translation>
+    </message>
+    <message>
+        <source>expected finite numbers of the shape {0}, not {1}</source>
+        <translation>erwartet wurden endliche Zahlen der Form {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>drawing the flakes</source>
+        <translation>Zeichnen der Flakes</translation>
+    </message>
+    <message>
+        <source>writing the light that flakes mirror</source>
+        <translation>Schreiben des Lichts, das die Flakes spiegeln</translation>
+    </message>
+    <message>
+        <source>drawing the shadow of a light</source>
+        <translation>Zeichnen des Schattens einer Lampe</translation>
+    </message>
+    <message>
+        <source>writing the lights</source>
+        <translation>Schreiben der Lampen</translation>
+    </message>
+    <message>
+        <source>writing the lobes of {0}</source>
+        <translation>Schreiben der Keulen von {0}</translation>
+    </message>
+    <message>
+        <source>The material {0} was fitted to {1}, but the environment was filtered for {2}; fit it again.</source>
+        <translation>Das Material {0} wurde an {1} angepasst, die Umgebung aber für {2} gefiltert; passen Sie es neu an.</translation>
+    </message>
+    <message>
+        <source>writing the weights of {0}</source>
+        <translation>Schreiben der Gewichte von {0}</translation>
+    </message>
+    <message>
+        <source>{0} lobes ({1})</source>
+        <translation>{0} Keulen ({1})</translation>
+    </message>
+    <message>
+        <source>expected {0} lobes, as in the single fit</source>
+        <translation>erwartet wurden {0} Keulen, wie in der einzelnen Anpassung</translation>
+    </message>
+    <message>
+        <source>A material has weights on {0} broad and {1} sharp lobes; at most {2} and {3} are drawn. Choose a basis of fewer lobes.</source>
+        <translation>Ein Material hat Gewichte auf {0} breiten und {1} scharfen Keulen; gezeichnet werden höchstens {2} und {3}. Wählen Sie eine Basis mit weniger Keulen.</translation>
+    </message>
+    <message>
+        <source>pictures of palettes have 8 bits</source>
+        <translation>Bilder von Paletten haben 8 Bit</translation>
+    </message>
+    <message>
+        <source>drawing pictures of paints</source>
+        <translation>Zeichnen von Lackbildern</translation>
+    </message>
+    <message>
+        <source>capturing a form</source>
+        <translation>Erfassen einer Form</translation>
+    </message>
+    <message>
+        <source>The picture has {0}x{1} pixels; this graphics card takes {2} along an edge.</source>
+        <translation>Das Bild hat {0}x{1} Pixel; diese Grafikkarte nimmt {2} entlang einer Kante.</translation>
+    </message>
+    <message>
+        <source>uploading the picture</source>
+        <translation>Hochladen des Bildes</translation>
+    </message>
+    <message>
+        <source>looking the light of a form up</source>
+        <translation>Nachschlagen des Lichts einer Form</translation>
+    </message>
+    <message>
+        <source>No environment has been chosen yet; choose one before drawing.</source>
+        <translation>Noch ist keine Umgebung gewählt; wählen Sie eine, bevor gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>1 to 65,536 pixels along each edge are drawn, not {0}x{1}</source>
+        <translation>1 bis 65.536 Pixel entlang jeder Kante werden gezeichnet, nicht {0}x{1}</translation>
+    </message>
+    <message>
+        <source>reading the geometry of a picture</source>
+        <translation>Lesen der Geometrie eines Bildes</translation>
+    </message>
+    <message>
+        <source>looking for the parts in the picture</source>
+        <translation>Suchen der Teile im Bild</translation>
+    </message>
+    <message>
+        <source>looking for the surface under the cursor</source>
+        <translation>Suchen der Oberfläche unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>drawing a frame</source>
+        <translation>Zeichnen eines Bildes</translation>
+    </message>
+    <message>
+        <source>finishing a picture</source>
+        <translation>Fertigstellen eines Bildes</translation>
+    </message>
+    <message>
+        <source>counting pixels</source>
+        <translation>Zählen der Pixel</translation>
+    </message>
+    <message>
+        <source>at most {0} pixels along an edge are captured</source>
+        <translation>höchstens {0} Pixel entlang einer Kante werden erfasst</translation>
+    </message>
+    <message>
+        <source>lamps and relief are not captured; draw such a view paint by paint</source>
+        <translation>Lampen und Relief werden nicht erfasst; zeichnen Sie eine solche Ansicht Lack für Lack</translation>
+    </message>
+    <message>
+        <source>two paints on one form are not captured</source>
+        <translation>zwei Lacke auf einer Form werden nicht erfasst</translation>
+    </message>
+    <message>
+        <source>glare is not captured; it depends on the whole picture</source>
+        <translation>Blendung wird nicht erfasst; sie hängt vom ganzen Bild ab</translation>
+    </message>
+    <message>
+        <source>reading a pixel</source>
+        <translation>Lesen eines Pixels</translation>
+    </message>
+    <message>
+        <source>drawing a picture</source>
+        <translation>Zeichnen eines Bildes</translation>
+    </message>
+    <message>
+        <source>shape {0}, not (h, w, 4) or (h, w, 7)</source>
+        <translation>Form {0}, nicht (h, w, 4) oder (h, w, 7)</translation>
+    </message>
+    <message>
+        <source>uploading the traced picture</source>
+        <translation>Hochladen des verfolgten Bildes</translation>
+    </message>
+    <message>
+        <source>uploading the shadow on the ground</source>
+        <translation>Hochladen des Schattens auf dem Boden</translation>
+    </message>
+    <message>
+        <source>drawing the traced picture</source>
+        <translation>Zeichnen des verfolgten Bildes</translation>
+    </message>
+    <message>
+        <source>expected 1 or more, not {0}</source>
+        <translation>erwartet wurde 1 oder mehr, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected shares of 0 to 1</source>
+        <translation>erwartet wurden Anteile von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>expected rows, columns and {0} numbers, not {1}</source>
+        <translation>erwartet wurden Zeilen, Spalten und {0} Zahlen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>part {0}: positions</source>
+        <translation>Teil {0}: Positionen</translation>
+    </message>
+    <message>
+        <source>part {0}: normals</source>
+        <translation>Teil {0}: Normalen</translation>
+    </message>
+    <message>
+        <source>part {0}: triangles</source>
+        <translation>Teil {0}: Dreiecke</translation>
+    </message>
+    <message>
+        <source>expected whole numbers (k, 3)</source>
+        <translation>erwartet wurden ganze Zahlen (k, 3)</translation>
+    </message>
+    <message>
+        <source>1 or more, with indices 0 to {0}</source>
+        <translation>1 oder mehr, mit Indizes von 0 bis {0}</translation>
+    </message>
+    <message>
+        <source>part {0}: uvs</source>
+        <translation>Teil {0}: Texturkoordinaten</translation>
+    </message>
+    <message>
+        <source>part {0}: light</source>
+        <translation>Teil {0}: Licht</translation>
+    </message>
+    <message>
+        <source>expected a finite height and edges, the highest above the lowest</source>
+        <translation>erwartet wurden eine endliche Höhe und Kanten, die höchste über der niedrigsten</translation>
+    </message>
+    <message>
+        <source>expected (rows, columns, squared number), not {0}</source>
+        <translation>erwartet wurde (Zeilen, Spalten, Quadratzahl), nicht {0}</translation>
+    </message>
+    <message>
+        <source>ground: transfer</source>
+        <translation>Boden: Übertragung</translation>
+    </message>
+    <message>
+        <source>expected six square faces (6, F, F, 3), not {0}</source>
+        <translation>erwartet wurden sechs quadratische Seiten (6, F, F, 3), nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a finite number above 0, not {0}</source>
+        <translation>erwartet wurde eine endliche Zahl über 0, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected {0} maps, not {1}</source>
+        <translation>erwartet wurden {0} Karten, nicht {1}</translation>
+    </message>
+    <message>
+        <source>weights must not be negative</source>
+        <translation>Gewichte dürfen nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>expected 0 to below π/2, not {0}</source>
+        <translation>erwartet wurde 0 bis unter π/2, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected 1 to 100, not {0}</source>
+        <translation>erwartet wurde 1 bis 100, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected 0 to 1, not {0}</source>
+        <translation>erwartet wurde 0 bis 1, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected one row of numbers, not {0}</source>
+        <translation>erwartet wurde eine Zeile von Zahlen, nicht {0}</translation>
+    </message>
+    <message>
+        <source>1 to {0} lobes are drawn, not {1}</source>
+        <translation>1 bis {0} Keulen werden gezeichnet, nicht {1}</translation>
+    </message>
+    <message>
+        <source>each must be finite and at least 1</source>
+        <translation>jeder muss endlich und mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>expected shape {0}, not {1}</source>
+        <translation>erwartet wurde Form {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>The reference renderer has no formula for this reflectance; it renders a table of it in half-angle coordinates (90 × 90 × 180 bins, mean over azimuths assumed).</source>
+        <translation>Der Referenzrenderer hat keine Formel für diese Reflexion; er zeichnet eine Tabelle davon in Halbwinkelkoordinaten (90 × 90 × 180 Felder, Mittel über die Azimute angenommen).</translation>
+    </message>
+    <message>
+        <source>path tracing</source>
+        <translation>Pfadverfolgung</translation>
+    </message>
+    <message>
+        <source>The reference renderer failed ({0}); try a smaller picture, or fewer samples in a pass.</source>
+        <translation>Der Referenzrenderer versagte ({0}); versuchen Sie ein kleineres Bild, oder weniger Abtastwerte je Durchgang.</translation>
+    </message>
+    <message>
+        <source>tracing</source>
+        <translation>Verfolgung</translation>
+    </message>
+    <message>
+        <source>{0} samples, {1} s left</source>
+        <translation>{0} Abtastwerte, noch {1} s</translation>
+    </message>
+    <message>
+        <source>The denoiser is OptiX&apos;s and needs an NVIDIA graphics card; here paths are traced without one. Leave --denoise out, and give more samples instead (--spp).</source>
+        <translation>Der Entrauscher ist der von OptiX und braucht eine NVIDIA-Grafikkarte; hier werden Pfade ohne eine solche verfolgt. Lassen Sie --denoise weg, und nehmen Sie stattdessen mehr Abtastwerte (--spp).</translation>
+    </message>
+    <message>
+        <source>The graphics card&apos;s driver has no denoiser that can be used ({0}); leave --denoise out.</source>
+        <translation>Der Treiber der Grafikkarte hat keinen brauchbaren Entrauscher ({0}); lassen Sie --denoise weg.</translation>
+    </message>
+    <message>
+        <source>The ray tracer failed ({0}); try a smaller picture, or a lower quality.</source>
+        <translation>Der Strahlverfolger versagte ({0}); versuchen Sie ein kleineres Bild, oder eine niedrigere Qualität.</translation>
+    </message>
+    <message>
+        <source>Rendered as a table by Mitsuba&apos;s own plug-in: within 0.1 % of the paint for light and view 17° and more above the surface, within percents below that.</source>
+        <translation>Als Tabelle durch das eigene Modul von Mitsuba gezeichnet: auf 0,1 % des Lacks für Licht und Blick von 17° und mehr über der Oberfläche, darunter auf Prozente.</translation>
+    </message>
+    <message>
+        <source>Without LLVM only isotropic reflectances can be path-traced: {0} Install libllvm19.</source>
+        <translation>Ohne LLVM lassen sich nur isotrope Reflexionen pfadverfolgen: {0} Installieren Sie libllvm19.</translation>
+    </message>
+    <message>
+        <source>holds no render to resume from ({0}); remove it, or render to another file</source>
+        <translation>enthält kein Bild, das sich fortsetzen ließe ({0}); entfernen Sie es, oder zeichnen Sie in eine andere Datei</translation>
+    </message>
+    <message>
+        <source>Mitsuba, without LLVM</source>
+        <translation>Mitsuba, ohne LLVM</translation>
+    </message>
+    <message>
+        <source>{0} is LLVM {1}</source>
+        <translation>{0} ist LLVM {1}</translation>
+    </message>
+    <message>
+        <source>The reference renderer needs the library LLVM, version {0} or later; install the package {1} (sudo apt-get install {2}), or set {3} to the library&apos;s file.{4}</source>
+        <translation>Der Referenzrenderer braucht die Bibliothek LLVM, Version {0} oder neuer; installieren Sie das Paket {1} (sudo apt-get install {2}), oder setzen Sie {3} auf die Datei der Bibliothek.{4}</translation>
+    </message>
+    <message>
+        <source>the trial could not be made ({0})</source>
+        <translation>der Versuch ließ sich nicht ausführen ({0})</translation>
+    </message>
+    <message>
+        <source>ended with signal {0}</source>
+        <translation>endete mit Signal {0}</translation>
+    </message>
+    <message>
+        <source>its trial {0} ({1})</source>
+        <translation>sein Versuch {0} ({1})</translation>
+    </message>
+    <message>
+        <source>its trial {0} (without a word)</source>
+        <translation>sein Versuch {0} (ohne ein Wort)</translation>
+    </message>
+    <message>
+        <source>without a word</source>
+        <translation>ohne ein Wort</translation>
+    </message>
+    <message>
+        <source>{0} at {1}°, {2}</source>
+        <translation>{0} bei {1}°, {2}</translation>
+    </message>
+    <message>
+        <source>of the light</source>
+        <translation>des Lichts</translation>
+    </message>
+    <message>
+        <source>known violator</source>
+        <translation>bekannter Verstoß</translation>
+    </message>
+    <message>
+        <source>declared, not seen</source>
+        <translation>angegeben, nicht gesehen</translation>
+    </message>
+    <message>
+        <source>light at ({0}°, {1}°), view at ({2}°, {3}°) polar, azimuth</source>
+        <translation>Licht bei ({0}°, {1}°), Blick bei ({2}°, {3}°) Polarwinkel, Azimut</translation>
+    </message>
+    <message>
+        <source>No clearcoat was found that gives {0} GU at 20° over the measured colours; change the gloss, or the colour nearest to the mirror direction.</source>
+        <translation>Es wurde kein Klarlack gefunden, der über den gemessenen Farben {0} GU bei 20° ergibt; ändern Sie den Glanz, oder die Farbe, die der Spiegelrichtung am nächsten liegt.</translation>
+    </message>
+    <message>
+        <source>This paint would reflect {0} times the light that falls on it.</source>
+        <translation>Dieser Lack würde das {0}-Fache des einfallenden Lichts reflektieren.</translation>
+    </message>
+    <message>
+        <source>{0}: at least 3 readings with the same light angle are needed, there are at most {1} (at {2}°).</source>
+        <translation>{0}: Mindestens 3 Messwerte mit demselben Lichtwinkel werden gebraucht, es gibt höchstens {1} (bei {2}°).</translation>
+    </message>
+    <message>
+        <source>The colour at {0}°{1} is more saturated than the working space holds; it is shown with ΔE00 {2}.</source>
+        <translation>Die Farbe bei {0}°{1} ist gesättigter, als der Arbeitsfarbraum fasst; sie wird mit ΔE00 {2} gezeigt.</translation>
+    </message>
+    <message>
+        <source>Light at {0}°: {1}</source>
+        <translation>Licht bei {0}°: {1}</translation>
+    </message>
+    <message>
+        <source>The tilt of the half vector belongs to the flake rule; here the aspecular angle is used.</source>
+        <translation>Die Neigung des Halbvektors gehört zur Flake-Regel; hier gilt der Aspekularwinkel.</translation>
+    </message>
+    <message>
+        <source>At {0}° the clearcoat of this gloss alone reflects {1} (reflectance factor), more than the {2} that the colour has in the {3} channel, so the base would be negative. Raise the gloss or the lightness.</source>
+        <translation>Bei {0}° reflektiert allein der Klarlack dieses Glanzes {1} (Reflexionsfaktor), mehr als die {2}, die die Farbe im Kanal {3} hat; die Basis wäre negativ. Erhöhen Sie den Glanz oder die Helligkeit.</translation>
+    </message>
+    <message>
+        <source>There are fewer than three different aspecular angles: straight lines in L*a*b* join them.</source>
+        <translation>Es gibt weniger als drei verschiedene Aspekularwinkel: Geraden in L*a*b* verbinden sie.</translation>
+    </message>
+    <message>
+        <source>The polynomial turns negative between {0}° and {1}°; the base is black there.</source>
+        <translation>Das Polynom wird zwischen {0}° und {1}° negativ; die Basis ist dort schwarz.</translation>
+    </message>
+    <message>
+        <source>No spread of flakes gives these colours: between the angles the monotone rule is used.</source>
+        <translation>Keine Streuung von Flakes ergibt diese Farben: Zwischen den Winkeln gilt die monotone Regel.</translation>
+    </message>
+    <message>
+        <source>The colours need flake tilts spread by {0}; real flake paints have about 0.15 to 0.19.</source>
+        <translation>Die Farben brauchen um {0} gestreute Flake-Neigungen; echte Flake-Lacke haben etwa 0,15 bis 0,19.</translation>
+    </message>
+    <message>
+        <source>{0} at {1}° with the light at {2}°</source>
+        <translation>{0} bei {1}° mit dem Licht bei {2}°</translation>
+    </message>
+    <message>
+        <source>The rule does not pass through every reading of this paint: ΔE00 {0}.</source>
+        <translation>Die Regel geht nicht durch jeden Messwert dieses Lacks: ΔE00 {0}.</translation>
+    </message>
+    <message>
+        <source>the table of facets cannot be read; install brdf-suite again</source>
+        <translation>die Tabelle der Facetten ist nicht lesbar; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>a map between whose logarithms is interpolated holds a 0</source>
+        <translation>eine Karte, zwischen deren Logarithmen interpoliert wird, enthält eine 0</translation>
+    </message>
+    <message>
+        <source>expected a map {0} of numbers, n {1} to {2}, not {3}</source>
+        <translation>erwartet wurde eine Karte {0} von Zahlen, n {1} bis {2}, nicht {3}</translation>
+    </message>
+    <message>
+        <source>holds a number that is negative or not finite</source>
+        <translation>enthält eine Zahl, die negativ oder nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>expected at most {0} factors</source>
+        <translation>erwartet wurden höchstens {0} Faktoren</translation>
+    </message>
+    <message>
+        <source>expected a half-angle from 0 to {0}°, not {1}°</source>
+        <translation>erwartet wurde ein Halbwinkel von 0 bis {0}°, nicht {1}°</translation>
+    </message>
+    <message>
+        <source>no aperture (single directions)</source>
+        <translation>keine Blende (einzelne Richtungen)</translation>
+    </message>
+    <message>
+        <source>half-angles: light {0}°, receptor {1}°</source>
+        <translation>Halbwinkel: Licht {0}°, Empfänger {1}°</translation>
+    </message>
+    <message>
+        <source>{0} is neither a name ({1}) nor half-angles in degrees, RECEPTOR or LIGHT,RECEPTOR</source>
+        <translation>{0} ist weder ein Name ({1}) noch Halbwinkel in Grad, EMPFÄNGER oder LICHT,EMPFÄNGER</translation>
+    </message>
+    <message>
+        <source>a pixel sees no light: too few directions</source>
+        <translation>ein Pixel sieht kein Licht: zu wenige Richtungen</translation>
+    </message>
+    <message>
+        <source>The reflectance gives values that are not finite numbers at a gloss angle.</source>
+        <translation>Die Reflexion ergibt bei einem Glanzwinkel Werte, die keine endlichen Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>{0}° (nearest {1}°)</source>
+        <translation>{0}° (nächster {1}°)</translation>
+    </message>
+    <message>
+        <source>{0} (nearest {1}°)</source>
+        <translation>{0} (nächster {1}°)</translation>
+    </message>
+    <message>
+        <source>No sample lies within {0}° of the readings at {1}.</source>
+        <translation>Kein Messpunkt liegt innerhalb von {0}° von den Werten bei {1}.</translation>
+    </message>
+    <message>
+        <source>The reflectance gives values that are not finite numbers at {0}.</source>
+        <translation>Die Reflexion ergibt bei {0} Werte, die keine endlichen Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>At {0} the aperture reaches into the mirror direction.</source>
+        <translation>Bei {0} reicht die Blende in die Spiegelrichtung.</translation>
+    </message>
+    <message>
+        <source>At {0} the integral over the aperture is uncertain by {1} %.</source>
+        <translation>Bei {0} ist das Integral über die Blende um {1} % unsicher.</translation>
+    </message>
+    <message>
+        <source>Through the aperture the rule&apos;s own colours are met to ΔE00 {0}.</source>
+        <translation>Durch die Blende werden die eigenen Farben der Regel auf ΔE00 {0} getroffen.</translation>
+    </message>
+    <message>
+        <source>{0}: no paint reads these colours through {1}.</source>
+        <translation>{0}: Kein Lack zeigt durch {1} diese Farben.</translation>
+    </message>
+    <message>
+        <source>{0}: through {1}, no paint was found that reads the colour at {2}° to better than ΔE00 {3}; use a smaller aperture, or correct that reading.</source>
+        <translation>{0}: Durch {1} wurde kein Lack gefunden, der die Farbe bei {2}° auf ΔE00 {3} genau zeigt; nehmen Sie eine kleinere Blende, oder berichtigen Sie diesen Messwert.</translation>
+    </message>
+    <message>
+        <source>wi and wo</source>
+        <translation>wi und wo</translation>
+    </message>
+    <message>
+        <source>{0} and {1} do not broadcast</source>
+        <translation>{0} und {1} passen in der Form nicht zusammen</translation>
+    </message>
+    <message>
+        <source>expected directions of the shape (..., 3), not {0}</source>
+        <translation>erwartet wurden Richtungen der Form (..., 3), nicht {0}</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>How far the base spreads light: 0 mirror, 1 matt</source>
+        <translation>Wie weit die Basis Licht streut: 0 Spiegel, 1 matt</translation>
+    </message>
+    <message>
+        <source>KD, f_r of the diffuse part, linear Rec. 2020</source>
+        <translation>KD, f_r des diffusen Anteils, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Sharpness E of a lobe</source>
+        <translation>Schärfe E einer Keule</translation>
+    </message>
+    <message>
+        <source>KDD of a lobe, linear Rec. 2020</source>
+        <translation>KDD einer Keule, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>KG of a lobe, linear Rec. 2020</source>
+        <translation>KG einer Keule, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>expected a colour for each of {0} exponents, not {1}</source>
+        <translation>erwartet wurde eine Farbe für jeden von {0} Exponenten, nicht {1}</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>Fresnel reflectance along the normal, linear Rec. 2020</source>
+        <translation>Fresnel-Reflexionsgrad entlang der Normalen, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>GGX width α</source>
+        <translation>GGX-Breite α</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>f_r where the product is 1, linear Rec. 2020</source>
+        <translation>f_r, wo das Produkt 1 ist, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Cx</source>
+        <translation>Cx</translation>
+    </message>
+    <message>
+        <source>Cy</source>
+        <translation>Cy</translation>
+    </message>
+    <message>
+        <source>Cz</source>
+        <translation>Cz</translation>
+    </message>
+    <message>
+        <source>Sharpness n of the lobe</source>
+        <translation>Schärfe n der Keule</translation>
+    </message>
+    <message>
+        <source>expected a lobe, not {0}</source>
+        <translation>erwartet wurde eine Keule, nicht {0}</translation>
+    </message>
+    <message>
+        <source>Share of the light reflected, linear Rec. 2020</source>
+        <translation>Anteil des reflektierten Lichts, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Share in the lobe along the normal, linear Rec. 2020</source>
+        <translation>Anteil in der Keule entlang der Normalen, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Diffuse reflectance of the base, linear Rec. 2020</source>
+        <translation>Diffuse Reflexion der Basis, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Share in the base&apos;s lobe, linear Rec. 2020</source>
+        <translation>Anteil in der Keule der Basis, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Flop exponent</source>
+        <translation>Flop-Exponent</translation>
+    </message>
+    <message>
+        <source>Sharpness n of the base&apos;s lobe</source>
+        <translation>Schärfe n der Keule der Basis</translation>
+    </message>
+    <message>
+        <source>Coat exponent</source>
+        <translation>Klarlack-Exponent</translation>
+    </message>
+    <message>
+        <source>Sharpness N of the coat&apos;s lobe</source>
+        <translation>Schärfe N der Keule des Klarlacks</translation>
+    </message>
+    <message>
+        <source>Matt reflectance of a facet, linear Rec. 2020</source>
+        <translation>Matte Reflexion einer Facette, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Glossy reflectance of a facet, linear Rec. 2020</source>
+        <translation>Glänzende Reflexion einer Facette, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Sharpness n of a facet&apos;s gloss</source>
+        <translation>Schärfe n des Glanzes einer Facette</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>radii</source>
+        <translation>Radien</translation>
+    </message>
+    <message>
+        <source>Distance between the cylinders&apos; axes</source>
+        <translation>Abstand zwischen den Achsen der Zylinder</translation>
+    </message>
+    <message>
+        <source>Height of the floor above the axes</source>
+        <translation>Höhe des Bodens über den Achsen</translation>
+    </message>
+    <message>
+        <source>cylinders over a floor at {0} need at least {1}, not {2}</source>
+        <translation>Zylinder über einem Boden bei {0} brauchen mindestens {1}, nicht {2}</translation>
+    </message>
+    <message>
+        <source>Table 1 of Günther, Chen, Goesele, Wald and Seidel, Efficient Acquisition and Realistic Rendering of Car Paint, VMV 2005: three Cook-Torrance lobes fitted to measurements. The paper&apos;s own numbers; the colour channels of its camera are taken as linear Rec. 2020.</source>
+        <translation>Tabelle 1 aus Günther, Chen, Goesele, Wald und Seidel, Efficient Acquisition and Realistic Rendering of Car Paint, VMV 2005: drei an Messungen angepasste Cook-Torrance-Keulen. Die Zahlen der Veröffentlichung; die Farbkanäle ihrer Kamera gelten als lineares Rec. 2020.</translation>
+    </message>
+    <message>
+        <source>flake rule</source>
+        <translation>Flake-Regel</translation>
+    </message>
+    <message>
+        <source>monotone rule</source>
+        <translation>monotone Regel</translation>
+    </message>
+    <message>
+        <source>polynomial rule</source>
+        <translation>Polynomregel</translation>
+    </message>
+    <message>
+        <source>flake rule by the half vector&apos;s tilt</source>
+        <translation>Flake-Regel nach der Neigung des Halbvektors</translation>
+    </message>
+    <message>
+        <source>two light angles</source>
+        <translation>zwei Lichtwinkel</translation>
+    </message>
+    <message>
+        <source>aspecular{0}</source>
+        <translation>aspecular{0}</translation>
+    </message>
+    <message>
+        <source>Aspecular paint, {0}</source>
+        <translation>Aspekularer Lack, {0}</translation>
+    </message>
+    <message>
+        <source>Westlund and Meyer 2001; Shimizu, Meyer and Wingard 2003</source>
+        <translation>Westlund und Meyer 2001; Shimizu, Meyer und Wingard 2003</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>Klarlack</translation>
+    </message>
+    <message>
+        <source>Clearcoat alone</source>
+        <translation>Klarlack allein</translation>
+    </message>
+    <message>
+        <source>Beckmann; Walter et al. 2007</source>
+        <translation>Beckmann; Walter u. a. 2007</translation>
+    </message>
+    <message>
+        <source>Matt base under a clearcoat</source>
+        <translation>Matte Basis unter Klarlack</translation>
+    </message>
+    <message>
+        <source>Saunderson 1942</source>
+        <translation>Saunderson 1942</translation>
+    </message>
+    <message>
+        <source>Phong with a clearcoat by Fresnel</source>
+        <translation>Phong mit Klarlack nach Fresnel</translation>
+    </message>
+    <message>
+        <source>after Günther et al. 2005, section 6.1</source>
+        <translation>nach Günther u. a. 2005, Abschnitt 6.1</translation>
+    </message>
+    <message>
+        <source>Cook-Torrance, three lobes (Polaris Silver)</source>
+        <translation>Cook-Torrance, drei Keulen (Polarissilber)</translation>
+    </message>
+    <message>
+        <source>Günther et al. 2005, equation 1 and Table 1</source>
+        <translation>Günther u. a. 2005, Gleichung 1 und Tabelle 1</translation>
+    </message>
+    <message>
+        <source>Sum of cosine lobes</source>
+        <translation>Summe von Kosinuskeulen</translation>
+    </message>
+    <message>
+        <source>BRDF approximation for interactive colour appearance design, equations 1 to 3</source>
+        <translation>BRDF approximation for interactive colour appearance design, Gleichungen 1 bis 3</translation>
+    </message>
+    <message>
+        <source>factored</source>
+        <translation>faktorisiert</translation>
+    </message>
+    <message>
+        <source>Product of textures, light × half vector × view</source>
+        <translation>Produkt von Texturen, Licht × Halbvektor × Blick</translation>
+    </message>
+    <message>
+        <source>McCool, Ang and Ahmad 2001</source>
+        <translation>McCool, Ang und Ahmad 2001</translation>
+    </message>
+    <message>
+        <source>Product of radial textures with a peak apart</source>
+        <translation>Produkt radialer Texturen mit abgetrennter Spitze</translation>
+    </message>
+    <message>
+        <source>McCool, Ang and Ahmad 2001, sections 4.2 and 4.3</source>
+        <translation>McCool, Ang und Ahmad 2001, Abschnitte 4.2 und 4.3</translation>
+    </message>
+    <message>
+        <source>ggx</source>
+        <translation>ggx</translation>
+    </message>
+    <message>
+        <source>GGX metal over a matt part</source>
+        <translation>GGX-Metall über einem matten Anteil</translation>
+    </message>
+    <message>
+        <source>Walter et al. 2007; Heitz 2014</source>
+        <translation>Walter u. a. 2007; Heitz 2014</translation>
+    </message>
+    <message>
+        <source>GGX metal under a clearcoat</source>
+        <translation>GGX-Metall unter Klarlack</translation>
+    </message>
+    <message>
+        <source>Walter et al. 2007</source>
+        <translation>Walter u. a. 2007</translation>
+    </message>
+    <message>
+        <source>lafortune</source>
+        <translation>lafortune</translation>
+    </message>
+    <message>
+        <source>Generalised cosine lobes</source>
+        <translation>Verallgemeinerte Kosinuskeulen</translation>
+    </message>
+    <message>
+        <source>Lafortune et al. 1997</source>
+        <translation>Lafortune u. a. 1997</translation>
+    </message>
+    <message>
+        <source>lambertian</source>
+        <translation>lambertian</translation>
+    </message>
+    <message>
+        <source>Matt</source>
+        <translation>Matt</translation>
+    </message>
+    <message>
+        <source>Lambert 1760</source>
+        <translation>Lambert 1760</translation>
+    </message>
+    <message>
+        <source>phong</source>
+        <translation>phong</translation>
+    </message>
+    <message>
+        <source>Phong, modified</source>
+        <translation>Phong, abgewandelt</translation>
+    </message>
+    <message>
+        <source>Lewis 1994</source>
+        <translation>Lewis 1994</translation>
+    </message>
+    <message>
+        <source>Phong, original</source>
+        <translation>Phong, ursprünglich</translation>
+    </message>
+    <message>
+        <source>original</source>
+        <translation>ursprünglich</translation>
+    </message>
+    <message>
+        <source>Phong 1975</source>
+        <translation>Phong 1975</translation>
+    </message>
+    <message>
+        <source>Brushed metal of cylinders</source>
+        <translation>Gebürstetes Metall aus Zylindern</translation>
+    </message>
+    <message>
+        <source>Poulin and Fournier 1990</source>
+        <translation>Poulin und Fournier 1990</translation>
+    </message>
+    <message>
+        <source>must be two or more angles that rise, from 0 to π/2</source>
+        <translation>müssen zwei oder mehr steigende Winkel von 0 bis π/2 sein</translation>
+    </message>
+    <message>
+        <source>has the shape {0}; expected {1}</source>
+        <translation>hat die Form {0}; erwartet wurde {1}</translation>
+    </message>
+    <message>
+        <source>has {0} and {1} azimuths; as many of both</source>
+        <translation>hat {0} und {1} Azimute; von beiden gleich viele</translation>
+    </message>
+    <message>
+        <source>is not finite or is negative; a reflectance is neither</source>
+        <translation>ist nicht endlich oder negativ; eine Reflexion ist beides nicht</translation>
+    </message>
+    <message>
+        <source>differs from theta_i, so no node is another&apos;s swap</source>
+        <translation>weicht von theta_i ab, kein Knoten ist also der Tausch eines anderen</translation>
+    </message>
+    <message>
+        <source>{0} bins; 2 along each axis to {1} in all are held</source>
+        <translation>{0} Felder; gespeichert werden 2 entlang jeder Achse bis insgesamt {1}</translation>
+    </message>
+    <message>
+        <source>has the shape {0}; expected (θh, θd, φd), alike for both</source>
+        <translation>hat die Form {0}; erwartet wurde (θh, θd, φd), für beide gleich</translation>
+    </message>
+    <message>
+        <source>has the shape {0}; expected (θh, θd, φd, 3)</source>
+        <translation>hat die Form {0}; erwartet wurde (θh, θd, φd, 3)</translation>
+    </message>
+    <message>
+        <source>φd has {0} bins; expected an even number</source>
+        <translation>φd hat {0} Felder; erwartet wurde eine gerade Anzahl</translation>
+    </message>
+    <message>
+        <source>holds no sample; expected at least one</source>
+        <translation>enthält keinen Messpunkt; erwartet wurde mindestens einer</translation>
+    </message>
+    <message>
+        <source>is not a unit direction above the horizon</source>
+        <translation>ist keine Einheitsrichtung über dem Horizont</translation>
+    </message>
+    <message>
+        <source>holds {0} directions where wi holds {1}</source>
+        <translation>enthält {0} Richtungen, wi enthält {1}</translation>
+    </message>
+    <message>
+        <source>spectra and wavelengths_nm come together or not at all</source>
+        <translation>spectra und wavelengths_nm kommen zusammen oder gar nicht</translation>
+    </message>
+    <message>
+        <source>must be positive and rise</source>
+        <translation>müssen positiv sein und steigen</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>these samples hold colours only, no spectra</source>
+        <translation>diese Messpunkte enthalten nur Farben, keine Spektren</translation>
+    </message>
+    <message>
+        <source>is negative; a reflectance is not</source>
+        <translation>ist negativ; eine Reflexion ist es nicht</translation>
+    </message>
+    <message>
+        <source>gives values that are not finite</source>
+        <translation>ergibt Werte, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>changes when the sample is turned; only isotropic reflectances are written in this format</source>
+        <translation>ändert sich, wenn die Probe gedreht wird; in diesem Format werden nur isotrope Reflexionen geschrieben</translation>
+    </message>
+    <message>
+        <source>on a test grid</source>
+        <translation>auf einem Prüfraster</translation>
+    </message>
+    <message>
+        <source>this material was measured in RGB, it has no spectra</source>
+        <translation>dieses Material wurde in RGB gemessen, es hat keine Spektren</translation>
+    </message>
+    <message>
+        <source>holds {0} paints; a sheet takes {1}</source>
+        <translation>enthält {0} Lacke; ein Blatt nimmt {1}</translation>
+    </message>
+    <message>
+        <source>there is no paint to draw</source>
+        <translation>es gibt keinen Lack zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>sheets are written as PNG of 8 bits or as PDF; give a name that ends in .png or .pdf</source>
+        <translation>Blätter werden als PNG mit 8 Bit oder als PDF geschrieben; geben Sie einen Namen an, der auf .png oder .pdf endet</translation>
+    </message>
+    <message>
+        <source>1 to {0} stand in a row, not {1}</source>
+        <translation>in einer Reihe stehen 1 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>a PDF has pictures in sRGB; leave the colour space out</source>
+        <translation>ein PDF hat Bilder in sRGB; lassen Sie den Farbraum weg</translation>
+    </message>
+    <message>
+        <source>{0} are known, not {1}</source>
+        <translation>bekannt sind {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} of {2}</source>
+        <translation>{0}, {1} von {2}</translation>
+    </message>
+    <message>
+        <source>There is no format {0}; there are {1}.</source>
+        <translation>Es gibt kein Format {0}; es gibt {1}.</translation>
+    </message>
+    <message>
+        <source>the ending {0} names no format ({1}); name one by --format</source>
+        <translation>die Endung {0} nennt kein Format ({1}); nennen Sie eines mit --format</translation>
+    </message>
+    <message>
+        <source>Measured file {0}.</source>
+        <translation>Messdatei {0}.</translation>
+    </message>
+    <message>
+        <source>{0}: what is read of it makes no paint: {1}</source>
+        <translation>{0}: Was davon gelesen wurde, ergibt keinen Lack: {1}</translation>
+    </message>
+    <message>
+        <source>at least one is wanted</source>
+        <translation>verlangt ist mindestens eines</translation>
+    </message>
+    <message>
+        <source>a file of {0} takes one paint, not {1}</source>
+        <translation>eine Datei im Format {0} nimmt einen Lack, nicht {1}</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading texture</source>
+        <translation>Textur wird abgelesen</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Page and pictures are for people; programs read the paint from the data that goes along with it.</source>
+        <translation>Seite und Bilder sind für Menschen; Programme lesen den Lack aus den Daten, die darin stehen.</translation>
+    </message>
+    <message>
+        <source>One page with pictures, plots and numbers; the paint itself is attached as a file.</source>
+        <translation>Eine Seite mit Bildern, Diagrammen und Zahlen; der Lack selbst liegt als Datei bei.</translation>
+    </message>
+    <message>
+        <source>holds no paint of this suite that can be found; another program may have packed it</source>
+        <translation>enthält keinen auffindbaren Lack dieser Suite; ein anderes Programm kann sie umgepackt haben</translation>
+    </message>
+    <message>
+        <source>One page with pictures, plots and numbers; the paint itself goes along as data.</source>
+        <translation>Eine Seite mit Bildern, Diagrammen und Zahlen; der Lack selbst steht als Daten darin.</translation>
+    </message>
+    <message>
+        <source>the packaged resources are missing; install brdf-suite again</source>
+        <translation>die mitgelieferten Dateien fehlen; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>there is no such {0} among the packaged ones ({1})</source>
+        <translation>unter den mitgelieferten gibt es keine solche Datei: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>The name of the {0} is empty; give a file or a shipped one ({1}).</source>
+        <translation>Der Name ist leer: {0}; geben Sie eine Datei an, oder Mitgeliefertes ({1}).</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no such file, nor a shipped {0} of that name{1}</source>
+        <translation>diese Datei gibt es nicht, und auch nichts Mitgeliefertes dieses Namens: {0}{1}</translation>
+    </message>
+    <message>
+        <source>`brdf-suite list {0}s` names all {1}</source>
+        <translation>`brdf-suite list {0}s` nennt alle {1}</translation>
+    </message>
+    <message>
+        <source>the documents are missing; install brdf-suite again</source>
+        <translation>die Dokumente fehlen; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)</source>
+        <translation>es gibt keinen Bildschirm (weder DISPLAY noch WAYLAND_DISPLAY ist gesetzt)</translation>
+    </message>
+    <message>
+        <source>there is no screen (nothing answers at {0})</source>
+        <translation>es gibt keinen Bildschirm (unter {0} antwortet nichts)</translation>
+    </message>
+    <message>
+        <source>the name is empty</source>
+        <translation>der Name ist leer</translation>
+    </message>
+    <message>
+        <source>{0}, {1} and {2}</source>
+        <translation>{0}, {1} und {2}</translation>
+    </message>
+    <message>
+        <source>{0} positions, normals and uvs, which must be equal in number</source>
+        <translation>{0} Positionen, Normalen und Texturkoordinaten, deren Anzahl gleich sein muss</translation>
+    </message>
+    <message>
+        <source>length {0}, not 1</source>
+        <translation>Länge {0}, nicht 1</translation>
+    </message>
+    <message>
+        <source>part {0}, {1}</source>
+        <translation>Teil {0}, {1}</translation>
+    </message>
+    <message>
+        <source>type {0}, not real numbers</source>
+        <translation>Typ {0}, keine reellen Zahlen</translation>
+    </message>
+    <message>
+        <source>shape {0}, not (n, {1}) with n of at least 3</source>
+        <translation>Form {0}, nicht (n, {1}) mit n von mindestens 3</translation>
+    </message>
+    <message>
+        <source>not a finite single-precision number</source>
+        <translation>keine endliche Zahl einfacher Genauigkeit</translation>
+    </message>
+    <message>
+        <source>type {0}, not integers</source>
+        <translation>Typ {0}, keine ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>shape {0}, not (k, 3) with k of at least 1</source>
+        <translation>Form {0}, nicht (k, 3) mit k von mindestens 1</translation>
+    </message>
+    <message>
+        <source>an index outside 0 to {0}</source>
+        <translation>ein Index außerhalb von 0 bis {0}</translation>
+    </message>
+    <message>
+        <source>no part</source>
+        <translation>kein Teil</translation>
+    </message>
+    <message>
+        <source>occlusion: sorting the triangles</source>
+        <translation>Umgebungsverdeckung: Dreiecke werden sortiert</translation>
+    </message>
+    <message>
+        <source>Occlusion cannot be baked: the ray tracer Embree is not there for this machine ({0}).</source>
+        <translation>Die Umgebungsverdeckung lässt sich nicht berechnen: Embree, das Strahlen verfolgt, gibt es für diesen Rechner nicht ({0}).</translation>
+    </message>
+    <message>
+        <source>occlusion of the surface</source>
+        <translation>Umgebungsverdeckung der Oberfläche</translation>
+    </message>
+    <message>
+        <source>fitting the occlusion</source>
+        <translation>Umgebungsverdeckung wird angepasst</translation>
+    </message>
+    <message>
+        <source>occlusion of the floor</source>
+        <translation>Umgebungsverdeckung des Bodens</translation>
+    </message>
+    <message>
+        <source>{0}: turned inside out, its triangles faced inwards</source>
+        <translation>{0}: umgestülpt, die Dreiecke zeigten nach innen</translation>
+    </message>
+    <message>
+        <source>{0}: had no normals; made smooth, with edges above {1}°</source>
+        <translation>{0}: hatte keine Normalen; geglättet, mit Kanten über {1}°</translation>
+    </message>
+    <message>
+        <source>had no texture coordinates</source>
+        <translation>hatte keine Texturkoordinaten</translation>
+    </message>
+    <message>
+        <source>texture coordinates were too uneven for flakes</source>
+        <translation>Texturkoordinaten waren zu ungleichmäßig für Flakes</translation>
+    </message>
+    <message>
+        <source>{0}: {1}; projected from the sides of a box, in millimetres</source>
+        <translation>{0}: {1}; von den Seiten eines Kastens projiziert, in Millimetern</translation>
+    </message>
+    <message>
+        <source>{0}: left out {1} with corners that are not in the file</source>
+        <translation>{0}: {1} mit Ecken, die nicht in der Datei sind, ausgelassen</translation>
+    </message>
+    <message>
+        <source>{0}: left out {1} with corners that are not finite</source>
+        <translation>{0}: {1} mit nicht endlichen Ecken ausgelassen</translation>
+    </message>
+    <message>
+        <source>{0}: left out {1} without area</source>
+        <translation>{0}: {1} ohne Fläche ausgelassen</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>{0} triangles</source>
+        <translation>{0} Dreiecke</translation>
+    </message>
+    <message>
+        <source>{0}: made {1} normals that were missing or not finite</source>
+        <translation>{0}: {1} Normalen erzeugt, die fehlten oder nicht endlich waren</translation>
+    </message>
+    <message>
+        <source>Without LLVM there are no single flakes, no relief and no mask: the first paint is shown there, smooth.</source>
+        <translation>Ohne LLVM gibt es keine einzelnen Flakes, kein Relief und keine Maske: Dort ist der erste Lack zu sehen, glatt.</translation>
+    </message>
+    <message>
+        <source>Without LLVM there is no ground and no shadow on it.</source>
+        <translation>Ohne LLVM gibt es keinen Boden und keinen Schatten darauf.</translation>
+    </message>
+    <message>
+        <source>pictures are written as PNG or EXR; give a name that ends in .png or .exr</source>
+        <translation>Bilder werden als PNG oder EXR geschrieben; geben Sie einen Namen an, der auf .png oder .exr endet</translation>
+    </message>
+    <message>
+        <source>starting the ray tracer</source>
+        <translation>Strahlverfolger startet</translation>
+    </message>
+    <message>
+        <source>{0} of {1} samples</source>
+        <translation>{0} von {1} Abtastwerten</translation>
+    </message>
+    <message>
+        <source>{0}, {1} left</source>
+        <translation>{0}, noch {1}</translation>
+    </message>
+    <message>
+        <source>{0} min</source>
+        <translation>{0} min</translation>
+    </message>
+    <message>
+        <source>{0} h {1} min</source>
+        <translation>{0} h {1} min</translation>
+    </message>
+    <message>
+        <source>{0} on {1} in {2}, ray-traced with {3} lights, {4} reflected rays and {5} samples a pixel, {6} EV, tone curve {7}</source>
+        <translation>{0} auf {1} in {2}, strahlverfolgt mit {3} Lichtern, {4} reflektierten Strahlen und {5} Abtastwerten je Pixel, {6} EV, Tonwertkurve {7}</translation>
+    </message>
+    <message>
+        <source>Nothing has been shown to the ray tracer yet.</source>
+        <translation>Dem Strahlverfolger wurde noch nichts gezeigt.</translation>
+    </message>
+    <message>
+        <source>building the scene</source>
+        <translation>Szene wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>The ray tracer shows a smooth surface, without normal map and orange peel.</source>
+        <translation>Der Strahlverfolger zeigt eine glatte Oberfläche, ohne Normalenkarte und Orangenhaut.</translation>
+    </message>
+    <message>
+        <source>The ray tracer shows the first paint alone where the mask divides two.</source>
+        <translation>Der Strahlverfolger zeigt nur den ersten Lack, wo die Maske zwei teilt.</translation>
+    </message>
+    <message>
+        <source>The ray tracer shows all sharp: without depth of field, and without the blur of a turn.</source>
+        <translation>Der Strahlverfolger zeigt alles scharf: ohne Schärfentiefe und ohne die Unschärfe einer Drehung.</translation>
+    </message>
+    <message>
+        <source>times the light that falls on it</source>
+        <translation>mal so viel wie das einfallende Licht</translation>
+    </message>
+    <message>
+        <source>second paint</source>
+        <translation>zweiter Lack</translation>
+    </message>
+    <message>
+        <source>term of {0}</source>
+        <translation>Anteil von {0}</translation>
+    </message>
+    <message>
+        <source>cut of {0}</source>
+        <translation>Schnitt von {0}</translation>
+    </message>
+    <message>
+        <source>This paint would reflect {0} {1}.</source>
+        <translation>Dieser Lack würde reflektieren: {0} {1}.</translation>
+    </message>
+    <message>
+        <source>Nothing has been shown to the path tracer yet.</source>
+        <translation>Dem Pfadverfolger wurde noch nichts gezeigt.</translation>
+    </message>
+    <message>
+        <source>Nothing has been traced yet.</source>
+        <translation>Noch wurde nichts verfolgt.</translation>
+    </message>
+    <message>
+        <source>the EXR of a traced picture holds what a render goes on from, in 32 bits and Rec. 2020; leave out --bits and --colour-space</source>
+        <translation>das EXR eines verfolgten Bildes enthält, womit das Zeichnen fortgesetzt wird, in 32 Bit und Rec. 2020; lassen Sie --bits und --colour-space weg</translation>
+    </message>
+    <message>
+        <source>{0} on {1} in {2}, path-traced with {3} samples a pixel, denoised, {4} EV, tone curve {5}</source>
+        <translation>{0} auf {1} in {2}, pfadverfolgt mit {3} Abtastwerten je Pixel, entrauscht, {4} EV, Tonwertkurve {5}</translation>
+    </message>
+    <message>
+        <source>{0} on {1} in {2}, path-traced with {3} samples a pixel, {4} EV, tone curve {5}</source>
+        <translation>{0} auf {1} in {2}, pfadverfolgt mit {3} Abtastwerten je Pixel, {4} EV, Tonwertkurve {5}</translation>
+    </message>
+    <message>
+        <source>, denoised</source>
+        <translation>, entrauscht</translation>
+    </message>
+    <message>
+        <source>{0} reflects amounts that are negative or not finite, so no light can be traced in it; brdf-suite check says where.</source>
+        <translation>{0} reflektiert Beträge, die negativ oder nicht endlich sind, daher lässt sich kein Licht darin verfolgen; brdf-suite check zeigt, wo.</translation>
+    </message>
+    <message>
+        <source>{0} reflects an endless amount of light at {1}°.</source>
+        <translation>{0} reflektiert bei {1}° unendlich viel Licht.</translation>
+    </message>
+    <message>
+        <source>{0} sends back {1} % of the {2} light that arrives at {3}°, more than there is. It is traced as it stands; where the surface sees itself, light grows with each reflection.</source>
+        <translation>{0} wirft {1} % des Lichts zurück, {2}, das bei {3}° ankommt, mehr als vorhanden. Es wird so verfolgt, wie es ist; wo die Oberfläche sich selbst sieht, wächst das Licht mit jeder Reflexion.</translation>
+    </message>
+    <message>
+        <source>starting the path tracer</source>
+        <translation>Pfadverfolger startet</translation>
+    </message>
+    <message>
+        <source>reading the environment</source>
+        <translation>Umgebung wird gelesen</translation>
+    </message>
+    <message>
+        <source>The reference shows the paint with its own reflection towards grazing: Fresnel is part of it.</source>
+        <translation>Die Referenz zeigt den Lack mit seiner eigenen Reflexion zum streifenden Winkel: Fresnel ist ein Teil davon.</translation>
+    </message>
+    <message>
+        <source>The reference always shows the shadows of the surface on itself.</source>
+        <translation>Die Referenz zeigt immer die Schatten der Oberfläche auf sich selbst.</translation>
+    </message>
+    <message>
+        <source>reading the paint</source>
+        <translation>Lack wird gelesen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to trace {0} × {1} pixels; make the picture smaller.</source>
+        <translation>Der Speicher reicht nicht, um {0} × {1} Pixel zu verfolgen; verkleinern Sie das Bild.</translation>
+    </message>
+    <message>
+        <source>starting the renderer</source>
+        <translation>Renderer startet</translation>
+    </message>
+    <message>
+        <source>, {0} s left</source>
+        <translation>, noch {0} s</translation>
+    </message>
+    <message>
+        <source>frame {0} of {1}{2}</source>
+        <translation>Bild {0} von {1}{2}</translation>
+    </message>
+    <message>
+        <source>writing the video</source>
+        <translation>Video wird geschrieben</translation>
+    </message>
+    <message>
+        <source>shaders of {0}: {1}</source>
+        <translation>Shader von {0}: {1}</translation>
+    </message>
+    <message>
+        <source>is not a font that can be loaded; install brdf-suite again</source>
+        <translation>ist keine Schrift, die sich laden lässt; installieren Sie brdf-suite neu</translation>
+    </message>
+    <message>
+        <source>the list of the gallery cannot be read ({0})</source>
+        <translation>die Liste der Galerie ist nicht lesbar ({0})</translation>
+    </message>
+    <message>
+        <source>the command ended with status {0}.</source>
+        <translation>der Befehl endete mit Status {0}.</translation>
+    </message>
+    <message>
+        <source>has {0}×{1} pixels, the photographs {2}×{3}</source>
+        <translation>hat {0}×{1} Pixel, die Fotos {2}×{3}</translation>
+    </message>
+    <message>
+        <source>autosave</source>
+        <translation>wird automatisch gesichert</translation>
+    </message>
+    <message>
+        <source>The paint could not be exported: {0}</source>
+        <translation>Der Lack ließ sich nicht exportieren: {0}</translation>
+    </message>
+    <message>
+        <source>looking for paints</source>
+        <translation>Lacke werden gesucht</translation>
+    </message>
+    <message>
+        <source>checking the values</source>
+        <translation>Werte werden geprüft</translation>
+    </message>
+    <message>
+        <source>building paints</source>
+        <translation>Lacke werden aufgebaut</translation>
+    </message>
+    <message>
+        <source>reading the light</source>
+        <translation>Licht wird gelesen</translation>
+    </message>
+    <message>
+        <source>preparing the scene</source>
+        <translation>Szene wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>is no scene of this program ({0})</source>
+        <translation>ist keine Szene dieses Programms ({0})</translation>
+    </message>
+    <message>
+        <source>There is no picture yet</source>
+        <translation>Es gibt noch kein Bild</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei existiert bereits</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Auf dem Gerät ist kein Platz mehr frei</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Das Dateisystem ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} und {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} oder {1}</translation>
+    </message>
+    <message>
+        <source>flakes</source>
+        <translation>Flakes</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
     </message>
 </context>
 </TS>

@@ -38,9 +38,8 @@ def test_numbers_in_texts_and_fields_have_the_comma(in_german, qtbot) -> None:
     text = tr("ΔE {error:.2f} of {name}, {count}, {whole:d}")
     assert text.format(error=1.25, name="v1.5 red", count="0.75", whole=3) == "ΔE 1,25 of v1.5 red, 0,75, 3"
     assert decimal(f"{-0.5:.1f}") == "-0,5"
-    # A comma is the decimal sign there.
-    assert decimal(f"{49152:,}") == "49\N{NARROW NO-BREAK SPACE}152"
-    assert decimal(f"{1234567.5:,.1f}") == "1\N{NARROW NO-BREAK SPACE}234\N{NARROW NO-BREAK SPACE}567,5"
+    assert decimal(f"{49152:,}") == "49.152"  # a comma is the decimal sign there
+    assert tr("{count:,}, {size:,.1f}").format(count=5856, size=1234.5) == "5.856, 1.234,5"
     field = NumberField("Gloss", "GU", 0.0, 200.0, 0.5, 1, 90.5)
     qtbot.addWidget(field)
     assert field.text() == "90,5 GU"

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from brdf_qt.fields.quiet import quieten
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtWidgets import QFileDialog
@@ -60,7 +61,7 @@ def choices_of(formats: Sequence[PaletteFormat], usual: str) -> tuple[Choice, ..
     lines = [Choice(tr("All palette formats ({endings})").format(endings=every), usual)]
     for known in written:
         endings = " ".join(f"*{ending}" for ending in known.endings)
-        title = known.title.replace("(", "[").replace(")", "]")
+        title = tr_core(known.title).replace("(", "[").replace(")", "]")
         lines.append(Choice(f"{title} ({endings})", known.endings[0], known))
     return tuple(lines)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 
@@ -166,7 +167,9 @@ def _export_palette(request: _Request, progress: Progress) -> _Losses:
         return _Losses((*lost, *write_palette(palette, request.path, known).losses))
     if known.write is None:
         raise SuiteError(
-            tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
+            tr("{format} files cannot be exported. Choose another format.").format(
+                format=tr_core(known.title)
+            )
         )
     return _Losses((*lost, *losses(palette, known, request.path)), can_split)
 

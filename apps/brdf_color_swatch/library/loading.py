@@ -12,6 +12,7 @@ from pathlib import Path
 
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 
@@ -127,7 +128,7 @@ class PaletteLoader:
             one, several = tr("“{name}” imported with 1 note."), tr("“{name}” imported with {count} notes.")
             text = one if len(read.notices) == 1 else several
             text = text.format(name=read.path.name, count=len(read.notices))
-            todo = "\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else "")
+            todo = "\n".join(map(tr_core, read.notices[:6])) + ("\n…" if len(read.notices) > 6 else "")
             self._library.message.emit(Message(f"open {key}", text, todo=todo))
         self._library.read.emit(key)
         item.run_waiting()
@@ -136,7 +137,7 @@ class PaletteLoader:
         item = self._library.item(key)
         if item is None:
             return
-        item.state, item.problem = "wrong", str(error)
+        item.state, item.problem = "wrong", tr_core(str(error))
         item.waiting.clear()
         self._library.items_changed.emit()
         todo = tr("The palette stays in the library; nothing else has changed.")

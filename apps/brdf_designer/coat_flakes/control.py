@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from PySide6.QtCore import QObject
 
@@ -31,4 +32,4 @@ class CoatControl(Feature, QObject):
             self._coat.show_gloss(*total_gloss(layers.base, layers.coat))
 
     def _refuse(self, error: SuiteError) -> None:
-        self._coat.show_refusal(str(error) if isinstance(error, UnreachableError) else "")
+        self._coat.show_refusal(tr_core(str(error)) if isinstance(error, UnreachableError) else "")

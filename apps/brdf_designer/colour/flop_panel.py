@@ -10,6 +10,7 @@ from brdf_qt.fields.colour_slider import ColourSlider
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtGui import QShowEvent
@@ -107,7 +108,7 @@ class FlopPanel(QWidget):
             now, ends = measure_flop(angles, labs), flop_ends(angles)
         except ValueRangeError as error:
             self._show(FlopValues(math.nan, math.nan, math.nan, math.nan))
-            self.note.setText(tr("No flop: {reason}.").format(reason=error.reason))
+            self.note.setText(tr("No flop: {reason}.").format(reason=tr_core(error.reason)))
             return
         self._readings = (angles, labs)
         self._show(now)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
@@ -94,7 +95,9 @@ class NearestOffer(Feature, QObject):
         self._session.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
 
     def _failed(self, error: Exception) -> None:
-        text = tr("The search for the closest possible paint failed: {error}").format(error=error)
+        text = tr("The search for the closest possible paint failed: {error}").format(
+            error=tr_core(str(error))
+        )
         self._session.show_message(Message(KEY, text, severity="warning"))
 
 

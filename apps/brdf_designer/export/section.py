@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, Signal
@@ -44,9 +45,9 @@ class FormatState:
     def words(self) -> str:
         """What is lost, or why it cannot be exported."""
         if self.refusal:
-            return self.refusal
+            return tr_core(self.refusal)
         return (
-            "\n".join([tr("Losses:"), *(f"– {loss}" for loss in self.losses)])
+            "\n".join([tr("Losses:"), *(f"– {tr_core(loss)}" for loss in self.losses)])
             if self.losses
             else tr("No losses.")
         )
@@ -124,7 +125,7 @@ class HandoverSection(QWidget):
             self.holds.setText("")
             self.losses.setText(tr("Tick the formats to export."))
         elif len(found) == 1:
-            self.holds.setText(found[0].holds)
+            self.holds.setText(tr_core(found[0].holds))
             self.losses.setText(found[0].words)
         else:
             self.holds.setText("")

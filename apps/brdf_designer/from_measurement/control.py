@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -105,7 +106,7 @@ class MeasuredControl(Feature, QObject):
         for paint in paints[:MOST_TABS]:
             self._session.open_paint(paint)
         self._session.documents.front.files.remember(path.absolute())
-        notes = list(handed.notes)
+        notes = [tr_core(note) for note in handed.notes]
         if len(paints) > MOST_TABS:
             text = tr("{name} contains {count} paints. The first {opened} were opened.")
             notes.insert(0, text.format(name=path.name, count=len(paints), opened=MOST_TABS))

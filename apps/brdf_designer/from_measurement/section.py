@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form, fill_column
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import decimal, mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
@@ -59,7 +60,7 @@ class MeasuredSection(QWidget):
 
     def show_start(self, start: MeasuredStart) -> None:
         """Show what was read, and the differences at angles that were not."""
-        self.origin.setText(start.paint.source)
+        self.origin.setText(tr_core(start.paint.source))
         self.angles.setCurrentIndex(self.angles.findData(start.geometry_set.name))
         self.support.setText(_support(start))
         self.support.setVisible(bool(self.support.text()))
@@ -79,7 +80,7 @@ class MeasuredSection(QWidget):
                 )
                 self.table.set_text(number, place, text)
         self.table.setVisible(bool(angles))
-        self.notices.setText("\n".join(start.notices))
+        self.notices.setText(tr_core("\n".join(start.notices)))
 
 
 def _support(start: MeasuredStart) -> str:

@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import decimal, moment, tr
@@ -436,7 +437,7 @@ def _load(request: tuple[str, Paint], progress: Progress) -> tuple[Standard, ...
 
 
 def _title(standard: Standard) -> str:
-    return f"{standard.name}  ({standard.origin})" if standard.origin else standard.name
+    return f"{standard.name}  ({tr_core(standard.origin)})" if standard.origin else standard.name
 
 
 def _number(value: float | None) -> str:

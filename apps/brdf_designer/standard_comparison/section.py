@@ -9,6 +9,7 @@ from brdf_qt.fields.form import Form, fill_column, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.marks import verdict_mark
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import QSignalBlocker, Signal
@@ -88,11 +89,11 @@ class StandardSection(QWidget):
             return
         for label, text in (
             (self.name, state.name),
-            (self.origin, state.origin),
+            (self.origin, tr_core(state.origin)),
             (self.verdict, state.verdict),
             (self.sentence, state.sentence),
             (self.more, state.more),
-            (self.notices, "\n".join(state.notices)),
+            (self.notices, tr_core("\n".join(state.notices))),
         ):
             if label.text() != text:
                 label.setText(text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import NamedTuple
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -194,7 +195,7 @@ class TextureControl(Feature, QObject):
 
     def _not_found(self, error: Exception) -> None:
         self.section.show_searching(False)
-        self.section.show_answer(str(error) if isinstance(error, SuiteError) else "")
+        self.section.show_answer(tr_core(str(error)) if isinstance(error, SuiteError) else "")
         self._judge()
         if not isinstance(error, SuiteError):
             _raise(error)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from brdf_qt.choosing.thumbnails import USUAL_LOOK, thumbnail
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.names import ENVIRONMENTS
 from brdf_qt.program.settings import settings
@@ -214,13 +215,15 @@ class VariationsControl(Feature, QObject):
             picture = thumbnail(self._pictures, one.paint or self._of.paint, self._look)
             self.section.buttons[one.direction].show_picture(picture)
         why = self._pictures.problem(self._look)
-        self.section.show_note(why and tr("{reason} Discs show the readings instead.").format(reason=why))
+        self.section.show_note(
+            why and tr("{reason} Discs show the readings instead.").format(reason=tr_core(why))
+        )
 
 
 def _state(one: Variation) -> NeighbourState:
     word = say(one.word)
     if one.paint is None:
-        return NeighbourState(one.direction, tr("{word}: none").format(word=word), one.reason, False)
+        return NeighbourState(one.direction, tr("{word}: none").format(word=word), tr_core(one.reason), False)
     if one.direction in ("finer_flakes", "coarser_flakes"):
         flakes = one.paint.flakes
         assert flakes is not None

@@ -8,6 +8,7 @@ from brdf_qt.fields.marks import Mark
 from brdf_qt.fields.number import reach_of
 from brdf_qt.fields.parameters import ParameterPanel
 from brdf_qt.fields.text import TextLine, TextNotes
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QLabel, QWidget
 
@@ -170,7 +171,9 @@ class ModelSection(PaintSection):
 
     def show_notices(self, notices: tuple[str, ...]) -> None:
         """Show what the model has to say about this paint."""
-        self.notices.setText("\n".join(f"{text[:1].upper()}{text[1:].rstrip('.')}." for text in notices))
+        self.notices.setText(
+            "\n".join(f"{text[:1].upper()}{text[1:].rstrip('.')}." for text in map(tr_core, notices))
+        )
         self.notices.setVisible(bool(notices))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fields.marks import Mark
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.status_line import StatusLine
@@ -113,7 +114,7 @@ class PaintStatus:
         text = tr("Flop {target}").format(target=_one_decimal(asked.value))
         if reached is not None:
             text = tr("{flop}, achieved {achieved}").format(flop=text, achieved=_one_decimal(reached.value))
-        notice = f"{asked.notice[:1].upper()}{asked.notice[1:]}." if asked.notice else None
+        notice = tr_core(f"{asked.notice[:1].upper()}{asked.notice[1:]}.") if asked.notice else None
         self._flop.set(f"{text} ?" if asked.notice else text, notice, "warning" if asked.notice else "fresh")
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.fields.marks import Mark
 from brdf_qt.fields.quiet import quieten
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.work.tasks import TaskRunner
@@ -233,7 +234,9 @@ class LegendControl(QObject):
             details.append(words_of(verdict))
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
             details.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
-        tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *details])
+        tip = "\n".join(
+            [subject.title, tr_core(subject.material.origin), *map(tr_core, subject.notes), *details]
+        )
         return LegendRow(
             subject.key,
             subject.title,

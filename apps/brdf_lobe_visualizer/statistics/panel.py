@@ -11,6 +11,7 @@ from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import decimal, mark, tr
@@ -158,41 +159,9 @@ class FiguresTable(QTableView):
             QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
 
 
-_FIGURES = {
-    "hemispherical albedo": mark("hemispherical albedo"),
-    "largest albedo of a channel": mark("largest albedo of a channel"),
-    "its incidence": mark("its incidence"),
-    "reciprocity error": mark("reciprocity error"),
-    "directions without a number": mark("directions without a number"),
-    "albedo at": mark("albedo at {angle}"),
-    "ΔE00 of the fit": mark("ΔE00 of the fit {angle}"),
-    "ΔE00 to the reference": mark("ΔE00 to the reference {angle}"),
-    "fit": mark("fit"),
-    "difference": mark("difference"),
-    "red": mark("red"),
-    "green": mark("green"),
-    "blue": mark("blue"),
-    "worst": mark("worst"),
-    "median": mark("median"),
-    "root mean square": mark("root mean square"),
-    "relative root mean square": mark("relative root mean square"),
-    "root mean square of cube roots": mark("root mean square of cube roots"),
-    "away from the mirror": mark("away from the mirror"),
-}
-"""Parts of the figures' names, as the table of the core has them; some end with an angle or a geometry."""
-
-
 def _named(row: FigureRow) -> str:
-    """Return the name of a figure in the language of the window, with its unit."""
-    parts = [_translated(part) for part in row.name.split(", ")]
-    return ", ".join([*parts, row.unit] if row.unit else parts)
-
-
-def _translated(part: str) -> str:
-    if part in _FIGURES:
-        return tr(_FIGURES[part])
-    name, _, angle = part.rpartition(" ")
-    return tr(_FIGURES[name]).format(angle=angle) if name in _FIGURES else part
+    name = tr_core(row.name)
+    return f"{name}, {row.unit}" if row.unit else name
 
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"

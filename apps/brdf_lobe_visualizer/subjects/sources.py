@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
 
@@ -162,5 +163,5 @@ def names() -> dict[str, Sequence[tuple[str, str]]]:
     return {
         "paints": [(title_of(name), name) for name in paint_names()],
         "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],
-        "models": [(entry.title, name) for name, entry in MODELS.items()],
+        "models": [(tr_core(entry.title), name) for name, entry in MODELS.items()],
     }

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -178,14 +179,14 @@ class Sources(Feature, QObject):
     def _report(self, name: str, found: Opened, shown: int) -> None:
         key = f"open {name}"
         self._window.dismiss_message(key)
-        noted = " ".join(found.notes)
+        noted = " ".join(map(tr_core, found.notes))
         more = ""
         if shown + len(found.refused) < len(found.entries):
             more = tr("The others are listed in the panel Reflectances (Ctrl+Shift+B).")
         if found.refused:
             text = tr("{count} entries of {title} cannot be shown.")
             what = text.format(count=len(found.refused), title=found.title)
-            where = " ".join((found.refused[0], *found.notes))
+            where = " ".join(map(tr_core, (found.refused[0], *found.notes)))
             self._window.show_message(Message(key, what, where=where, todo=more, severity="warning"))
         elif shown < len(found.entries):
             text = tr("{title} has {count} paints; the first {shown} are shown.")

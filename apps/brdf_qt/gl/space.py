@@ -23,6 +23,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_qt.gl.items import compile_program
 from brdf_qt.program.application import surface_format
+from brdf_qt.program.core_texts import tr_core
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import SuiteError
 
@@ -160,7 +161,7 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def _fail(self, error: Exception) -> None:
         if not isinstance(error, SuiteError):
             log.error("the view in three dimensions", exc_info=error)
-        self._failure = str(error) or type(error).__name__
+        self._failure = tr_core(str(error)) or type(error).__name__
         QTimer.singleShot(0, self, lambda: self.failed.emit(self._failure))
 
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.application import surface_format
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
@@ -218,7 +219,9 @@ class GlSurface(QWidget):
             self._defer_failure(_failure_text(error, tr("The picture could not be drawn")))
             return
         if problem != "GL_NO_ERROR":
-            self._defer_failure(f"The graphics driver reported {problem} while drawing.")
+            self._defer_failure(
+                tr("The graphics driver reported {problem} while drawing.").format(problem=problem)
+            )
             return
         milliseconds = (time.perf_counter() - start) * 1000.0
         if typical:
@@ -322,6 +325,6 @@ class _Notice(QWidget):
 def _failure_text(error: Exception, what: str) -> str:
     """Return the text for the user; a fault of ours goes to the log with its traceback."""
     if isinstance(error, SuiteError):
-        return str(error)
+        return tr_core(str(error))
     log.error("%s", what, exc_info=error)
     return f"{what}: {error}"

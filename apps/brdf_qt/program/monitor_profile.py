@@ -18,6 +18,7 @@ from typing import Any
 
 from PySide6.QtGui import QGuiApplication, QScreen
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
 from brdf_suite.errors import FileError
@@ -57,7 +58,7 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
         space = read_display_profile(data, "the monitor's profile")
     except FileError as error:
         log.warning("monitor: %s", error)
-        text = tr("The monitor's profile {reason}; assuming sRGB").format(reason=error.reason)
+        text = tr("The monitor's profile {reason}; assuming sRGB").format(reason=tr_core(error.reason))
         return Monitor(SRGB_SPACE, text, False)
     return Monitor(space, tr("Monitor profile: {title}").format(title=space.title), True)
 

@@ -2,7 +2,8 @@
 
 Sources are the English texts themselves; ``packaging/translate.py`` collects them and makes the ``.qm`` files.
 A text is a literal with named places (``tr("Saved in {folder}").format(folder=name)``), never an f-string: the
-tool that collects them reads the source. Messages of the core (files, fits) are English in every language.
+tool that collects them reads the source. Finished texts of the core (errors, notices, steps of work) go through
+:func:`brdf_qt.program.core_texts.tr_core`.
 """
 
 from __future__ import annotations
@@ -64,14 +65,22 @@ def point() -> str:
     return "." if code in (None, SOURCE) else QLocale(str(code)).decimalPoint()
 
 
+def group_sign() -> str:
+    """Return what divides thousands in the program's language."""
+    code = language_in_use(QCoreApplication.instance())
+    return "," if code == SOURCE else QLocale(code).groupSeparator()
+
+
 def decimal(text: str) -> str:
     """Return a number that Python has written with the decimal sign of the program's language.
 
-    Where that is no point, thousands are apart by a narrow space: a comma between them would be read as the sign.
+    Where that is no point, thousands are divided as the language does: a comma would be read as the sign.
     For what is shown alone: files, clipboards for other programs and options of commands keep the point.
     """
     sign = point()
-    return text if sign == "." else _THOUSANDS.sub("\N{NARROW NO-BREAK SPACE}", text).replace(".", sign)
+    if sign == ".":
+        return text
+    return _THOUSANDS.sub("\0", text).replace(".", sign).replace("\0", group_sign())
 
 
 @cache

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QPushButto
 from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.settings import SHARED, settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import without_icons
@@ -147,7 +148,7 @@ class FitDialog(QDialog):
         try:
             choice.settings()
         except SuiteError as error:
-            self.message.setText(str(error))
+            self.message.setText(tr_core(str(error)))
             return
         self.chosen.emit(choice)
         self.close()

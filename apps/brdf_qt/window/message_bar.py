@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 
 from brdf_qt.fields.form import icon_button
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.floating import Floating
@@ -58,10 +59,11 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
         folder, name = os.path.split(error.path)
-        where = ", ".join(part for part in (folder, error.place) if part)
-        return Message(key, f"{name}: {error.reason}.", where=where, todo=todo, severity="error")
+        place = "" if error.place is None else tr_core(error.place)
+        where = ", ".join(part for part in (folder, place) if part)
+        return Message(key, f"{name}: {tr_core(error.reason)}.", where=where, todo=todo, severity="error")
     if isinstance(error, SuiteError):
-        return Message(key, str(error), todo=todo, severity="error")
+        return Message(key, tr_core(str(error)), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")
     todo = todo or tr("Your document is unchanged; save it. The log has the details.")
     return Message(key, what, todo=todo, severity="error")
@@ -179,7 +181,8 @@ class MessageBar(Floating):
         self.hide()
 
     def show_message(self, message: Message) -> None:
-        """Show ``message``, in the place of the one with the same key."""
+        """Show ``message``, in the place of the one with the same key; texts of the core in the user's language."""
+        message = replace(message, what=tr_core(message.what), todo=tr_core(message.todo))
         present = self._rows.get(message.key)
         if present is not None and present.message == message:
             return
@@ -195,7 +198,7 @@ class MessageBar(Floating):
         row.opened.connect(self.open)
         self._rows[message.key] = row
         if message.severity == "info" and message.closable and not message.actions:
-            leaves = make_timer(row, lambda: self._leave(message.key, leaves), self.note_ms)
+            leaves = make_timer(row, lambda: self._leave(row, leaves), self.note_ms)
             leaves.start()
         self._box.insertWidget(place, row)
         self.open(message.key)
@@ -223,8 +226,11 @@ class MessageBar(Floating):
         """Return the messages that are shown, by key."""
         return {key: row.message for key, row in self._rows.items()}
 
-    def _leave(self, key: str, timer: QTimer) -> None:
-        if self._rows[key].underMouse():
+    def _leave(self, row: _Row, timer: QTimer) -> None:
+        key = row.message.key
+        if self._rows.get(key) is not row:
+            return  # it has been dismissed, and is deleted at the next turn of the event loop
+        if row.underMouse():
             timer.start()  # it is being read
         else:
             self.dismiss(key)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QProgressBar, QPushButton, QWidget
 
 from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.floating import Floating
 
@@ -85,7 +86,7 @@ class ProgressStrip(Floating):
             self._lines[key] = line = _Line(stop)
             line.setObjectName(f"job_{key}")
             self._box.addWidget(line)
-        self._lines[key].set(fraction, text)
+        self._lines[key].set(fraction, tr_core(text))
         self.show()
 
     def end_job(self, key: str) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.fields.choices import set_note
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
@@ -311,7 +312,7 @@ def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str
     worst = value.worst_delta_e
     text = tr("B: fit: maximum ΔE00 {worst:.2f} at the measured angles")
     fit = [] if worst is None else [text.format(worst=worst)]
-    return [*fit, *value.notices]
+    return [*fit, *map(tr_core, value.notices)]
 
 
 def _title(key: str) -> str:

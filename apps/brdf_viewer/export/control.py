@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtWidgets import QWidget
@@ -155,7 +156,7 @@ class ExportControl(ViewerFeature):
         if missed:
             what = tr("{file} was exported without {count} of its paints.")
             what = what.format(file=path.name, count=len(missed))
-            message = Message(KIND, what, where="; ".join(missed[:5]), severity="warning")
+            message = Message(KIND, what, where="; ".join(map(tr_core, missed[:5])), severity="warning")
             self._window.messages.show_message(message)
         self._end(tr("{name} exported.").format(name=path.name))
 

@@ -6,6 +6,7 @@ from brdf_qt.choosing.picker import SourceChooser
 from brdf_qt.fields.choices import ChoiceBox, ColourButton, SliderField, note, set_note
 from brdf_qt.fields.form import Form, fill_column
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import decimal, mark, tr
 from brdf_qt.window.section import Section
 from brdf_qt.window.view_titles import BACKGROUND_TITLES
@@ -134,7 +135,9 @@ def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
     rows, columns = prepared.environment.radiance.shape[:2]
     lines = [tr("{columns} × {rows} pixels").format(columns=columns, rows=rows)]
     # As sentences: notes of files are phrases in lower case.
-    lines += [text[:1].upper() + text[1:].rstrip(".") + "." for text in prepared.environment.notes]
+    lines += [
+        text[:1].upper() + text[1:].rstrip(".") + "." for text in map(tr_core, prepared.environment.notes)
+    ]
     if prepared.draft:
         lines.append(tr("Draft; full quality follows after editing."))
     elif not prepared.is_final:
@@ -142,7 +145,7 @@ def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
         stopped = tr("Reflections incomplete {what}. Select the light again to finish.")
         what = f"({prepared.wanted - prepared.missing}/{prepared.wanted})"
         lines.append((going_on if loading else stopped).format(what=what))
-    return "\n".join([*lines, *prepared.notices])
+    return "\n".join([*lines, *map(tr_core, prepared.notices)])
 
 
 LAYOUT_TITLES = {

@@ -10,6 +10,7 @@ from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.fields.choices import set_note
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.names import title_of
 from brdf_qt.program.suite import connected_words
 from brdf_qt.program.translation import decimal, tr
@@ -290,7 +291,7 @@ class PaintControl(ViewerFeature):
         section.patches.set_patches(fit.compared, fit.time_limited, fit.exact_follows)
         worst, follows = fit.worst_delta_e, fit.exact_follows
         section.set_fit_error(worst, fit.time_limited, follows)
-        facts = list(fit.notices)
+        facts = [tr_core(notice) for notice in fit.notices]
         if fit.material.paint is None and is_factored(fit.reflectance):
             facts.append(tr("Factored paint: lamps use its maps, the environment uses fitted lobes."))
         set_note(section.facts, "\n".join(facts))

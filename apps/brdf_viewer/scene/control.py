@@ -11,6 +11,7 @@ from brdf_qt.choosing.sources import Source
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.fields.choices import set_note
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import decimal, tr
 from brdf_qt.work.scene_loading import ENVIRONMENT, SURFACE, SceneLoader
@@ -344,4 +345,4 @@ def _surface_facts(mesh: Mesh) -> str:
     one, many = tr("{triangles:,} triangles, 1 part"), tr("{triangles:,} triangles, {parts} parts")
     text = one if len(mesh.parts) == 1 else many
     count = text.format(triangles=mesh.triangle_count, parts=len(mesh.parts))
-    return "\n".join([count, f"{size} m", *mesh.notes])
+    return "\n".join([count, f"{size} m", *map(tr_core, mesh.notes)])

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.work.command_process import ChildProcess
 from PySide6.QtCore import QObject, Signal
@@ -96,16 +97,16 @@ class TraceProcess(ChildProcess):
         if what == "picture":
             self._take_picture(answer, generation)
         elif what == "opened":
-            notices = [tr(text) for text in answer["notices"]]
-            self.opened.emit(generation, notices, tr(str(answer["no_denoiser"])))
+            notices = [tr_core(text) for text in answer["notices"]]
+            self.opened.emit(generation, notices, tr_core(str(answer["no_denoiser"])))
         elif what == "moved":
-            self.moved.emit(generation, float(answer["fraction"]), str(answer["what"]))
+            self.moved.emit(generation, float(answer["fraction"]), tr_core(str(answer["what"])))
         elif what == "failed":
-            self.failed.emit(generation, tr(str(answer["text"])))
+            self.failed.emit(generation, tr_core(str(answer["text"])))
         elif what == "saved":
             self.saved.emit(str(answer["path"]))
         elif what == "not_saved":
-            self.not_saved.emit(str(answer["path"]), str(answer["text"]))
+            self.not_saved.emit(str(answer["path"]), tr_core(str(answer["text"])))
 
     def _take_picture(self, answer: dict[str, Any], generation: int) -> None:
         width, height = answer["size"]

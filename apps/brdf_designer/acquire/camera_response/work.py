@@ -89,4 +89,4 @@ def _each(values: Any, form: str, unit: str = "") -> str:
 
 def thousands(count: int) -> str:
     """Return a count in groups of three digits."""
-    return f"{count:,}".replace(",", "\u202f")
+    return decimal(f"{count:,}")

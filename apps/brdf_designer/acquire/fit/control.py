@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message
@@ -74,7 +75,7 @@ class FitControl(QObject):
             name=start.paint.name
         )
         self._page.kept.setText(text)
-        notes = " ".join(start.notices)
+        notes = " ".join(map(tr_core, start.notices))
         if start.mean_delta_e is not None:
             mean = tr("Mean ΔE00 to the fitted lobes at angles that were not used: {mean:.1f}.")
             notes = f"{mean.format(mean=start.mean_delta_e)} {notes}".rstrip()

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import decimal, tr
 from PySide6.QtCore import QSignalBlocker, Signal
 
@@ -121,7 +122,7 @@ class FitPage(AcquirePage):
                 tr("Not fitted yet.") if has_table else tr("No table yet. Run the reconstruction first.")
             )
             return
-        self.note.setText("\n".join(found.fit.notices))
+        self.note.setText(tr_core("\n".join(found.fit.notices)))
         # At first the curve with the most points.
         points = np.isfinite(found.plot.measured).any(axis=-1).sum(axis=-1)
         chosen = self.angle.currentIndex() if self.angle.count() else int(np.argmax(points))

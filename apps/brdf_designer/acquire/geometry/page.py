@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox
@@ -83,7 +84,7 @@ class GeometryPage(AcquirePage):
             self.residuals.hide()
             return
         self.residuals.show()
-        self.note.setText("\n".join(problem.reason for problem in state.problems))
+        self.note.setText(tr_core("\n".join(problem.reason for problem in state.problems)))
         self.note.setVisible(bool(state.problems))
         self.facts.show_rows(state.facts)
         self.found.show_rows(state.parameters)

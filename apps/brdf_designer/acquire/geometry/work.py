@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import decimal, tr
 from numpy.typing import ArrayLike, NDArray
 
@@ -149,6 +150,6 @@ def _refined(row: Any) -> tuple[str, str, str]:
         value=found, sigma=sigma + unit, stated=stated + unit
     )
     share = tr("The highlights determine {share:.0f} % of it: {why}").format(
-        share=100.0 * row.observed, why=row.why
+        share=100.0 * row.observed, why=tr_core(row.why)
     )
-    return row.name, value, share
+    return tr_core(row.name), value, share

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
@@ -136,7 +137,7 @@ class ReconstructionController(QObject):
                 Message(
                     "kept",
                     tr("The earlier reconstruction in this folder cannot be resumed."),
-                    where=kept.reason,
+                    where=tr_core(kept.reason),
                     todo=tr("Click Start Over on the page Reconstruction."),
                     severity="warning",
                 )

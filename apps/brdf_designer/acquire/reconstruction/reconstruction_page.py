@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Signal
 
@@ -62,7 +63,7 @@ class ReconstructionPage(AcquirePage):
 
     def show_progress(self, text: str, *, running: bool) -> None:
         """Say what is being done, and that nothing else can be begun while it is ``running``."""
-        self.progress_text.setText(text or tr("Not started."))
+        self.progress_text.setText(tr_core(text) or tr("Not started."))
         self.start.setEnabled(not running)
         self.again.setEnabled(not running)
         self.grazing.setEnabled(not running)

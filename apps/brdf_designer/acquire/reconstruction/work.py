@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.camera_response.work import open_session, response_found, thousands
@@ -142,7 +143,7 @@ def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState
             (tr("Measured"), measured, tip),
             (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels used for the table")),
             (tr("Positions"), positions, tr("Lamp positions")),
-            *(("", notice, "") for notice in acquired.notices),
+            *(("", tr_core(notice), "") for notice in acquired.notices),
         )
     return CoverageState(share, pixels, deviation_map(table), np.degrees(theta_h), np.degrees(theta_d), facts)
 

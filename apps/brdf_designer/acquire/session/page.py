@@ -8,6 +8,7 @@ from pathlib import Path
 from brdf_qt.fields.form import Form, described
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
@@ -49,6 +50,7 @@ _SIGNS = {
     "info": ("info", ""),
 }
 _MOST_ROWS = 8
+_RESPONSES = {"unknown": mark("unknown"), "linear": mark("linear"), "srgb": mark("sRGB")}
 _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note")}
 
 
@@ -147,7 +149,7 @@ class SessionPage(AcquirePage):
             (
                 tr("Codes"),
                 tr("{bits} bits, response: {response}").format(
-                    bits=camera.bit_depth, response=camera.response
+                    bits=camera.bit_depth, response=tr(_RESPONSES[camera.response])
                 ),
                 tr("Encoding of the pixel values"),
             ),
@@ -212,11 +214,12 @@ def fill_problems(rows: QTreeWidget, problems: Sequence[Problem]) -> None:
     rows.clear()
     order = ("error", "warning", "info")
     for problem in sorted(problems, key=lambda one: order.index(one.severity)):
-        item = QTreeWidgetItem([tr(_WORDS[problem.severity]), problem.file, problem.reason])
+        reason = tr_core(problem.reason)
+        item = QTreeWidgetItem([tr(_WORDS[problem.severity]), problem.file, reason])
         item.setIcon(0, icon(*_SIGNS[problem.severity]))
         for column in range(3):
             item.setTextAlignment(column, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
-            item.setToolTip(column, plain_tip(problem.reason))
+            item.setToolTip(column, plain_tip(reason))
         rows.addTopLevelItem(item)
     shown = min(len(problems), _MOST_ROWS) + 1
     rows.setMaximumHeight(rows.header().sizeHint().height() + shown * (rows.fontMetrics().height() + 12))

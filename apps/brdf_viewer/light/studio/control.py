@@ -11,6 +11,7 @@ from typing import Any
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.fields.choices import set_note
+from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 
@@ -206,7 +207,9 @@ class StudioControl(ViewerFeature):
         try:
             value = edit(self.store.value)
         except ValueRangeError as error:
-            text = tr("Not applied: {place}: {reason}").format(place=error.place, reason=error.reason)
+            text = tr("Not applied: {place}: {reason}").format(
+                place=error.place, reason=tr_core(error.reason)
+            )
             set_note(self._panel.mistake, text)
             self._show()
             return
