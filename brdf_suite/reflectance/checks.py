@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import cache
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -21,7 +21,9 @@ from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.reflectance.albedo import directional_albedo, white_furnace
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.registry import ModelEntry
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.registry import ModelEntry
 
 INCIDENCE_DEG = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0, 89.0)
 """Where the directional albedo is measured, polar angles in degrees."""
