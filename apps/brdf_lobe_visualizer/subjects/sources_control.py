@@ -144,6 +144,20 @@ class Sources(Feature, QObject):
         self._session.set_subjects(subjects)
         return key
 
+    def find_plugin_models(self, take: Callable[[Sequence[tuple[str, str]]], None]) -> None:
+        """Load the plug-ins that add models, on a thread, and hand on their titles and names."""
+
+        def failed(error: Exception) -> None:
+            self._window.show_message(message_of(error, "plug-ins"))
+
+        self.tasks.submit("plug-ins", _plugin_models, None, take, failed)
+
+    def note_saved(self, path: Path, key: str) -> None:
+        """Take the file that a subject was saved to for the one that it was opened from."""
+        self._recent.add(str(path))
+        self.recent_changed.emit()
+        self.opened.emit(str(path), [key])
+
     def next_line(self) -> tuple[Srgb, Dash]:
         """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
         used = [(s.colour, s.dash) for s in self._session.subjects] + list(self._lines.values())
@@ -217,6 +231,13 @@ def _represent(material: Material, progress: Progress) -> Sequence[PlottedMateri
     from brdf_lobe_visualizer.subjects.representations import represent
 
     return represent(material, progress)
+
+
+def _plugin_models(_request: None, _progress: Progress) -> Sequence[tuple[str, str]]:
+    # Deferred: as below.
+    from brdf_lobe_visualizer.subjects.sources import plugin_models
+
+    return plugin_models()
 
 
 def _read(name: str, progress: Progress) -> Opened:

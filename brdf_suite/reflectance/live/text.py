@@ -29,6 +29,7 @@ from __future__ import annotations
 import ast
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
@@ -46,7 +47,6 @@ CHANNELS = ("r", "g", "b")
 DIRECTIONS = ("L", "V", "N", "X", "Y")
 """Light, view, normal and the two tangents, as the function takes them."""
 
-_CHANNEL_TITLES = ("red", "green", "blue")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,63}")
 _BRDF = re.compile(r"\bvec3\s+BRDF\s*\(")
 _PYTHON = re.compile(r"^def[ \t]+brdf[ \t]*\(", re.MULTILINE)
@@ -85,8 +85,8 @@ class Declared:
         if self.kind == "bool":
             return {self.name: Parameter(self.name, "", 0.0, 1.0, self.given[0], "")}
         return {
-            f"{self.name}.{letter}": Parameter(f"{self.name}, {title}", "", 0.0, 1.0, default, "")
-            for letter, title, default in zip(CHANNELS, _CHANNEL_TITLES, self.given, strict=True)
+            f"{self.name}.{letter}": Parameter(self.name, "", 0.0, 1.0, default, "")
+            for letter, default in zip(CHANNELS, self.given, strict=True)
         }
 
 
@@ -199,6 +199,47 @@ def _declared(name: str, kind: Kind, numbers: list[float], before: list[Declared
     if not right:
         raise ModelTextError(f"the parameter {name} needs {_SHAPES[kind]}", line)
     return Declared(name, kind, tuple(numbers))
+
+
+def write_defaults(model: ModelText, values: Mapping[str, float]) -> str:
+    """Return the text with these values as the defaults of its parameters; all else stays as it is.
+
+    >>> model = read_model_text("def brdf(L, V, N, X, Y, a=number(0, 1, 0.5)):\\n    return a / pi")
+    >>> write_defaults(model, {"a": 0.25}).splitlines()[0]
+    'def brdf(L, V, N, X, Y, a=number(0, 1, 0.25)):'
+    """
+    wanted = {
+        one.name: [f"{values.get(key, number.default):.6g}" for key, number in one.numbers().items()]
+        for one in model.declared
+    }
+    lines = model.text.split("\n")
+    if model.language == "glsl":
+        inside = False
+        for place, line in enumerate(lines):
+            words = line.split("#", 1)[0].split()
+            inside = words == ["::begin", "parameters"] or (inside and words[:1] != ["::end"])
+            if inside and len(words) > 2 and words[1] in wanted:
+                kept = words[:4] if words[0] == "float" else words[:2]
+                comment = "  #" + line.split("#", 1)[1] if "#" in line else ""
+                lines[place] = " ".join((*kept, *wanted[words[1]])) + comment
+        return "\n".join(lines)
+    (function,) = (
+        node
+        for node in parse_python(model.text).body
+        if isinstance(node, ast.FunctionDef) and node.name == "brdf"
+    )
+    names = [one.arg for one in function.args.args[len(DIRECTIONS) :]]
+    calls = [(name, node) for name, node in zip(names, function.args.defaults, strict=True)]
+    for name, call in reversed(calls):  # the last first, so that the places of the others stay
+        assert isinstance(call, ast.Call)  # as read
+        numbers = wanted[name]
+        changed = call.args[-1:] if call.args and len(numbers) == 1 else call.args
+        for node, number in reversed(list(zip(changed, numbers, strict=True))):
+            raw = lines[node.lineno - 1].encode()
+            lines[node.lineno - 1] = (
+                raw[: node.col_offset] + number.encode() + raw[node.end_col_offset :]
+            ).decode()
+    return "\n".join(lines)
 
 
 def parse_python(text: str) -> ast.Module:
