@@ -68,8 +68,6 @@ class GuardedReflectance(HalfVectorSampled):
         return HalfVectorDensity(self, isotropic=self.isotropic)
 
 
-def guard_reflectance(value: Reflectance, plugin: Plugin, facts: dict[str, object]) -> Reflectance:
-    """Return a plug-in's reflectance guarded; one of the suite's own classes as it is."""
-    if type(value).__module__.startswith(_SUITE):
-        return value
-    return GuardedReflectance(value, plugin, facts)
+def is_own(value: Reflectance) -> bool:
+    """Return whether a reflectance is of the suite's own classes, which need no guard."""
+    return type(value).__module__.startswith(_SUITE)

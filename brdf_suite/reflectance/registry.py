@@ -21,7 +21,7 @@ from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
-from brdf_suite.reflectance.guarded import guard_reflectance
+from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
@@ -256,8 +256,12 @@ _ENTRIES = (
 
 def _guard_example(entry: ModelEntry, plugin: Plugin) -> ModelEntry:
     """Let the reflectance that a plug-in makes name it where it fails."""
-    make = entry.make
-    return replace(entry, make=lambda: guard_reflectance(make(), plugin, {}))
+
+    def make() -> Reflectance:
+        example = entry.make()
+        return example if is_own(example) else GuardedReflectance(example, plugin, {})
+
+    return replace(entry, make=make)
 
 
 ENTRIES = Registry(

@@ -133,8 +133,7 @@ class ModelEditor(QPlainTextEdit):
             form.setBackground(shade)
             form.setProperty(QTextFormat.Property.FullWidthSelection, True)
             cursor = QTextCursor(block)
-            # Both are attributes of Qt's structure, which PySide's stubs declare without types.
-            mark.format, mark.cursor = form, cursor  # type: ignore[attr-defined]
+            mark.format, mark.cursor = form, cursor
             marks.append(mark)
         self.setExtraSelections(marks)
         self._margin.update()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from brdf_qt.fields.form import described, fill_column, icon_button, row_of
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
 from brdf_qt.program import theme
@@ -42,7 +44,7 @@ class TextPanel(QWidget):
         self.new.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.new)
         for language, title in NOTATIONS.items():
-            menu.addAction(tr(title), lambda language=language: self.new_requested.emit(language))
+            menu.addAction(tr(title)).triggered.connect(partial(self._ask_new, language))
         self.new.setMenu(menu)
         self.open = icon_button(
             "folder-open", tr("Open a model's text (.brdf, .py)"), self.open_requested.emit
@@ -107,6 +109,9 @@ class TextPanel(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.editor.mark_line(self.editor.error_line)
+
+    def _ask_new(self, language: str, _checked: bool) -> None:
+        self.new_requested.emit(language)
 
     def _changed(self) -> None:
         if not self._showing:

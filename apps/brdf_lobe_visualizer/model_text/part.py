@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
@@ -29,9 +29,6 @@ from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
-
-if TYPE_CHECKING:
-    from brdf_lobe_visualizer.model_text import work
 
 _SOON_MS = 300
 """After the last key: a text is not compiled between two letters of a word."""
@@ -57,7 +54,7 @@ class Models(Feature, QObject):
         self._session, self._window, self._sources = session, window, sources
         self.tasks = TaskRunner(self, threads=1)
         self.dialogs = QtDialogs(window)
-        self._work: Any = None
+        self._work: Any = None  # the module of that name, once it is imported
         self._texts: dict[str, _Text] = {}
         self._values: dict[str, dict[str, float]] = {}
         self._edited_texts: set[str] = set()
@@ -230,7 +227,7 @@ class Models(Feature, QObject):
         self._edited_texts.discard(key)
         values = self._values.pop(key, {})
         work = self._work
-        request: work.Change = work.Change(subject.material, text, values)
+        request = work.Change(subject.material, text, values)
 
         def done(changed: PlottedMaterial) -> None:
             self._report(key, None)

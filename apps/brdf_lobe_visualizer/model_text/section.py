@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
 _STEPS = 1000
 _MANY_TIMES = 1000.0
-_CUBE = 3.0
 
 
 def to_value(share: float, low: float, high: float) -> float:
@@ -28,13 +27,13 @@ def to_value(share: float, low: float, high: float) -> float:
     >>> to_value(0.5, 0.0, 1.0), to_value(0.5, 0.0, 8000.0)
     (0.5, 1000.0)
     """
-    return low + (high - low) * share ** (_CUBE if _is_wide(low, high) else 1.0)
+    return low + (high - low) * (share * share * share if _is_wide(low, high) else share)
 
 
 def to_share(value: float, low: float, high: float) -> float:
     """Return the inverse of :func:`to_value`."""
     share = min(max((value - low) / (high - low), 0.0), 1.0)
-    return share ** (1.0 / _CUBE) if _is_wide(low, high) else share
+    return math.cbrt(share) if _is_wide(low, high) else share
 
 
 def _is_wide(low: float, high: float) -> bool:

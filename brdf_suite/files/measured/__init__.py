@@ -32,7 +32,7 @@ from brdf_suite.files.measured.format import (
     WrittenMeasurement,
 )
 from brdf_suite.plugins import Call, Plugin, Registry
-from brdf_suite.reflectance.guarded import guard_reflectance
+from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 
 _BUILT_IN = (
     rgl.FORMAT,
@@ -58,8 +58,8 @@ def _guard_value(known: MeasuredFormat, plugin: Plugin) -> MeasuredFormat:
     """Let the reflectance that a plug-in reads name it where it fails."""
 
     def read(path: PathLike, options: ReadOptions) -> MeasuredReflectance:
-        value = known.read(path, options)
-        return guard_reflectance(value, plugin, dict(value.facts))
+        value: MeasuredReflectance = known.read(path, options)
+        return value if is_own(value) else GuardedReflectance(value, plugin, dict(value.facts))
 
     return replace(known, read=read)
 

@@ -302,6 +302,8 @@ def _is_text(node: ast.stmt) -> bool:
 
 
 def _refused(node: ast.AST, line: int | None = None) -> ModelTextError:
+    if isinstance(node, ast.Expr):
+        node = node.value
     words = _WORDS.get(type(node), f"{type(node).__name__} is not allowed in formulas")
     return ModelTextError(words, line or int(vars(node).get("lineno", 0)) or None)
 
