@@ -13,8 +13,8 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import PluginError
 from brdf_suite.plugins import Plugin
-from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
+from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.protocol import DeclaredModel, Reflectance
 
 _SUITE = "brdf_suite."

@@ -48,8 +48,6 @@ def models(program):
     part = program.models
     part.dialogs = Dialogs()
     part.dock.hide()
-    for kept in part._texts.values():
-        kept.document.setModified(False)
     return part
 
 
@@ -119,7 +117,7 @@ def test_a_slider_changes_a_model_that_is_built_in(program, models, opened, sett
 
 def test_a_paint_has_no_sliders(program, models, opened) -> None:
     opened("blue")
-    assert models._section.isHidden()
+    assert models.inspector_section.isHidden()
     assert not models.panel.save.isEnabled()
     assert models.panel.nothing.text()
 
@@ -266,7 +264,7 @@ def test_keys_of_the_editor(program, models, started, settle) -> None:
     assert editor.toPlainText() == "def brdf(L, V, N, X, Y):\n    return 0.1"
     QTest.keyClick(editor, Qt.Key.Key_Home)
     QTest.keyClick(editor, Qt.Key.Key_Home)
-    settle(lambda: not models.section.rows or models._section.isHidden())
+    settle(lambda: not models.section.rows or models.inspector_section.isHidden())
     np.testing.assert_allclose(value(program), 0.1)
 
 

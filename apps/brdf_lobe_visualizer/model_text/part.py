@@ -22,7 +22,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QTextDocument
 
 from brdf_lobe_visualizer.model_text.panel import TextPanel
-from brdf_lobe_visualizer.model_text.section import ModelSection
+from brdf_lobe_visualizer.model_text.section import ModelNumbers
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
@@ -60,9 +60,10 @@ class Models(Feature, QObject):
         self._edited_texts: set[str] = set()
         self._count = 0
         self._soon = make_timer(self, self._go_on, _SOON_MS)
-        self.section = ModelSection()
-        self._section = window.add_section("model", tr("Model"), self.section)
-        self._section.hide()
+        self.section = ModelNumbers()
+        self.inspector_section = window.add_section("model", tr("Model"), self.section)
+        """Hidden where the selected reflectance has no numbers."""
+        self.inspector_section.hide()
         self.section.edited.connect(self._slide)
         self.panel = TextPanel()
         self.dock = window.add_dock(
@@ -170,7 +171,7 @@ class Models(Feature, QObject):
         self._offer_removed()
         front = self._session.front
         numbers = self._work.numbers_of(None if front is None else front.material)
-        self._section.setVisible(bool(numbers))
+        self.inspector_section.setVisible(bool(numbers))
         if front is not None and numbers:
             asked = self._values.get(front.key, {})
             shown = {

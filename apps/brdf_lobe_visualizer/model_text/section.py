@@ -100,7 +100,7 @@ class NumberSlider(QObject):
         self.edited.emit(value)
 
 
-class ModelSection(QWidget):
+class ModelNumbers(QWidget):
     """One row for each number. Signal: ``edited(key, value)`` by the user alone."""
 
     edited = Signal(str, float)

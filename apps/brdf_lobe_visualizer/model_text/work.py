@@ -55,14 +55,17 @@ def change(asked: Change) -> PlottedMaterial:
         }
         reflectance = live = replace(live, values=kept)
         live.try_out()
-    facts = reflectance.facts if isinstance(reflectance, LiveModel) else asked.material.facts
-    return describe(replace(asked.material, reflectance=reflectance, facts=facts))
+    if not isinstance(reflectance, LiveModel):
+        return describe(replace(asked.material, reflectance=reflectance))
+    return describe(
+        replace(asked.material, reflectance=reflectance, facts=reflectance.facts, notices=reflectance.notes)
+    )
 
 
 def open_text(name: str, text: str) -> PlottedMaterial:
     """Return a new model of a text; errors as :func:`change`."""
     live = LiveModel.of(text)
-    return describe(Material(name, live, facts=live.facts))
+    return describe(Material(name, live, notices=live.notes, facts=live.facts))
 
 
 def numbers_of(material: Material | None) -> dict[str, Adjustable]:

@@ -29,7 +29,7 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.checks import is_isotropic
+from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.registry import ENTRIES

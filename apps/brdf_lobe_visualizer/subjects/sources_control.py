@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
@@ -234,14 +234,15 @@ def _represent(material: Material, progress: Progress) -> Sequence[PlottedMateri
 
 
 def _plugin_models(_request: None, _progress: Progress) -> Sequence[tuple[str, str]]:
-    # Deferred: as below.
-    from brdf_lobe_visualizer.subjects.sources import plugin_models
-
-    return plugin_models()
+    return _sources().plugin_models()
 
 
 def _read(name: str, progress: Progress) -> Opened:
-    # Deferred: with it come the tables and models, which the window does not need to be shown.
-    from brdf_lobe_visualizer.subjects.sources import open_source
+    return _sources().open_source(name, progress)
 
-    return open_source(name, progress)
+
+def _sources() -> Any:
+    # Deferred: with it come the tables and models, which the window does not need to be shown.
+    from brdf_lobe_visualizer.subjects import sources
+
+    return sources

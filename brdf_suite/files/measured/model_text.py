@@ -31,10 +31,10 @@ def read_model(path: PathLike, _options: ReadOptions | None = None) -> LiveModel
     try:
         return LiveModel.of(read_text(path))
     except ModelTextError as error:
-        raise FileError(path, error.reason, f"line {error.line}" if error.line else None) from error
+        raise FileError(path, error.reason, f"line {error.line}" if error.line else "its text") from error
     except GraphicsError as error:
         words = str(error).rstrip(".")
-        raise FileError(path, words[:1].lower() + words[1:]) from error
+        raise FileError(path, words[:1].lower() + words[1:], "its shader") from error
 
 
 FORMAT = MeasuredFormat(

@@ -321,7 +321,7 @@ class _Run:
         axes = np.eye(3)[:, None]
         names: dict[str, Value] = {name: _number(value) for name, value in CONSTANTS.items()}
         given = (wi, wo, axes[2], axes[0], axes[1])
-        with np.errstate(all="ignore"):  # a pole is no fault: its value is shown as a hole
+        with np.errstate(all="ignore"):  # a pole is no fault: its direction is counted, and black
             for one in self._constants:
                 self._assign(one, names)
             constants = dict(names)

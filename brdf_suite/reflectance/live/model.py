@@ -13,8 +13,8 @@ from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import illumination, mirror
 from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
+from brdf_suite.reflectance.isotropy import even_pairs, is_isotropic
 from brdf_suite.reflectance.live.formulas import check_formulas, compute_formulas
 from brdf_suite.reflectance.live.shader import compute_shader
 from brdf_suite.reflectance.live.text import ModelText, read_model_text
@@ -28,7 +28,7 @@ class LiveModel(HalfVectorSampled):
     """The reflectance of a text.
 
     The text computes linear RGB with the primaries of sRGB, as the BRDF Explorer shows them; :meth:`eval` has them in
-    the working space. What is negative is 0.
+    the working space. What is negative, infinite or not a number is 0; :attr:`notes` say how much is no number.
 
     Parameters
     ----------
@@ -60,9 +60,21 @@ class LiveModel(HalfVectorSampled):
         return model
 
     def try_out(self) -> None:
-        """Compute a few directions; errors as of :meth:`of`."""
+        """Compute some directions; errors as of :meth:`of`."""
+        self.notes  # noqa: B018 - which computes them
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """Sentences about directions without a finite value; errors as of :meth:`of`."""
         light = illumination([0.0, 45.0, 80.0])
-        self.eval(light, mirror(light))
+        wi, wo = (np.concatenate(pair) for pair in zip(even_pairs(), (light, mirror(light)), strict=True))
+        compute = compute_formulas if self.model.language == "python" else compute_shader
+        share = float(np.mean(~np.isfinite(compute(self.model, wi, wo, self.values)).all(axis=-1)))
+        if not share:
+            return ()
+        return (
+            f"The text gives no finite value for {max(100.0 * share, 0.1):.1f} % of the directions; they are black.",
+        )
 
     @property
     def facts(self) -> dict[str, object]:
@@ -71,12 +83,13 @@ class LiveModel(HalfVectorSampled):
             "format": _TITLES[self.model.language],
             "parameters": ", ".join(one.name for one in self.model.declared) or "none",
             "colour": "computed in linear sRGB",
+            "notes": self.notes,
         }
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon.
 
-        Not a number and infinity stay where the text gives them. GLSL computes with single precision.
+        GLSL computes with single precision.
 
         Raises
         ------
@@ -96,8 +109,8 @@ class LiveModel(HalfVectorSampled):
         if above.any():
             compute = compute_formulas if self.model.language == "python" else compute_shader
             found = compute(self.model, light[above], view[above], self.values)
-            with np.errstate(invalid="ignore"):  # infinity times a matrix
-                result[above] = np.maximum(found, 0.0) @ REC709_TO_WORKING.T
+            finite = np.where(np.isfinite(found).all(axis=-1, keepdims=True), found, 0.0)
+            result[above] = np.maximum(finite, 0.0) @ REC709_TO_WORKING.T
         return result
 
     @cached_property

@@ -22,7 +22,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.errors import GraphicsError
 from brdf_suite.processes import child_command
 from brdf_suite.reflectance.live.text import ModelText, ModelTextError
@@ -51,19 +51,21 @@ def compute_shader(model: ModelText, wi: Floats, wo: Floats, values: Mapping[str
     for start in range(0, len(wi), BATCH):
         part = slice(start, start + BATCH)
         pairs = np.concatenate((wi[part], wo[part]), axis=1).astype("<f4")
-        out[part] = _child().compute(model, pairs, values)
+        out[part] = child_process().compute(model, pairs, values)
     return out
 
 
-class _Child:
+class ShaderProcess:
     """The child process, started at the first request."""
 
     def __init__(self) -> None:
         self._lock = Lock()
-        self._process: subprocess.Popen[bytes] | None = None
+        self.process: subprocess.Popen[bytes] | None = None
+        """The process, where one runs."""
         self._refused: dict[tuple[str, tuple[tuple[str, float], ...]], str] = {}
 
-    def compute(self, model: ModelText, pairs: Any, values: Mapping[str, float]) -> Any:
+    def compute(self, model: ModelText, pairs: Singles, values: Mapping[str, float]) -> Singles:
+        """Return f_r (n, 3) of directions (n, 6), light and view; errors as of :func:`compute_shader`."""
         key = (model.text, tuple(sorted(values.items())))
         with self._lock:
             if key in self._refused:
@@ -98,8 +100,8 @@ class _Child:
         return np.frombuffer(content, "<f4").reshape(-1, 3)
 
     def _started(self) -> subprocess.Popen[bytes]:
-        if self._process is not None and self._process.poll() is None:
-            return self._process
+        if self.process is not None and self.process.poll() is None:
+            return self.process
         self.end()
         try:
             process = subprocess.Popen(
@@ -111,7 +113,7 @@ class _Child:
             )
         except OSError as error:
             raise GraphicsError(f"No process could be started for the model ({error.strerror}).") from error
-        self._process = process
+        self.process = process
         ready, _, _ = _ask(process, {}, b"", START_SECONDS)
         if ready is None or "error" in ready:
             self.end()
@@ -120,7 +122,7 @@ class _Child:
 
     def end(self) -> None:
         """End the child, where there is one."""
-        process, self._process = self._process, None
+        process, self.process = self.process, None
         if process is None:
             return
         process.kill()
@@ -168,7 +170,8 @@ def _close(stream: IO[bytes]) -> None:
 
 
 @lru_cache(maxsize=1)
-def _child() -> _Child:
-    child = _Child()
+def child_process() -> ShaderProcess:
+    """Return the child of this process, which is started when it is first asked."""
+    child = ShaderProcess()
     atexit.register(child.end)
     return child

@@ -169,6 +169,15 @@ def test_poles_are_no_faults() -> None:
     assert np.isinf(values("return 1 / 0")).all()
 
 
+def test_what_is_no_number_is_black_and_said() -> None:
+    model = LiveModel.of("def brdf(L, V, N, X, Y):\n    return 0.5 + sqrt(L[0])\n")
+    assert not model.eval([-0.6, 0.0, 0.8], [0.0, 0.0, 1.0]).any()
+    (note,) = model.facts["notes"]
+    assert note.startswith("The text gives no finite value for ")
+    assert 45.0 < float(note.split()[7]) < 55.0
+    assert LiveModel.of("def brdf(L, V, N, X, Y):\n    return 1\n").notes == ()
+
+
 def test_a_model_is_in_the_working_space_and_black_below_the_horizon() -> None:
     model = LiveModel.of("def brdf(L, V, N, X, Y):\n    return vec3(0.1, -0.2, 0.3)\n")
     found = model.eval([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.6, 0.0, 0.8]], [0.0, 0.6, 0.8])

@@ -82,15 +82,15 @@ def test_a_text_that_takes_too_long_ends_and_the_next_one_works(monkeypatch: pyt
 
 def test_a_child_that_was_killed_is_replaced() -> None:
     model = LiveModel.of(GOOD)
-    child = shader._child()
-    assert child._process is not None
-    child._process.kill()
-    child._process.wait()
+    child = shader.child_process()
+    assert child.process is not None
+    child.process.kill()
+    child.process.wait()
     assert model.eval([0.0, 0.0, 1.0], [0.0, 0.6, 0.8]).all()
 
 
 def test_without_opengl_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    shader._child().end()
+    shader.child_process().end()
     monkeypatch.setattr(shader, "WORKER", "brdf_suite.no_such_module")
     with pytest.raises(GraphicsError, match="did not start"):
         LiveModel.of(GOOD)
