@@ -5416,8 +5416,116 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Übersicht</translation>
     </message>
     <message>
+        <source>Index</source>
+        <translation>Brechzahl</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Flop exponent</source>
+        <translation>Flop-Exponent</translation>
+    </message>
+    <message>
+        <source>Coat exponent</source>
+        <translation>Klarlack-Exponent</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
         <source>Albedo</source>
         <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation>Spiegelnd</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>GGX width α</source>
+        <translation>GGX-Breite α</translation>
+    </message>
+    <message>
+        <source>KD, f_r of the diffuse part, linear Rec. 2020</source>
+        <translation>KD, f_r des diffusen Anteils, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Matt reflectance of a facet, linear Rec. 2020</source>
+        <translation>Matte Reflexion einer Facette, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Glossy reflectance of a facet, linear Rec. 2020</source>
+        <translation>Glänzende Reflexion einer Facette, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Sharpness n of a facet&apos;s gloss</source>
+        <translation>Schärfe n des Glanzes einer Facette</translation>
+    </message>
+    <message>
+        <source>Index of refraction of the clearcoat</source>
+        <translation>Brechzahl des Klarlacks</translation>
+    </message>
+    <message>
+        <source>Beckmann α of the clearcoat</source>
+        <translation>Beckmann-α des Klarlacks</translation>
+    </message>
+    <message>
+        <source>How far the base spreads light: 0 mirror, 1 matt</source>
+        <translation>Wie weit der Basislack das Licht streut: 0 Spiegel, 1 matt</translation>
+    </message>
+    <message>
+        <source>Diffuse reflectance of the base, linear Rec. 2020</source>
+        <translation>Diffuse Reflexion des Basislacks, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Share in the base&apos;s lobe, linear Rec. 2020</source>
+        <translation>Anteil in der Keule des Basislacks, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Sharpness n of the base&apos;s lobe</source>
+        <translation>Schärfe n der Keule des Basislacks</translation>
+    </message>
+    <message>
+        <source>Sharpness N of the coat&apos;s lobe</source>
+        <translation>Schärfe N der Keule des Klarlacks</translation>
+    </message>
+    <message>
+        <source>What the product of the maps is multiplied by</source>
+        <translation>Faktor, mit dem das Produkt der Karten multipliziert wird</translation>
+    </message>
+    <message>
+        <source>Fresnel reflectance along the normal, linear Rec. 2020</source>
+        <translation>Fresnel-Reflexion längs der Normalen, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Diffuse reflectance, linear Rec. 2020</source>
+        <translation>Diffuse Reflexion, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Share of the light reflected, linear Rec. 2020</source>
+        <translation>Anteil des reflektierten Lichts, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Share in the lobe along the normal, linear Rec. 2020</source>
+        <translation>Anteil in der Keule längs der Normalen, lineares Rec. 2020</translation>
+    </message>
+    <message>
+        <source>Sharpness n of the lobe</source>
+        <translation>Schärfe n der Keule</translation>
+    </message>
+    <message>
+        <source>Distance between the cylinders&apos; axes</source>
+        <translation>Abstand der Zylinderachsen</translation>
+    </message>
+    <message>
+        <source>Height of the floor above the axes</source>
+        <translation>Höhe des Grundes über den Achsen</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -5764,8 +5872,40 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>{name} wird gelesen</translation>
     </message>
     <message>
+        <source>Model Text</source>
+        <translation>Modelltext</translation>
+    </message>
+    <message>
+        <source>Write a reflectance model as GLSL or as formulas, with sliders for its parameters</source>
+        <translation>Ein Reflexionsmodell als GLSL oder als Formeln schreiben, mit Reglern für seine Parameter</translation>
+    </message>
+    <message>
+        <source>Model &amp;Text</source>
+        <translation>Modell&amp;text</translation>
+    </message>
+    <message>
+        <source>Model {number}</source>
+        <translation>Modell {number}</translation>
+    </message>
+    <message>
+        <source>The selected reflectance has no text. Start a model by New, or open a file.</source>
+        <translation>Die ausgewählte Reflexion hat keinen Text. Beginnen Sie ein Modell mit „Neu“, oder öffnen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>No errors.</source>
+        <translation>Keine Fehler.</translation>
+    </message>
+    <message>
         <source>The previous picture stays.</source>
         <translation>Das vorige Bild bleibt.</translation>
+    </message>
+    <message>
+        <source>“{name}” was removed with unsaved changes.</source>
+        <translation>„{name}“ wurde mit ungespeicherten Änderungen entfernt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Fitting the representations of {name}</source>
@@ -5810,6 +5950,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>No reflectance matches.</source>
         <translation>Keine passende Reflexion.</translation>
+    </message>
+    <message>
+        <source>Models of plug-ins</source>
+        <translation>Modelle aus Plug-ins</translation>
     </message>
     <message>
         <source>Three-quarter view</source>
@@ -10550,6 +10694,58 @@ h {hue}°</translation>
     <message>
         <source>Lobe Visualizer closed unexpectedly. Reopen the reflectances that were open: {names}?</source>
         <translation>Lobe Visualizer wurde unerwartet beendet. Die zuletzt offenen Reflexionen wieder öffnen: {names}?</translation>
+    </message>
+    <message>
+        <source>Everything else works without it. `brdf-suite list plugins` lists all.</source>
+        <translation>Alles andere funktioniert ohne es. `brdf-suite list plugins` listet alle auf.</translation>
+    </message>
+    <message>
+        <source>GLSL, as in the BRDF Explorer</source>
+        <translation>GLSL, wie im BRDF Explorer</translation>
+    </message>
+    <message>
+        <source>Formulas in Python&apos;s notation</source>
+        <translation>Formeln in der Schreibweise von Python</translation>
+    </message>
+    <message>
+        <source>Start a model from an example</source>
+        <translation>Ein Modell aus einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Open a model&apos;s text (.brdf, .py)</source>
+        <translation>Den Text eines Modells öffnen (.brdf, .py)</translation>
+    </message>
+    <message>
+        <source>Save the text (Ctrl+S in the text)</source>
+        <translation>Den Text speichern (Strg+S im Text)</translation>
+    </message>
+    <message>
+        <source>Save the text under another name</source>
+        <translation>Den Text unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>Write the sliders&apos; values into the text, as the defaults of its parameters</source>
+        <translation>Die Werte der Regler als Vorgaben der Parameter in den Text schreiben</translation>
+    </message>
+    <message>
+        <source>Values to Text</source>
+        <translation>Werte in den Text</translation>
+    </message>
+    <message>
+        <source>Text of the model</source>
+        <translation>Text des Modells</translation>
+    </message>
+    <message>
+        <source>Start a model by New, or open a file.</source>
+        <translation>Beginnen Sie ein Modell mit „Neu“, oder öffnen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>{name}, {channel}</source>
+        <translation>{name}, {channel}</translation>
     </message>
 </context>
 </TS>

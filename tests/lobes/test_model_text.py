@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.model_text.section import NumberSlider, decimals_of, to_share, to_value
+from brdf_lobe_visualizer.model_text.section import WORDS, NumberSlider, decimals_of, to_share, to_value
 from brdf_lobe_visualizer.model_text.starts import STARTS
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
@@ -15,7 +15,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QPushButton
 
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.reflectance.adjusting import adjustables
 from brdf_suite.reflectance.live.text import read_model_text
+from brdf_suite.reflectance.registry import ENTRIES
 
 CTRL = Qt.KeyboardModifier.ControlModifier
 
@@ -273,3 +275,8 @@ def test_the_scale_of_sliders() -> None:
         for share in (0.0, 0.2, 0.7, 1.0):
             assert to_share(to_value(share, low, high), low, high) == pytest.approx(share, abs=1e-9)
         assert round(low, decimals_of(low, high)) == low
+
+
+def test_the_words_of_built_in_models_are_translated() -> None:
+    numbers = [one.parameter for entry in ENTRIES.built_in for one in adjustables(entry.default).values()]
+    assert {word for one in numbers for word in (one.label, one.meaning)} == set(WORDS)

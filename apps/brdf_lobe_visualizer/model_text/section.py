@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from brdf_qt.fields.form import Form, described, fill_column
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
@@ -17,6 +17,38 @@ if TYPE_CHECKING:
     from brdf_suite.documents.parameter import Parameter
     from brdf_suite.reflectance.adjusting import Adjustable
 
+WORDS = (
+    *(mark("Index"), mark("Roughness"), mark("Spread"), mark("Diffuse"), mark("Flop"), mark("Flop exponent")),
+    *(
+        mark("Coat exponent"),
+        mark("Scale"),
+        mark("Metal"),
+        mark("Albedo"),
+        mark("Specular"),
+        mark("Exponent"),
+    ),
+    *(mark("Spacing"), mark("Floor"), mark("GGX width α")),
+    mark("KD, f_r of the diffuse part, linear Rec. 2020"),
+    mark("Matt reflectance of a facet, linear Rec. 2020"),
+    mark("Glossy reflectance of a facet, linear Rec. 2020"),
+    mark("Sharpness n of a facet's gloss"),
+    mark("Index of refraction of the clearcoat"),
+    mark("Beckmann α of the clearcoat"),
+    mark("How far the base spreads light: 0 mirror, 1 matt"),
+    mark("Diffuse reflectance of the base, linear Rec. 2020"),
+    mark("Share in the base's lobe, linear Rec. 2020"),
+    mark("Sharpness n of the base's lobe"),
+    mark("Sharpness N of the coat's lobe"),
+    mark("What the product of the maps is multiplied by"),
+    mark("Fresnel reflectance along the normal, linear Rec. 2020"),
+    mark("Diffuse reflectance, linear Rec. 2020"),
+    mark("Share of the light reflected, linear Rec. 2020"),
+    mark("Share in the lobe along the normal, linear Rec. 2020"),
+    mark("Sharpness n of the lobe"),
+    mark("Distance between the cylinders' axes"),
+    mark("Height of the floor above the axes"),
+)
+"""What the models that are built in declare of their numbers, for the collection of texts; a test compares them."""
 _STEPS = 1000
 _MANY_TIMES = 1000.0
 
