@@ -234,11 +234,13 @@ def _represent(material: Material, progress: Progress) -> Sequence[PlottedMateri
 
 
 def _plugin_models(_request: None, _progress: Progress) -> Sequence[tuple[str, str]]:
-    return _sources().plugin_models()
+    found: Sequence[tuple[str, str]] = _sources().plugin_models()
+    return found
 
 
 def _read(name: str, progress: Progress) -> Opened:
-    return _sources().open_source(name, progress)
+    found: Opened = _sources().open_source(name, progress)
+    return found
 
 
 def _sources() -> Any:
