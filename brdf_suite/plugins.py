@@ -1,8 +1,9 @@
 """Plug-ins: entries that installed packages add to the suite's tables of models and formats.
 
-A package names an entry by an entry point of one of the groups in :data:`GROUPS`. Entry points are looked up when a
-table is first read beyond what is built in, never by an import. A plug-in that cannot be loaded, is of the wrong type
-or has a name that is taken is skipped; the log and :func:`problems` name it. What it raises when it is called becomes
+A package names an entry by an entry point of the group of its table: ``brdf_suite.models``,
+``brdf_suite.measured_formats``, ``brdf_suite.palette_formats`` or ``brdf_suite.exports``. Entry points are looked up when
+a table is first read beyond what is built in, never by an import. A plug-in that cannot be loaded, is of the wrong type
+or has a name that is taken is skipped; the log and :func:`on_problem` name it. What it raises when it is called becomes
 a :class:`~brdf_suite.errors.PluginError`.
 """
 
@@ -17,14 +18,6 @@ from threading import RLock
 from typing import Any, Generic, Protocol, TypeVar, overload
 
 from brdf_suite.errors import PluginError, SuiteError
-
-GROUPS = (
-    "brdf_suite.models",
-    "brdf_suite.measured_formats",
-    "brdf_suite.palette_formats",
-    "brdf_suite.exports",
-)
-"""The groups of entry points: one for each table."""
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,63}")
 _ENDING = re.compile(r"\.[a-z0-9_.+-]{1,32}")
@@ -245,16 +238,10 @@ class _ByName(Mapping[str, Entry]):
         return len(self._registry)
 
 
-def problems() -> tuple[str, ...]:
-    """Return a sentence for each plug-in that was skipped, and for each failure that was passed over."""
-    with _lock:
-        return tuple(_problems)
-
-
 def on_problem(report: Callable[[str], object]) -> Callable[[], None]:
-    """Call ``report`` with each sentence of :func:`problems`, past and to come; return what ends that.
+    """Call ``report`` with a sentence for each plug-in that is skipped or fails unseen; return what ends that.
 
-    It is called on whichever thread a plug-in is used.
+    Those of before are reported at once. ``report`` is called on whichever thread a plug-in is used.
     """
     with _lock:
         _listeners.append(report)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QMenu, QPushButton, QStackedWidget, QToolButton, Q
 
 from brdf_lobe_visualizer.model_text.editor import ModelEditor
 
-_WIDTH = 400
+_WIDTH = 360
 NOTATIONS = {"glsl": mark("GLSL, as in the BRDF Explorer"), "python": mark("Formulas in Python's notation")}
 
 
