@@ -1,10 +1,10 @@
 """Plug-ins: entries that installed packages add to the suite's tables of models and formats.
 
 A package names an entry by an entry point of the group of its table: ``brdf_suite.models``,
-``brdf_suite.measured_formats``, ``brdf_suite.palette_formats`` or ``brdf_suite.exports``. Entry points are looked up when
-a table is first read beyond what is built in, never by an import. A plug-in that cannot be loaded, is of the wrong type
-or has a name that is taken is skipped; the log and :func:`on_problem` name it. What it raises when it is called becomes
-a :class:`~brdf_suite.errors.PluginError`.
+``brdf_suite.measured_formats``, ``brdf_suite.palette_formats`` or ``brdf_suite.exports``. Entry points are looked up
+when a table is first read beyond what is built in, never by an import. A plug-in that cannot be loaded, is of the wrong
+type or has a name that is taken is skipped; the log and :func:`on_problem` name it. What it raises when it is called
+becomes a :class:`~brdf_suite.errors.PluginError`.
 """
 
 from __future__ import annotations

@@ -155,6 +155,13 @@ def test_an_error_is_marked_on_its_line_and_the_picture_stays(
     np.testing.assert_array_equal(value(program), before)
     (mark,) = editor.extraSelections()
     assert mark.cursor.blockNumber() == line - 1
+    # Another model, and back: the error is where it was.
+    key, fit = program.session.front.key, program.session.front.fit
+    started("python")
+    assert editor.error_line is None
+    program.session.set_front(key)
+    settle(lambda: editor.error_line == line)
+    assert program.session.front.fit is fit
     select(editor, "shlick(0.04")
     QTest.keyClicks(editor, words)
     settle(lambda: editor.error_line is None)

@@ -39,11 +39,12 @@ _ENDINGS = {"glsl": ".brdf", "python": ".py"}
 
 @dataclass(eq=False)
 class _Text:
-    """The text of one subject: its document, its file, and the subject as it was shown last."""
+    """The text of one subject: its document, its file, the subject as it was shown last, and what is wrong in it."""
 
     document: QTextDocument
     path: Path | None
     subject: PlottedMaterial
+    error: Exception | None = None
 
 
 class Models(Feature, QObject):
@@ -196,8 +197,7 @@ class Models(Feature, QObject):
         star = " •" if kept.document.isModified() else ""
         self.panel.show_document(kept.document, name + star)
         if changes:
-            self._edited_texts.add(front.key)  # what is wrong in it is found again
-            self._go_on()
+            self._report(front.key, kept.error)
 
     def _edit(self) -> None:
         front = self._session.front
@@ -245,6 +245,8 @@ class Models(Feature, QObject):
         self.tasks.submit(_JOB, lambda asked, _progress: work.change(asked), request, done, failed)
 
     def _report(self, key: str, error: Exception | None) -> None:
+        if key in self._texts:
+            self._texts[key].error = error
         front = self._session.front
         if front is None or front.key != key:
             return
