@@ -80,7 +80,13 @@ class ShaderProcess:
                 "pairs": len(pairs),
             }
             process = self._started()
-            answer, content, late = _ask(process, request, pairs.tobytes(), SECONDS)
+            try:
+                answer, content, late = _ask(process, request, pairs.tobytes(), SECONDS)
+            except (
+                BaseException
+            ):  # an interrupt: the answer that is still to come belongs to no later request
+                self.end()
+                raise
             if answer is None:
                 self.end()
                 if late:

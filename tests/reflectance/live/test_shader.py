@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import signal
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from brdf_suite.errors import GraphicsError
 from brdf_suite.geometry import warps
 from brdf_suite.reflectance.live import shader
 from brdf_suite.reflectance.live.model import LiveModel
-from brdf_suite.reflectance.live.text import ModelTextError
+from brdf_suite.reflectance.live.text import ModelTextError, read_model_text
 
 rng = np.random.default_rng(6)
 WI, WO = warps.cosine_hemisphere(rng.random((2, 70_000, 2)))
@@ -87,6 +89,28 @@ def test_a_child_that_was_killed_is_replaced() -> None:
     child.process.kill()
     child.process.wait()
     assert model.eval([0.0, 0.0, 1.0], [0.0, 0.6, 0.8]).all()
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="the alarm is one of POSIX systems")
+def test_an_interrupt_leaves_no_answer_for_the_next_request() -> None:
+    doubling = "\n".join(f"#define M{k + 1}(x) M{k}(x)+M{k}(x)" for k in range(29))
+    long = LiveModel(
+        read_model_text(text("return vec3(M29(L.x));", before=f"#define M0(x) sin(x)\n{doubling}"))
+    )
+    LiveModel.of(GOOD)
+
+    def interrupt(_number: int, _frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.5)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            long.eval([0.0, 0.0, 1.0], [0.0, 0.0, 1.0])
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    assert LiveModel.of(GOOD).eval([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).all()
 
 
 def test_without_opengl_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
