@@ -116,3 +116,7 @@ class ExtraError(SuiteError):
 
 class MissingExtraError(ExtraError):
     """An optional package that is not installed; the message has the command that installs it here."""
+
+
+class PluginError(SuiteError):
+    """A plug-in that cannot be loaded, or that fails when it is used; the message names it and its package."""

@@ -22,6 +22,7 @@ from brdf_lobe_visualizer.cuts.panel import Slices
 from brdf_lobe_visualizer.factor_maps.part import Factors
 from brdf_lobe_visualizer.legend.control import LegendControl
 from brdf_lobe_visualizer.lobe_basis.part import Basis
+from brdf_lobe_visualizer.model_text.part import Models
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.statistics.panel import AskPath, Numbers
 from brdf_lobe_visualizer.status import Status
@@ -40,7 +41,7 @@ from brdf_suite.pipeline.material import default_paint_name, load_document
 _LOOK_EVERY_MS = 50
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
-    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.merl *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
+    "*.brdfpaint *.brdfpalette *.brdftable *.binary *.merl *.bsdf *.brdf *.py *.dat *.bin *.json *.astm *.alta *.txt "
     "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
 )
 
@@ -105,13 +106,15 @@ class LobeVisualizer(Program):
             self.strip,
             self.reopening,
         )
+        # Before the parts: its section comes first in the inspector.
+        self.models = Models(self.session, self.window, self.sources)
         self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.projects = ProjectFiles(
             self.window, LobesProject(self.session, self.sources), QtDialogs(self.window)
         )
         self.sources.open_project = self._open_project
-        self.features += (self.numbers, self.projects, self.link)
+        self.features += (self.models, self.numbers, self.projects, self.link)
         self.fit.add_to_menu()
         self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
@@ -136,6 +139,7 @@ class LobeVisualizer(Program):
         self.panel.fill()
         shipped = [*self.panel.names["paints"], *self.panel.names["table_1"]]
         self.panel.set_thumbnails(self.strip.fill(shipped, load_document))
+        self.sources.find_plugin_models(self.panel.add_plugin_models)
 
     def _show_start(self) -> None:
         self._look = make_timer(self, self._look_idle, _LOOK_EVERY_MS)

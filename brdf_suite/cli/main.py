@@ -45,7 +45,7 @@ COMMANDS = {
     "design": ("paint.design", "make a paint: from a measurement, a step away, or between two"),
     "list": (
         "tools.listing",
-        "list paints, environments, surfaces, formats, models, geometries, schemas, variables",
+        "list paints, environments, surfaces, formats, models, geometries, plugins, schemas, variables",
     ),
     "convert": (
         "measured.convert",
@@ -97,6 +97,7 @@ _SYNONYMS = {
                 "formats",
                 "models",
                 "geometries",
+                "plugins",
                 "schemas",
                 "variables",
             ),

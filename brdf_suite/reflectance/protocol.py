@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol, TypeGuard, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.parameter import Parameter
 
 
 @runtime_checkable
@@ -38,6 +40,26 @@ class SampledReflectance(Reflectance, Protocol):
 
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        ...
+
+
+@runtime_checkable
+class DeclaredModel(Reflectance, Protocol):
+    """A model: a frozen dataclass that declares its numbers and says what it keeps."""
+
+    @property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """The declarations of its numbers and colours, by field."""
+        ...
+
+    @property
+    def reciprocal(self) -> bool:
+        """Whether light and view may be exchanged."""
+        ...
+
+    @property
+    def energy_conserving(self) -> bool:
+        """Whether no more light is reflected than arrives."""
         ...
 
 

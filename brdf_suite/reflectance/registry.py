@@ -1,14 +1,14 @@
 """Registry of all models with a typical example each, for tests, checks and parameter panels.
 
-The examples are made when they are asked for, so that listing the models costs nothing.
+The examples are made when they are asked for, so that listing the models costs nothing. Plug-ins add models by entry
+points of the group ``brdf_suite.models``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, is_dataclass, replace
 from functools import cached_property, partial
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -16,10 +16,12 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.parameter import Parameter
+from brdf_suite.plugins import Call, Plugin, Registry
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
@@ -29,7 +31,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.phong import CoatedPhong, Phong
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.models.table_1 import TABLE_1
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import DeclaredModel, Reflectance
 
 
 @dataclass(frozen=True)
@@ -38,8 +40,13 @@ class ModelEntry:
 
     Parameters
     ----------
+    name
+        Short, as a command-line word.
+    title
+        For lists.
     make
-        Makes the example.
+        Makes the example: a frozen dataclass as :mod:`brdf_suite.reflectance.models` describes it. A plug-in's needs
+        no ``sample`` and ``pdf``: they are made from its values.
     reciprocal, energy_conserving
         What the example claims.
     source
@@ -64,8 +71,7 @@ class ModelEntry:
     @property
     def parameters(self) -> Mapping[str, Parameter]:
         """The declared parameters of the model, by field."""
-        declared: Mapping[str, Parameter] = getattr(self.default, "parameters", {})
-        return declared
+        return self.default.parameters if isinstance(self.default, DeclaredModel) else {}
 
 
 def _aspecular(*, second_light: bool = False, **rule: Any) -> Reflectance:
@@ -246,5 +252,30 @@ _ENTRIES = (
         "Poulin and Fournier 1990",
     ),
 )
-MODELS: Mapping[str, ModelEntry] = MappingProxyType({entry.name: entry for entry in _ENTRIES})
-"""Every model with an example of it, by name."""
+
+
+def _guard_example(entry: ModelEntry, plugin: Plugin) -> ModelEntry:
+    """Let the reflectance that a plug-in makes name it where it fails."""
+
+    def make() -> Reflectance:
+        example = entry.make()
+        return example if is_own(example) else GuardedReflectance(example, plugin, {})
+
+    return replace(entry, make=make)
+
+
+ENTRIES = Registry(
+    "brdf_suite.models",
+    ModelEntry,
+    _ENTRIES,
+    calls={
+        "make": Call(
+            lambda found: isinstance(found, DeclaredModel) and is_dataclass(found),
+            "a dataclass with eval(), parameters, reciprocal and energy_conserving",
+        )
+    },
+    prepare=_guard_example,
+)
+"""Every model with an example of it, those of plug-ins last."""
+MODELS: Mapping[str, ModelEntry] = ENTRIES.by_name
+"""The same by name."""

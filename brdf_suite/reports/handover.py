@@ -32,7 +32,7 @@ READ_AT = GEOMETRY_SETS["five"]
 
 def formats(options: ReportOptions | None = None) -> tuple[ExportFormat, ...]:
     """Return every format in the order in which they are offered, the reports with these options."""
-    return (*FORMATS, *report_formats(options or ReportOptions()))
+    return (*FORMATS.built_in, *report_formats(options or ReportOptions()), *FORMATS.added)
 
 
 def format_named(name: str, options: ReportOptions | None = None) -> ExportFormat:

@@ -13212,6 +13212,14 @@ h {hue}°</translation>
         <translation>Zeile {0}, {1}</translation>
     </message>
     <message>
+        <source>a tuple of sentences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True or False</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>holds no paints in a format that is read here ({0})</source>
         <translation>enthält keine Lacke in einem lesbaren Format ({0})</translation>
     </message>
@@ -13876,6 +13884,10 @@ h {hue}°</translation>
         <translation>enthält Zahlen, die nicht endlich sind</translation>
     </message>
     <message>
+        <source>notes or None</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>is of no measured format that is known here ({0})</source>
         <translation>hat kein hier bekanntes Messformat ({0})</translation>
     </message>
@@ -14282,6 +14294,22 @@ h {hue}°</translation>
     <message>
         <source>MERL isotropic table</source>
         <translation>MERL, isotrope Tabelle</translation>
+    </message>
+    <message>
+        <source>is no text in UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its shader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model text (GLSL of the BRDF Explorer, or Python’s notation)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the incident angle</source>
@@ -14926,6 +14954,10 @@ h {hue}°</translation>
     <message>
         <source>the paint</source>
         <translation>der Lack</translation>
+    </message>
+    <message>
+        <source>(palette, notes)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No palette format is called {0}; there are {1}.</source>
@@ -17860,6 +17892,26 @@ h {hue}°</translation>
         <translation>Bilder</translation>
     </message>
     <message>
+        <source>plug-in {0} ({1}, {2})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} failed: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name {0} is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} is skipped: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown package</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the table of look-ups cannot be read; install brdf-suite again</source>
         <translation>die Nachschlagetabelle ist nicht lesbar; installieren Sie brdf-suite neu</translation>
     </message>
@@ -18078,6 +18130,10 @@ h {hue}°</translation>
     <message>
         <source>A material has weights on {0} broad and {1} sharp lobes; at most {2} and {3} are drawn. Choose a basis of fewer lobes.</source>
         <translation>Ein Material hat Gewichte auf {0} breiten und {1} scharfen Keulen; gezeichnet werden höchstens {2} und {3}. Wählen Sie eine Basis mit weniger Keulen.</translation>
+    </message>
+    <message>
+        <source>the driver gives no reason</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>pictures of palettes have 8 bits</source>
@@ -18440,6 +18496,10 @@ h {hue}°</translation>
         <translation>erwartet wurden höchstens {0} Faktoren</translation>
     </message>
     <message>
+        <source>The {0} failed: its values have the shape {1}, the directions {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>expected a half-angle from 0 to {0}°, not {1}°</source>
         <translation>erwartet wurde ein Halbwinkel von 0 bis {0}°, nicht {1}°</translation>
     </message>
@@ -18498,6 +18558,198 @@ h {hue}°</translation>
     <message>
         <source>{0}: through {1}, no paint was found that reads the colour at {2}° to better than ΔE00 {3}; use a smaller aperture, or correct that reading.</source>
         <translation>{0}: Durch {1} wurde kein Lack gefunden, der die Farbe bei {2}° auf ΔE00 {3} genau zeigt; nehmen Sie eine kleinere Blende, oder berichtigen Sie diesen Messwert.</translation>
+    </message>
+    <message>
+        <source>attributes are not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imports are not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loops are not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write a function by def</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text has too many formulas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decorators and annotations are not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the function {0} is there already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function takes plain names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>return stands at the end, with a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} returns nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>assign to one name at a time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the formula is nested too deeply; assign parts of it to names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a component is [0], [1] or [2]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only functions are called, with values in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no function {0} above this line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes {1} values, not {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a function returns nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the formulas take more than {0} operations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model text, GLSL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Model text, Python’s notation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The text gives no finite value for {0} % of the directions; they are black.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computed in linear sRGB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model takes longer than {0} s for {1} pairs of directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver broke down on this model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No process could be started for the model ({0}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum, maximum and default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 or 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>three numbers from 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text has {0} characters, more than the {1} allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the text has a null character</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected “::begin parameters” or “::begin shader”, each once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no section {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected “::end {0}”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing has begun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} stands in no section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“::end {0}” is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} NAME with {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected one of: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} cannot be the name of a parameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the parameter {0} is declared twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than {0} parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the parameter {0} needs {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the formulas are nested too deeply ({0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>brdf takes L, V, N, X, Y, and then the parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: expected a number</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>wi and wo</source>
@@ -19132,6 +19384,62 @@ h {hue}°</translation>
         <translation>{0}: {1} Normalen erzeugt, die fehlten oder nicht endlich waren</translation>
     </message>
     <message>
+        <source>it claims what does not hold: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the example is not recognised</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read returns (palette, notes)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>notes are a tuple of sentences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what is written does not come back the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>losses are sentences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>write returns sentences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the paint is not read back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>directions broadcast to (13, 7, 3), values are {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value is not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a value is negative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light from below the horizon is reflected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one pair of directions gives (3,)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no directions give (0, 3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Without LLVM there are no single flakes, no relief and no mask: the first paint is shown there, smooth.</source>
         <translation>Ohne LLVM gibt es keine einzelnen Flakes, kein Relief und keine Maske: Dort ist der erste Lack zu sehen, glatt.</translation>
     </message>
@@ -19390,6 +19698,94 @@ h {hue}°</translation>
     <message>
         <source>texture</source>
         <translation>Textur</translation>
+    </message>
+    <message>
+        <source>Model Text</source>
+        <translation>Modelltext</translation>
+    </message>
+    <message>
+        <source>Write a reflectance model as GLSL or as formulas, with sliders for its parameters</source>
+        <translation>Ein Reflexionsmodell als GLSL oder als Formeln schreiben, mit Reglern für seine Parameter</translation>
+    </message>
+    <message>
+        <source>Model &amp;Text</source>
+        <translation>Modell&amp;text</translation>
+    </message>
+    <message>
+        <source>Model {number}</source>
+        <translation>Modell {number}</translation>
+    </message>
+    <message>
+        <source>The selected reflectance has no text. Start a model by New, or open a file.</source>
+        <translation>Die ausgewählte Reflexion hat keinen Text. Beginnen Sie ein Modell mit „Neu“, oder öffnen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>No errors.</source>
+        <translation>Keine Fehler.</translation>
+    </message>
+    <message>
+        <source>“{name}” was removed with unsaved changes.</source>
+        <translation>„{name}“ wurde mit ungespeicherten Änderungen entfernt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Models of plug-ins</source>
+        <translation>Modelle aus Plug-ins</translation>
+    </message>
+    <message>
+        <source>Everything else works without it. `brdf-suite list plugins` lists all.</source>
+        <translation>Alles andere funktioniert ohne es. `brdf-suite list plugins` listet alle auf.</translation>
+    </message>
+    <message>
+        <source>GLSL, as in the BRDF Explorer</source>
+        <translation>GLSL, wie im BRDF Explorer</translation>
+    </message>
+    <message>
+        <source>Formulas in Python&apos;s notation</source>
+        <translation>Formeln in der Schreibweise von Python</translation>
+    </message>
+    <message>
+        <source>Start a model from an example</source>
+        <translation>Ein Modell aus einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Open a model&apos;s text (.brdf, .py)</source>
+        <translation>Den Text eines Modells öffnen (.brdf, .py)</translation>
+    </message>
+    <message>
+        <source>Save the text (Ctrl+S in the text)</source>
+        <translation>Den Text speichern (Strg+S im Text)</translation>
+    </message>
+    <message>
+        <source>Save the text under another name</source>
+        <translation>Den Text unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>Write the sliders&apos; values into the text, as the defaults of its parameters</source>
+        <translation>Die Werte der Regler als Vorgaben der Parameter in den Text schreiben</translation>
+    </message>
+    <message>
+        <source>Values to Text</source>
+        <translation>Werte in den Text</translation>
+    </message>
+    <message>
+        <source>Text of the model</source>
+        <translation>Text des Modells</translation>
+    </message>
+    <message>
+        <source>Start a model by New, or open a file.</source>
+        <translation>Beginnen Sie ein Modell mit „Neu“, oder öffnen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>{name}, {channel}</source>
+        <translation>{name}, {channel}</translation>
     </message>
 </context>
 </TS>

@@ -11,8 +11,9 @@ import pytest
 from brdf_suite.geometry.directions import illumination
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo, white_furnace
-from brdf_suite.reflectance.checks import CheckReport, check_reflectance, is_isotropic
+from brdf_suite.reflectance.checks import CheckReport, check_reflectance
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
 

@@ -30,10 +30,10 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.checks import is_isotropic
+from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.registry import ENTRIES
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -163,5 +163,10 @@ def names() -> dict[str, Sequence[tuple[str, str]]]:
     return {
         "paints": [(title_of(name), name) for name in paint_names()],
         "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],
-        "models": [(tr_core(entry.title), name) for name, entry in MODELS.items()],
+        "models": [(tr_core(entry.title), entry.name) for entry in ENTRIES.built_in],
     }
+
+
+def plugin_models() -> Sequence[tuple[str, str]]:
+    """Return title and name of every model of a plug-in; loads them."""
+    return [(entry.title, entry.name) for entry in ENTRIES.added]

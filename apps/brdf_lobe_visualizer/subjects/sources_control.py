@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
@@ -145,6 +145,20 @@ class Sources(Feature, QObject):
         self._session.set_subjects(subjects)
         return key
 
+    def find_plugin_models(self, take: Callable[[Sequence[tuple[str, str]]], None]) -> None:
+        """Load the plug-ins that add models, on a thread, and hand on their titles and names."""
+
+        def failed(error: Exception) -> None:
+            self._window.show_message(message_of(error, "plug-ins"))
+
+        self.tasks.submit("plug-ins", _plugin_models, None, take, failed)
+
+    def note_saved(self, path: Path, key: str) -> None:
+        """Take the file that a subject was saved to for the one that it was opened from."""
+        self._recent.add(str(path))
+        self.recent_changed.emit()
+        self.opened.emit(str(path), [key])
+
     def next_line(self) -> tuple[Srgb, Dash]:
         """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
         used = [(s.colour, s.dash) for s in self._session.subjects] + list(self._lines.values())
@@ -220,8 +234,18 @@ def _represent(material: Material, progress: Progress) -> Sequence[PlottedMateri
     return represent(material, progress)
 
 
-def _read(name: str, progress: Progress) -> Opened:
-    # Deferred: with it come the tables and models, which the window does not need to be shown.
-    from brdf_lobe_visualizer.subjects.sources import open_source
+def _plugin_models(_request: None, _progress: Progress) -> Sequence[tuple[str, str]]:
+    found: Sequence[tuple[str, str]] = _sources().plugin_models()
+    return found
 
-    return open_source(name, progress)
+
+def _read(name: str, progress: Progress) -> Opened:
+    found: Opened = _sources().open_source(name, progress)
+    return found
+
+
+def _sources() -> Any:
+    # Deferred: with it come the tables and models, which the window does not need to be shown.
+    from brdf_lobe_visualizer.subjects import sources
+
+    return sources

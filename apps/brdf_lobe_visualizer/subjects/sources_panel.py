@@ -88,6 +88,11 @@ class SourcesPanel(QWidget):
         for key, group in self.names.items():
             self._add_group(tr(_GROUPS[key]), group)
 
+    def add_plugin_models(self, models: Sequence[tuple[str, str]]) -> None:
+        """Put in the models of plug-ins, each a title and a name."""
+        if models:
+            self._add_group(tr("Models of plug-ins"), models)
+
     def add_palette(self, title: str, entries: Sequence[tuple[str, str]]) -> None:
         """Put in the entries of a palette, in the place of one of the same title; each a name and an origin."""
         self.fill()

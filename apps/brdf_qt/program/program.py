@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
 
 from brdf_qt.program.feature import Feature
+from brdf_qt.program.translation import tr
 from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.window.message_bar import Message
+from brdf_suite.plugins import on_problem
 
 SomeFeature = TypeVar("SomeFeature", bound=Feature)
 
@@ -32,12 +35,16 @@ class Program(QObject):
     is_complete_when_started = True
     """Whether the start shows all that it is to show at once; otherwise the program reports ``complete`` itself."""
     window: SuiteWindow
+    _plugin_failed = Signal(str)
 
     def __init__(self, window: SuiteWindow, features: Sequence[Feature] = ()) -> None:
         super().__init__(window)
         self.window = window
         self.features = list(features)
         self._awaits_paint = self.closed = False
+        # Plug-ins are loaded and used on any thread.
+        self._plugin_failed.connect(self._show_plugin, Qt.ConnectionType.QueuedConnection)
+        self._forget_plugins = on_problem(self._plugin_failed.emit)
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.close)
@@ -79,8 +86,13 @@ class Program(QObject):
         """End every feature, the last one first. The end of the application calls it too; only the first call acts."""
         if not self.closed:
             self.closed = True
+            self._forget_plugins()
             for feature in reversed(self.features):
                 feature.close()
+
+    def _show_plugin(self, sentence: str) -> None:
+        todo = tr("Everything else works without it. `brdf-suite list plugins` lists all.")
+        self.window.show_message(Message(f"plug-in {sentence}", sentence, todo=todo, severity="warning"))
 
     def _painted(self) -> None:
         self.reached.emit("ready")

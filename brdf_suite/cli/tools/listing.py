@@ -6,16 +6,18 @@ import argparse
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping
+from typing import Any
 
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.cli.arguments import USUAL, add_json
 from brdf_suite.cli.output import print_csv, print_json
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.files import measured, palettes
+from brdf_suite.files import exports, measured, palettes
 from brdf_suite.pipeline.material import paint_titles
 from brdf_suite.pipeline.scene import environment_names, surface_names
+from brdf_suite.plugins import Registry
 from brdf_suite.reflectance.models.table_1 import TABLE_1
-from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.registry import ENTRIES, MODELS
 from brdf_suite.reports import handover
 from brdf_suite.resources import SCHEMA_ENDING, resource, schema_names
 from brdf_suite.variables import VARIABLES
@@ -27,8 +29,9 @@ def add(command: CommandParser) -> None:
     """Declare the command."""
     command.description = (
         "List names: of what is shipped (paints, environments, surfaces), of file formats and their endings, of "
-        "reflectance models, of the geometries of instruments, of JSON Schemas of the suite's own formats with the "
-        "files that they are in, and of environment variables with what they are set to. Without KIND all of them."
+        "reflectance models, of the geometries of instruments, of installed plug-ins and why one is skipped, of JSON "
+        "Schemas of the suite's own formats with the files that they are in, and of environment variables with what "
+        "they are set to. Without KIND all of them."
     )
     command.examples = (
         "brdf-suite list paints",
@@ -58,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
     for kind, rows in found.items():
         if len(found) > 1:
             print(f"{kind}:")
-        width = max(len(str(row["name"])) for row in rows)
+        width = max((len(str(row["name"])) for row in rows), default=0)
         for row in rows:
             print(
                 f"{row['name']:{width}}  {'  '.join(str(row[key]) for key in row if key != 'name')}".rstrip()
@@ -102,6 +105,16 @@ def _schemas() -> Iterable[Row]:
         yield {"name": name, "file": str(file), "title": title}
 
 
+def _plugins() -> Iterable[Row]:
+    """Every plug-in that is installed, by its group, with why it is skipped where it is."""
+    tables: tuple[Registry[Any], ...] = (ENTRIES, measured.FORMATS, palettes.FORMATS, exports.FORMATS)
+    for table in tables:
+        len(table)  # which loads them
+        for plugin, reason in table.states.items():
+            state = f"skipped: {reason}" if reason else "loaded"
+            yield {"name": plugin.name, "group": plugin.group, "package": plugin.package, "state": state}
+
+
 _KINDS: Mapping[str, Callable[[], Iterable[Row]]] = {
     "paints": _paints,
     "environments": lambda: [{"name": name} for name in environment_names()],
@@ -109,6 +122,7 @@ _KINDS: Mapping[str, Callable[[], Iterable[Row]]] = {
     "formats": _formats,
     "models": lambda: [{"name": name, "title": model.title} for name, model in MODELS.items()],
     "geometries": lambda: [{"name": name, "title": one.title} for name, one in GEOMETRY_SETS.items()],
+    "plugins": _plugins,
     "schemas": _schemas,
     "variables": lambda: [
         {"name": name, "value": os.environ.get(name, ""), "title": what} for name, what in VARIABLES.items()

@@ -5,6 +5,7 @@ A file is known by its content; the ending only breaks a tie and names the forma
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from brdf_suite.files.measured import (
     cook_torrance,
     cornell,
     merl,
+    model_text,
     pgii,
     rgl,
     utia,
@@ -29,8 +31,10 @@ from brdf_suite.files.measured.format import (
     ReadOptions,
     WrittenMeasurement,
 )
+from brdf_suite.plugins import Call, Plugin, Registry
+from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 
-FORMATS: tuple[MeasuredFormat, ...] = (
+_BUILT_IN = (
     rgl.FORMAT,
     brdftable.FORMAT,
     merl.FORMAT,
@@ -41,9 +45,41 @@ FORMATS: tuple[MeasuredFormat, ...] = (
     astm.FORMAT,
     alta.FORMAT,
     pgii.FORMAT,
+    model_text.FORMAT,
     cornell.FORMAT,
 )
-"""In the order in which they are tried; the ones that a few bytes settle come first."""
+
+
+def _are_notes(found: object) -> bool:
+    return found is None or (isinstance(found, tuple) and all(isinstance(note, str) for note in found))
+
+
+def _guard_value(known: MeasuredFormat, plugin: Plugin) -> MeasuredFormat:
+    """Let the reflectance that a plug-in reads name it where it fails."""
+
+    def read(path: PathLike, options: ReadOptions) -> MeasuredReflectance:
+        value: MeasuredReflectance = known.read(path, options)
+        return value if is_own(value) else GuardedReflectance(value, plugin, dict(value.facts))
+
+    return replace(known, read=read)
+
+
+FORMATS = Registry(
+    "brdf_suite.measured_formats",
+    MeasuredFormat,
+    _BUILT_IN,
+    calls={
+        "sniff": Call(lambda found: isinstance(found, bool), "True or False", False),
+        "read": Call(
+            lambda found: isinstance(found, MeasuredReflectance) and isinstance(found.facts, dict),
+            "a reflectance with eval() and facts",
+        ),
+        "write": Call(_are_notes, "notes or None"),
+    },
+    endings=lambda known: known.endings,
+    prepare=_guard_value,
+)
+"""In the order in which they are tried; the ones that a few bytes settle come first, those of plug-ins last."""
 
 _HEAD = 1 << 16
 _LARGEST = 8 << 30

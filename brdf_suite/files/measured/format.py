@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy.typing as npt
 
@@ -13,6 +13,7 @@ from brdf_suite.errors import PathLike
 from brdf_suite.reflectance.protocol import Reflectance
 
 
+@runtime_checkable
 class MeasuredReflectance(Protocol):
     """A reflectance read from a file, with its origin."""
 

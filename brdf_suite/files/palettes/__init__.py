@@ -31,8 +31,9 @@ from brdf_suite.files.palettes.text import (
     table,
 )
 from brdf_suite.files.palettes.xml import autocad, corel, cxf3, instrument, scribus, soc
+from brdf_suite.plugins import Call, Registry
 
-FORMATS: tuple[PaletteFormat, ...] = (
+_BUILT_IN = (
     OWN,
     ase.FORMAT,
     acb.FORMAT,
@@ -59,7 +60,26 @@ FORMATS: tuple[PaletteFormat, ...] = (
     aco.FORMAT,
     act.FORMAT,
 )
-"""In the order in which they are tried; those with the weakest signatures come last."""
+
+
+def _is_palette_with_notes(found: object) -> bool:
+    if not isinstance(found, tuple) or len(found) != 2 or not isinstance(found[0], Palette):
+        return False
+    return isinstance(found[1], tuple) and all(isinstance(note, str) for note in found[1])
+
+
+FORMATS = Registry(
+    "brdf_suite.palette_formats",
+    PaletteFormat,
+    _BUILT_IN,
+    calls={
+        "sniff": Call(lambda found: isinstance(found, bool), "True or False", False),
+        "read": Call(_is_palette_with_notes, "(palette, notes)"),
+        "write": Call(lambda found: isinstance(found, bytes), "bytes"),
+    },
+    endings=lambda known: known.endings,
+)
+"""In the order in which they are tried; those with the weakest signatures come last, and then those of plug-ins."""
 
 _HEAD = 1 << 16
 
@@ -91,8 +111,15 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
     if not content:
         raise FileError(path, "is empty", "byte 0")
     head, size = content[:_HEAD], len(content)
+    if OWN.sniff(head, size):
+        return OWN  # without a look at plug-ins
     found = [known for known in FORMATS if known.sniff(head, size)]
     ending = Path(path).suffix.lower()
+    # A format of a plug-in is found before one that is built in only where the ending is the plug-in's alone.
+    if found and ending not in found[0].endings:
+        for known in FORMATS.added:
+            if known in found and ending in known.endings:
+                return known
     # Formats with a signature are certain; the last two are recognised by a few numbers or the size alone.
     named = [known for known in found if ending in known.endings]
     if found and found[0] in (aco.FORMAT, act.FORMAT) and named:

@@ -54,8 +54,8 @@ from brdf_suite.geometry.factor_words import (
 )
 from brdf_suite.notebook import Shown
 from brdf_suite.progress import Progress, report, subrange
-from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.factored.model import Factored, build_factored
+from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.protocol import Reflectance
 
 PeakChoice = Literal["auto", "off", "radial", "map"]

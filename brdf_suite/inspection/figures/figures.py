@@ -25,7 +25,8 @@ from brdf_suite.geometry.directions import angle_between, aspecular_view, illumi
 from brdf_suite.pipeline.fit_errors import NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.albedo import directional_albedo
-from brdf_suite.reflectance.checks import Turned, even_pairs, reciprocity
+from brdf_suite.reflectance.checks import reciprocity
+from brdf_suite.reflectance.isotropy import Turned, even_pairs
 from brdf_suite.reflectance.protocol import Reflectance
 
 

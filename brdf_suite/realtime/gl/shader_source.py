@@ -22,11 +22,12 @@ _LINES_PER_FILE = 10_000
 
 _INCLUDE = re.compile(r'^\s*#include\s+"([\w.\-]+)"\s*$')
 # Mesa "1:23(4): error: ...", NVIDIA "1(23) : error C1008: ...", Intel, AMD and Apple "ERROR: 1:23: ...".
-_REPORTS = (
+COMPILER_REPORTS = (
     re.compile(r"^\d+:(?P<line>\d+)\(\d+\): (?:preprocessor )?error: (?P<what>.*)$"),
     re.compile(r"^\d+\((?P<line>\d+)\) : error (?P<what>.*)$"),
     re.compile(r"^ERROR: \d+:(?P<line>\d+): (?P<what>.*)$"),
 )
+"""What lines of compilers' messages look like that name a line of the source."""
 
 
 @dataclass(frozen=True)
@@ -129,7 +130,7 @@ def compile_program(
 
 def _explain(message: str, source: ShaderSource, pair: str) -> str:
     for line in message.splitlines():
-        for report in _REPORTS:
+        for report in COMPILER_REPORTS:
             found = report.match(line.strip())
             if found and int(found["line"]) < len(source.files) * _LINES_PER_FILE:
                 number, row = divmod(int(found["line"]), _LINES_PER_FILE)
