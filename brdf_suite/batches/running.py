@@ -119,7 +119,8 @@ class _Run:
         self._group = group
         self._progress = progress
         self._waiting: deque[Item] = deque()
-        self._alone: deque[Item] = deque()
+        self._suspects: deque[list[Item]] = deque()
+        """Groups whose workers died."""
         self._out: dict[Future[list[Finished]], list[Item]] = {}
         self._start = monotonic()
 
@@ -130,10 +131,11 @@ class _Run:
         lost_since: float | None = None
         self._start, count = monotonic(), len(items)
         try:
-            while self._waiting or self._alone or self._out:
+            while self._waiting or self._suspects or self._out:
                 self._hand_out(done)
                 ended, _ = wait(self._out, timeout=_LOOK_S, return_when=FIRST_COMPLETED)
-                back = [one for future in ended for one in self._collected(future)]
+                alone = len(self._out) == 1
+                back = [one for future in ended for one in self._collected(future, alone)]
                 if back:
                     self._journal.append(back)
                     done += len(back)
@@ -147,19 +149,23 @@ class _Run:
                 future.cancel()
 
     def _hand_out(self, done: int) -> None:
+        if self._suspects:
+            # Alone, so that no other group is blamed for the end of its worker.
+            if not self._out:
+                self._submit(self._suspects.popleft())
+            return
         size = self._group or self._size(done)
-        while len(self._out) < _AHEAD * self._workers.width and (self._waiting or self._alone):
-            if self._alone:
-                group = [self._alone.popleft()]
-            else:
-                group = [self._waiting.popleft() for _ in range(min(size, len(self._waiting)))]
-            try:
-                future = self._workers.executor.submit(
-                    do_items, self._step, group, str(self._folder), __version__
-                )
-            except RuntimeError as error:  # the executor is shut down or broken
-                raise self._lost() from error
-            self._out[future] = group
+        while len(self._out) < _AHEAD * self._workers.width and self._waiting:
+            self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
+
+    def _submit(self, group: list[Item]) -> None:
+        try:
+            future = self._workers.executor.submit(
+                do_items, self._step, group, str(self._folder), __version__
+            )
+        except RuntimeError as error:  # the executor is shut down or broken
+            raise self._lost() from error
+        self._out[future] = group
 
     def _size(self, done: int) -> int:
         """Return how many items take a worker about two seconds, by those that are done; at first a few."""
@@ -168,8 +174,8 @@ class _Run:
         each = (monotonic() - self._start) * self._workers.width / done
         return max(1, min(MOST_IN_A_GROUP, round(_GROUP_S / max(each, 1e-6))))
 
-    def _collected(self, future: Future[list[Finished]]) -> list[Finished]:
-        """Return what a group came to. One that killed its workers is done again, each item alone."""
+    def _collected(self, future: Future[list[Finished]], alone: bool) -> list[Finished]:
+        """Return what a group came to. One whose workers died is divided, until the item that did it is alone."""
         group = self._out.pop(future)
         try:
             return future.result()
@@ -178,8 +184,9 @@ class _Run:
         except SuiteError:
             raise
         except Exception as error:  # noqa: BLE001 - of the executor: its worker died, again and again
-            if len(group) > 1:
-                self._alone.extend(group)
+            if len(group) > 1 or not alone:
+                middle = (len(group) + 1) // 2
+                self._suspects.extend(half for half in (group[:middle], group[middle:]) if half)
                 return []
             item, reason = group[0], f"the process that worked on it ended ({type(error).__name__})"
             return [Finished(item.key, item.label, item.source, {}, problem=reason)]

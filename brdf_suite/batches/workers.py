@@ -9,7 +9,7 @@ import logging
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -66,6 +66,7 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
     with (
         safe_path_inherited(),
+        _quiet(distributed),
         dask.config.set(_settings()),
         distributed.LocalCluster(
             n_workers=count,
@@ -84,7 +85,7 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
 def scheduler_workers(address: str) -> Iterator[Workers]:
     """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
     distributed, dask = _dask()
-    with dask.config.set(_settings()):
+    with dask.config.set(_settings()), _quiet(distributed):
         try:
             client = distributed.Client(address, timeout=_ANSWER_S, set_as_default=False)
         except (OSError, ValueError, TimeoutError) as error:
@@ -114,7 +115,7 @@ def job_workers(system: str, count: int) -> Iterator[Workers]:
         "sge": jobqueue.SGECluster,
         "slurm": jobqueue.SLURMCluster,
     }
-    with dask.config.set(_settings()):
+    with dask.config.set(_settings()), _quiet(distributed):
         try:
             cluster = kinds[system](n_workers=count)
         except (ValueError, OSError) as error:
@@ -147,8 +148,16 @@ def _dask() -> tuple[Any, Any]:
     return distributed, import_extra("dask", purpose=_PURPOSE)
 
 
+def _quiet(distributed: Any) -> AbstractContextManager[None]:
+    """Keep what Dask logs of lost connections, with a traceback each, off standard error; errors are raised besides."""
+    quiet: AbstractContextManager[None] = distributed.utils.silence_logging_cmgr(logging.CRITICAL)
+    return quiet
+
+
 def _settings() -> dict[str, object]:
     return {
+        # Of a scheduler on this machine. A group that ends a worker twice is divided, until the item is found.
+        "distributed.scheduler.allowed-failures": 1,
         "distributed.nanny.pre-spawn-environ": _ONE_THREAD,
         # A worker beyond its memory is replaced; what it holds is small, and is not written to the disk before.
         "distributed.worker.memory.target": False,
