@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from brdf_suite.documents.palette import Palette as Palette
     from brdf_suite.documents.view import View as View
     from brdf_suite.errors import SuiteError as SuiteError
+    from brdf_suite.library.batching import batch as batch
     from brdf_suite.library.drawings import Drawing as Drawing
     from brdf_suite.library.drawings import plot as plot
     from brdf_suite.library.fits import factorize as factorize
@@ -57,6 +58,7 @@ version: str = __version__
 
 _ROOM_OF = {
     "acquire": "library.photographs",
+    "batch": "library.batching",
     "check": "library.readings",
     "compare": "library.readings",
     "convert": "library.storing",
@@ -108,6 +110,7 @@ __all__ = [
     "View",
     "__version__",
     "acquire",
+    "batch",
     "check",
     "compare",
     "convert",

@@ -40,6 +40,10 @@ PACKAGES = {
     "assimp_py": _Package("Assimp (assimp-py)", "assimp-py", "meshes"),
     "cascadio": _Package("Open CASCADE (cascadio)", "cascadio", "meshes"),
     "pxr": _Package("OpenUSD (usd-core)", "usd-core", "meshes"),
+    "dask": _Package("Dask", "dask", "batches"),
+    "dask_jobqueue": _Package("Dask-Jobqueue", "dask-jobqueue", "batches"),
+    "distributed": _Package("Dask", "distributed", "batches"),
+    "pyarrow": _Package("Arrow (pyarrow)", "pyarrow", "batches"),
     "imageio_ffmpeg": _Package("ffmpeg (imageio-ffmpeg)", "imageio-ffmpeg", "video"),
 }
 """The optional modules, by the name that they are imported by."""

@@ -13,7 +13,7 @@ from packaging.licenses import InvalidLicenseExpression, canonicalize_license_ex
 from packaging.requirements import Requirement
 
 PROJECT = "brdf-suite"
-EXTRAS = ("acquisition", "reference", "speed", "video")
+EXTRAS = ("acquisition", "batches", "meshes", "reference", "speed", "video")
 """The extras for users; ``dev`` is for those who change the suite."""
 
 _STATED = {"Apache 2.0": "Apache-2.0"}

@@ -77,6 +77,7 @@ COMMANDS = {
         "show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
     ),
     "shading-table": ("tools.shading_table", "make the table by which the shading looks lobes up"),
+    "batch": ("tools.batch", "do one step with thousands of paints, on all cores or on a cluster"),
     "agreement": ("tools.agreement", "compare the real-time picture with the path-traced one"),
     "completion": ("tools.completion", "print the completion of a shell, or the pages of the manual"),
     "bench": ("tools.bench", "measure the suite's figures (in a source checkout)"),

@@ -7,6 +7,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from brdf_suite.appearance.difference.tolerance import (
 )
 from brdf_suite.appearance.difference.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.appearance.texture import NO_TEXTURE
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured, write_measured
 from brdf_suite.files.measured.format import ReadOptions
@@ -33,6 +35,9 @@ from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentRepor
 from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import has_spectra
+
+Cell: TypeAlias = str | float | None
+"""What a column of a table of readings holds."""
 
 
 def read_material(
@@ -84,6 +89,38 @@ def measurement_json(item: Material, report: InstrumentReport, illuminant: str =
             ],
         }
     return answer
+
+
+def measured_row(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, Cell]:
+    """Return a report as one row of a table, rounded: by columns, the same ones for every material.
+
+    Columns of the usual light are named by the aspecular angle alone; what is not known is None.
+    """
+    names = [reading.geometry.name.removeprefix("45as") for reading in report.readings]
+    texture, path = report.texture or NO_TEXTURE, report.travel
+    row: dict[str, Cell] = {"name": item.name, "source": item.origin}
+    for name, reading in zip(names, report.readings, strict=True):
+        row |= {f"{axis}_{name}": round(value, 4) for axis, value in zip("Lab", reading.lab, strict=True)}
+    if illuminant != "D65":
+        colours = readings_under(item.reflectance, report, illuminant, item.observer_deg)
+        for name, colour in zip(names, colours, strict=True):
+            lab = zip("Lab", colour.lab.tolist(), strict=True)
+            row |= {f"{axis}_{name}_{illuminant}": round(value, 4) for axis, value in lab}
+    row |= {f"factor_{name}": round(one.factor, 6) for name, one in zip(names, report.readings, strict=True)}
+    row |= {f"G{angle}": round(value, 3) for angle, value in report.gloss.items()}
+    row["haze"] = round(report.haze, 3)
+    row["flop_index"] = None if report.flop is None else round(report.flop.value, 4)
+    travel = (None,) * 3 if path is None else (path.length, path.hue_deg, path.chroma)
+    for column, value in zip(("travel_ab", "hue_travel_deg", "chroma_travel"), travel, strict=True):
+        row[column] = None if value is None else round(value, 4)
+    for one in texture.sparkle:
+        for part, value in asdict(one).items():
+            if part != "light_deg":
+                row[f"sparkle_{part}_{one.light_deg:g}"] = float(f"{value:.5g}")
+    row["graininess"] = float(f"{texture.graininess:.5g}")
+    support = {name: one.sample_deg for name, one in zip(names, report.readings, strict=True)}
+    support |= {f"G{angle}": value for angle, value in report.gloss_sample_deg.items()}
+    return row | {f"nearest_sample_deg_{name}": round(value, 2) for name, value in support.items()}
 
 
 def _plain(value: object) -> object:

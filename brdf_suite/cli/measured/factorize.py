@@ -36,6 +36,14 @@ def add(command: CommandParser) -> None:
     )
     add_arguments(command, {"reflectance PAINT": PAINT})
     add_output(command, "the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable")
+    add_factoring(command)
+    add_arguments(command, {"--overwrite": "replace FILE where it is there"})
+    add_json(command)
+    command.set_defaults(run=run)
+
+
+def add_factoring(command: CommandParser) -> None:
+    """Declare the options read by :func:`parse_factoring`."""
     add_arguments(
         command,
         {
@@ -54,11 +62,22 @@ def add(command: CommandParser) -> None:
             "default: auto, where that brings it no farther from them",
             "--radial": "keep maps of two axes that are radially symmetric within 2 %% as their radius alone",
             "--pairs N=57600": "pairs of directions that are drawn of a paint; default: 57600",
-            "--overwrite": "replace FILE where it is there",
         },
     )
-    add_json(command)
-    command.set_defaults(run=run)
+
+
+def parse_factoring(options: argparse.Namespace) -> FactoringOptions:
+    """Return the settings that the options ask for."""
+    return FactoringOptions(
+        factors=options.factors,
+        resolution=options.resolution,
+        smooth=options.smoothness,
+        bias=options.bias,
+        peak=options.peak,
+        keep_mean=options.keep_mean,
+        radial=options.radial,
+        pairs=options.pairs,
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -71,22 +90,15 @@ def run(options: argparse.Namespace) -> int:
     if options.output.exists() and not options.overwrite:
         raise FileError(options.output, "is there already; give another name, or --overwrite")
     check_target(options.output)
-    chosen = FactoringOptions(
-        factors=options.factors,
-        resolution=options.resolution,
-        smooth=options.smoothness,
-        bias=options.bias,
-        peak=options.peak,
-        keep_mean=options.keep_mean,
-        radial=options.radial,
-        pairs=options.pairs,
-    )
     with progress_bar("factoring", quiet=options.json) as progress:
         report(progress, 0.0, "reading")
         material = load_material(options.reflectance)
         try:
             found = factor_reflectance(
-                material.name, material.reflectance, chosen, progress=subrange(progress, 0.1, 1.0)
+                material.name,
+                material.reflectance,
+                parse_factoring(options),
+                progress=subrange(progress, 0.1, 1.0),
             )
         except FittingError as error:
             raise FittingError(f"{material.name}: {error}") from error

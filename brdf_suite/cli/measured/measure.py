@@ -5,18 +5,17 @@ from __future__ import annotations
 import argparse
 import csv
 import sys
-from dataclasses import astuple
 from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.light.colour import ColourUnderLight
-from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, TextureReadings
+from brdf_suite.appearance.texture import NO_TEXTURE, TextureReadings
 from brdf_suite.cli.arguments import PAINTS, add_arguments, add_json
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.inspection.measuring import measurement_json, read_material
+from brdf_suite.inspection.measuring import measured_row, measurement_json, read_material
 from brdf_suite.pipeline.material import Material, load_material, paints_of
 from brdf_suite.reflectance.instruments.aperture import aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import SUPPORT_DEG, InstrumentReport
@@ -32,8 +31,6 @@ APERTURE_HELP = (
 )
 # The chroma C* below which a hue is rounding alone.
 _GREY = 0.005
-
-_SPARKLE = ("points_per_mm2", "area", "intensity", "grade")
 
 
 def add(command: CommandParser) -> None:
@@ -162,35 +159,7 @@ def _print_texture(texture: TextureReadings) -> None:
 
 
 def _print_csv(measured: list[_Measured], illuminant: str) -> None:
-    writer = csv.writer(sys.stdout, lineterminator="\n")
-    first = measured[0].report
-    # Columns of the usual light are named by the aspecular angle alone.
-    names = [reading.geometry.name.removeprefix("45as") for reading in first.readings]
-    head = ["name", "source", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
-    if illuminant != "D65":
-        head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
-    head += [f"factor_{name}" for name in names]
-    head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
-    head += [f"sparkle_{part}_{light:g}" for light in LIGHTS_DEG for part in _SPARKLE]
-    head.append("graininess")
-    head += [f"nearest_sample_deg_{name}" for name in (*names, "G20", "G60", "G85")]
-    writer.writerow(head)
-    for item, report in measured:
-        texture = report.texture or NO_TEXTURE
-        row: list[str] = [item.name, item.origin]
-        row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
-        if illuminant != "D65":
-            colours = _under(item, report, illuminant)
-            row += [f"{value:.4f}" for colour in colours for value in colour.lab.tolist()]
-        row += [f"{reading.factor:.6f}" for reading in report.readings]
-        row += [f"{value:.3f}" for value in (*report.gloss.values(), report.haze)]
-        row.append("" if report.flop is None else f"{report.flop.value:.4f}")
-        path = report.travel
-        row += (
-            ["", "", ""] if path is None else [f"{v:.4f}" for v in (path.length, path.hue_deg, path.chroma)]
-        )
-        row += [f"{value:.5g}" for one in texture.sparkle for value in astuple(one)[1:]]
-        row.append(f"{texture.graininess:.5g}")
-        distances = (*(reading.sample_deg for reading in report.readings), *report.gloss_sample_deg.values())
-        row += [f"{distance:.2f}" for distance in distances]
-        writer.writerow(row)
+    rows = [measured_row(one.item, one.report, illuminant) for one in measured]
+    writer = csv.DictWriter(sys.stdout, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)

@@ -258,10 +258,14 @@ def add_environment(command: CommandParser) -> None:
         {
             "environment FILE|NAME": "an .exr, .hdr or .brdfstudio environment, or photo_studio, street, "
             "light_tunnel, booth, overcast, sunny",
-            **_LAYOUT,
         },
-        layout=ENVIRONMENT_LAYOUTS,
     )
+    add_environment_layout(command)
+
+
+def add_environment_layout(command: CommandParser) -> None:
+    """Declare ``--layout`` of environments that are given by place."""
+    add_arguments(command, _LAYOUT, layout=ENVIRONMENT_LAYOUTS)
 
 
 def add_picture(command: CommandParser, *, radiance: bool = True, sheet: bool = False) -> None:

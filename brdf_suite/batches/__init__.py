@@ -1,0 +1,1 @@
+"""Batches: thousands of paints measured, fitted, rendered or exported, on all cores or on a cluster."""

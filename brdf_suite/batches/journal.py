@@ -1,0 +1,107 @@
+"""The journal of a batch: one line of JSON for each finished item, appended as it ends.
+
+Only the process that runs the batch writes it. A line that a kill or a full disk cut off is left out when the journal
+is opened again, and its item is done again; files of items have the same names in every run and are replaced whole.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from brdf_suite.batches.steps import Value
+from brdf_suite.errors import FileError
+
+JOURNAL = "finished.jsonl"
+_LOCK = ".lock"
+
+
+@dataclass(frozen=True)
+class Finished:
+    """An item that is done: what came of it, or the problem that there was."""
+
+    key: str
+    label: str
+    source: str
+    row: Mapping[str, Value]
+    files: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
+    problem: str = ""
+
+
+class Journal:
+    """The finished items of a folder, by their keys; ``append`` adds some, on the disk when it returns."""
+
+    def __init__(self, folder: Path, step: str) -> None:
+        self.path = folder / JOURNAL
+        self._step = step
+        self.finished: dict[str, Finished] = {}
+        self._read()
+
+    def append(self, done: Iterable[Finished]) -> None:
+        """Add finished items; raise :class:`FileError` where the disk refuses."""
+        lines = []
+        for one in done:
+            self.finished[one.key] = one
+            lines.append(json.dumps({"step": self._step, **asdict(one)}, ensure_ascii=False))
+        try:
+            with self.path.open("a", encoding="utf-8") as file:
+                file.write("".join(line + "\n" for line in lines))
+                file.flush()
+                os.fsync(file.fileno())
+        except OSError as error:
+            raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
+
+    def _read(self) -> None:
+        """Take the finished items of this step; cut off what the last writer left unfinished."""
+        if not self.path.exists():
+            return
+        try:
+            with self.path.open("rb+") as file:
+                whole = 0
+                for line in file:
+                    if not line.endswith(b"\n"):
+                        break
+                    whole += len(line)
+                    self._take(line)
+                file.truncate(whole)
+        except OSError as error:
+            raise FileError(self.path, f"cannot be read: {error.strerror or error}") from error
+
+    def _take(self, line: bytes) -> None:
+        try:
+            value = json.loads(line)
+            if value.pop("step") != self._step:
+                return
+            value["files"], value["notices"] = tuple(value["files"]), tuple(value["notices"])
+            one = Finished(**value)
+        except (ValueError, KeyError, TypeError, AttributeError):  # damaged: the item is done again
+            return
+        # A problem may have been the machine's; such items are tried again.
+        if not one.problem and all((self.path.parent / file).is_file() for file in one.files):
+            self.finished[one.key] = one
+
+
+@contextmanager
+def journal_of(folder: Path, step: str) -> Iterator[Journal]:
+    """Open the journal of a folder for one process.
+
+    Raises
+    ------
+    FileError
+        The folder cannot be made, or another batch is running in it.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with FileLock(folder / _LOCK, timeout=0):
+            yield Journal(folder, step)
+    except Timeout as error:
+        raise FileError(folder, "another batch is running in this folder") from error
+    except OSError as error:
+        raise FileError(folder, f"cannot be written: {error.strerror or error}") from error

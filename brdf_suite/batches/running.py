@@ -1,0 +1,215 @@
+"""Running a batch: items go to the workers in groups, and what comes back goes to the journal.
+
+At the end the results are made. A batch that was stopped in any way goes on where it was: what the journal has is not
+done again.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+
+from brdf_suite.batches.items import Item
+from brdf_suite.batches.journal import Finished, Journal, journal_of
+from brdf_suite.batches.results import write_results
+from brdf_suite.batches.steps import Step, fingerprint
+from brdf_suite.batches.worker import do_items
+from brdf_suite.batches.workers import Workers
+from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.release import __version__
+
+_AHEAD = 3
+"""Groups for each worker that are handed out: enough that none waits, few enough for any scheduler."""
+_GROUP_S = 2.0
+MOST_IN_A_GROUP = 1024
+_LOOK_S = 1.0
+_LOST_S = 30.0
+
+
+@dataclass(frozen=True)
+class BatchReport:
+    """What a batch has done: of ``items``, how many now and how many in runs before, and the problems by item."""
+
+    folder: Path
+    step: str
+    items: int
+    done: int
+    done_before: int
+    problems: dict[str, str]
+    seconds: float
+
+
+def run_batch(
+    step: Step,
+    items: Sequence[Item],
+    folder: Path,
+    hire: Callable[[], AbstractContextManager[Workers]],
+    *,
+    group: int | None = None,
+    progress: Progress | None = None,
+) -> BatchReport:
+    """Do a step with every item that is not done yet, and write the results.
+
+    Parameters
+    ----------
+    folder
+        Where the results go; all workers must see it.
+    hire
+        What brings workers; called where there is something left to do.
+    group
+        Items that a worker takes at once; left out, as many as take about 2 s.
+    progress
+        Called with a share, 0 to 1, and a sentence with rate and time left; it may raise
+        :class:`brdf_suite.errors.Cancelled`, after which the batch can go on.
+
+    Raises
+    ------
+    FileError
+        The folder cannot be written, or another batch runs in it.
+    SuiteError
+        The step cannot be done at all, or the workers are lost.
+    """
+    if group is not None and not 1 <= group <= MOST_IN_A_GROUP:
+        raise ValueRangeError("group", f"expected 1 to {MOST_IN_A_GROUP:,}, not {group}")
+    start = monotonic()
+    folder = folder.absolute()
+    with journal_of(folder, fingerprint(step)) as journal:
+        before = sum(item.key in journal.finished for item in items)
+        left = [item for item in items if item.key not in journal.finished]
+        journal.append(())  # the workers look for it
+        if left:
+            step.prepare(subrange(progress, 0.0, 0.05))
+            report(progress, 0.05, "starting the workers")
+            with hire() as workers:
+                _Run(step, folder, workers, journal, group, subrange(progress, 0.05, 0.98)).do(left)
+        report(progress, 0.98, "writing the results")
+        seconds = monotonic() - start
+        write_results(folder, step.name, items, journal.finished, seconds)
+        report(progress, 1.0, "written")
+        problems = {
+            item.label: journal.finished[item.key].problem
+            for item in items
+            if journal.finished[item.key].problem
+        }
+    return BatchReport(folder, step.name, len(items), len(left), before, problems, seconds)
+
+
+class _Run:
+    """The groups that are waiting, and those that workers have."""
+
+    def __init__(
+        self,
+        step: Step,
+        folder: Path,
+        workers: Workers,
+        journal: Journal,
+        group: int | None,
+        progress: Progress | None,
+    ) -> None:
+        self._step = step
+        self._folder = folder
+        self._workers = workers
+        self._journal = journal
+        self._group = group
+        self._progress = progress
+        self._waiting: deque[Item] = deque()
+        self._suspects: deque[list[Item]] = deque()
+        """Groups whose workers died."""
+        self._out: dict[Future[list[Finished]], list[Item]] = {}
+        self._start = monotonic()
+
+    def do(self, items: Sequence[Item]) -> None:
+        """Do all items; see :func:`run_batch`."""
+        self._waiting.extend(items)
+        count = done = problems = 0
+        lost_since: float | None = None
+        self._start, count = monotonic(), len(items)
+        try:
+            while self._waiting or self._suspects or self._out:
+                self._hand_out(done)
+                ended, _ = wait(self._out, timeout=_LOOK_S, return_when=FIRST_COMPLETED)
+                alone = len(self._out) == 1
+                back = [one for future in ended for one in self._collected(future, alone)]
+                if back:
+                    self._journal.append(back)
+                    done += len(back)
+                    problems += sum(bool(one.problem) for one in back)
+                report(self._progress, done / count, self._words(done, count, problems))
+                lost_since = None if self._workers.reached() else lost_since or monotonic()
+                if lost_since is not None and monotonic() - lost_since > _LOST_S:
+                    raise self._lost()
+        finally:
+            for future in self._out:
+                future.cancel()
+
+    def _hand_out(self, done: int) -> None:
+        if self._suspects:
+            # Alone, so that no other group is blamed for the end of its worker.
+            if not self._out:
+                self._submit(self._suspects.popleft())
+            return
+        size = self._group or self._size(done)
+        while len(self._out) < _AHEAD * self._workers.width and self._waiting:
+            self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
+
+    def _submit(self, group: list[Item]) -> None:
+        try:
+            future = self._workers.executor.submit(
+                do_items, self._step, group, str(self._folder), __version__
+            )
+        except RuntimeError as error:  # the executor is shut down or broken
+            raise self._lost() from error
+        self._out[future] = group
+
+    def _size(self, done: int) -> int:
+        """Return how many items take a worker about two seconds, by those that are done; at first a few."""
+        if done == 0:
+            return 1
+        each = (monotonic() - self._start) * self._workers.width / done
+        return max(1, min(MOST_IN_A_GROUP, round(_GROUP_S / max(each, 1e-6))))
+
+    def _collected(self, future: Future[list[Finished]], alone: bool) -> list[Finished]:
+        """Return what a group came to. One whose workers died is divided, until the item that did it is alone."""
+        group = self._out.pop(future)
+        try:
+            return future.result()
+        except CancelledError as error:
+            raise self._lost() from error
+        except SuiteError:
+            raise
+        except Exception as error:  # noqa: BLE001 - of the executor: its worker died, again and again
+            if len(group) > 1 or not alone:
+                middle = (len(group) + 1) // 2
+                self._suspects.extend(half for half in (group[:middle], group[middle:]) if half)
+                return []
+            item, reason = group[0], f"the process that worked on it ended ({type(error).__name__})"
+            return [Finished(item.key, item.label, item.source, {}, problem=reason)]
+
+    def _lost(self) -> SuiteError:
+        return SuiteError(
+            "The workers are lost; what they finished is kept, and the same batch goes on where it was."
+        )
+
+    def _words(self, done: int, count: int, problems: int) -> str:
+        rate = done / max(monotonic() - self._start, 1e-6)
+        words = f"{self._step.name}: {done:,} of {count:,}"
+        if done:
+            words += f", {rate:.3g} a second, {_duration((count - done) / rate)} left"
+        return words + (f", {problems:,} with a problem" if problems else "")
+
+
+def _duration(seconds: float) -> str:
+    """Return a time in the largest unit that fits.
+
+    >>> _duration(12.3), _duration(600.0), _duration(9000.0)
+    ('12 s', '10 min', '2.5 h')
+    """
+    if seconds < 100.0:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60.0:.0f} min" if seconds < 6000.0 else f"{seconds / 3600.0:.1f} h"

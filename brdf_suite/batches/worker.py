@@ -1,0 +1,78 @@
+"""What a worker does: some items, one after the other, in one thread of its process.
+
+OpenGL contexts and Mitsuba belong to the thread that made them, and a worker of a cluster may have several: the items
+of a process are done in a thread of their own, in which the step stays open for the next items.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+from socket import gethostname
+
+from brdf_suite.batches.items import Item
+from brdf_suite.batches.journal import JOURNAL, Finished
+from brdf_suite.batches.steps import Step, Work, fingerprint
+from brdf_suite.errors import SuiteError
+from brdf_suite.release import __version__
+
+
+@dataclass
+class _Open:
+    """The step that this process has open."""
+
+    step: str
+    work: Work
+    stack: ExitStack
+
+
+_thread = ThreadPoolExecutor(1, "batch")
+_open: list[_Open] = []
+"""One at most; only ``_thread`` changes it."""
+
+
+def do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> list[Finished]:
+    """Do items and return what came of each; a problem with one stands in its place.
+
+    Raises
+    ------
+    SuiteError
+        The worker has another release, does not see the folder of the results, or cannot do the step at all.
+    """
+    return _thread.submit(_do_items, step, items, folder, release).result()
+
+
+def _do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> list[Finished]:
+    if release != __version__:
+        raise SuiteError(
+            f"The worker on {gethostname()} has BRDF Suite {__version__}, the batch is of {release}; install the same."
+        )
+    if not (Path(folder) / JOURNAL).is_file():
+        raise SuiteError(
+            f"The worker on {gethostname()} does not see {folder}; results go to a folder that all workers share."
+        )
+    work = _opened(step)
+    return [_finished(work, item, Path(folder)) for item in items]
+
+
+def _opened(step: Step) -> Work:
+    wanted = fingerprint(step)
+    if _open and _open[0].step != wanted:
+        _open.pop().stack.close()
+    if not _open:
+        stack = ExitStack()
+        _open.append(_Open(wanted, stack.enter_context(step.open()), stack))
+    return _open[0].work
+
+
+def _finished(work: Work, item: Item, folder: Path) -> Finished:
+    try:
+        done = work(item, folder)
+    except SuiteError as error:
+        return Finished(item.key, item.label, item.source, {}, problem=str(error))
+    except Exception as error:  # noqa: BLE001 - one bad item must not end a batch of a million
+        return Finished(item.key, item.label, item.source, {}, problem=f"{type(error).__name__}: {error}")
+    return Finished(item.key, item.label, item.source, done.row, done.files, done.notices)

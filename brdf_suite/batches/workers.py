@@ -1,0 +1,179 @@
+"""Workers of a batch: processes of this machine, or those of a cluster, behind one executor.
+
+Dask brings them (extra ``batches``); anything with the interface of ``concurrent.futures.Executor`` does, too.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from brdf_suite.errors import SuiteError
+from brdf_suite.extras import import_extra
+from brdf_suite.processes import safe_path_inherited
+
+_ONE_THREAD = dict.fromkeys(
+    (
+        "LP_NUM_THREADS",
+        "MKL_NUM_THREADS",
+        "NUMBA_NUM_THREADS",
+        "OMP_NUM_THREADS",
+        "OPENBLAS_NUM_THREADS",
+        "PYTHONSAFEPATH",
+    ),
+    "1",
+)
+"""One worker is one thread, also of Mesa's software renderer; and no Python file of the working folder is imported."""
+_PURPOSE = "a batch"
+_ANSWER_S = 20.0
+_WORKERS_S = 600.0
+JOB_SYSTEMS = ("htcondor", "local", "lsf", "moab", "oar", "pbs", "sge", "slurm")
+
+
+@dataclass(frozen=True)
+class Workers:
+    """An executor, how many items it works on at once, and whether it can still be reached."""
+
+    executor: Executor
+    width: int
+    reached: Callable[[], bool] = lambda: True
+
+
+@contextmanager
+def local_workers(count: int | None = None, memory: str | None = None) -> Iterator[Workers]:
+    """Start worker processes on this machine: ``count`` of them (default: one a core), each with one thread.
+
+    ``memory`` is the most that one may take, as in ``2GB``; default: its share of this machine's. A worker that takes
+    more, or dies, is replaced, and its items go to another.
+
+    Raises
+    ------
+    SuiteError
+        Dask is not installed, or there is no such amount of memory.
+    """
+    distributed, dask = _dask()
+    count = count or len(
+        os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(os.cpu_count() or 1)
+    )
+    try:
+        limit = dask.utils.parse_bytes(memory) if memory is not None else "auto"
+    except ValueError as error:
+        raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
+    with (
+        safe_path_inherited(),
+        _quiet(distributed),
+        dask.config.set(_settings()),
+        distributed.LocalCluster(
+            n_workers=count,
+            threads_per_worker=1,
+            processes=True,
+            memory_limit=limit,
+            dashboard_address=None,
+            silence_logs=logging.CRITICAL,
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield _workers_of(client, count)
+
+
+@contextmanager
+def scheduler_workers(address: str) -> Iterator[Workers]:
+    """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
+    distributed, dask = _dask()
+    with dask.config.set(_settings()), _quiet(distributed):
+        try:
+            client = distributed.Client(address, timeout=_ANSWER_S, set_as_default=False)
+        except (OSError, ValueError, TimeoutError) as error:
+            raise SuiteError(f"No scheduler answers at {address}: {error}") from error
+        with client:
+            yield _workers_of(client, _wait_for_workers(client, address))
+
+
+@contextmanager
+def job_workers(system: str, count: int) -> Iterator[Workers]:
+    """Ask a job system for workers, by ``dask-jobqueue`` and its own configuration file, and give them back after.
+
+    Raises
+    ------
+    SuiteError
+        The package is not installed, or its configuration is not complete.
+    """
+    distributed, dask = _dask()
+    jobqueue = import_extra("dask_jobqueue", purpose="a batch on a job system")
+    kinds = {
+        "htcondor": jobqueue.HTCondorCluster,
+        "local": jobqueue.local.LocalCluster,
+        "lsf": jobqueue.LSFCluster,
+        "moab": jobqueue.MoabCluster,
+        "oar": jobqueue.OARCluster,
+        "pbs": jobqueue.PBSCluster,
+        "sge": jobqueue.SGECluster,
+        "slurm": jobqueue.SLURMCluster,
+    }
+    with dask.config.set(_settings()), _quiet(distributed):
+        try:
+            cluster = kinds[system](n_workers=count)
+        except (ValueError, OSError) as error:
+            raise SuiteError(f"{system}: {error}; see dask-jobqueue's configuration file.") from error
+        with cluster, distributed.Client(cluster, set_as_default=False) as client:
+            yield _workers_of(client, _wait_for_workers(client, system))
+
+
+@contextmanager
+def start_workers(
+    scheduler: str | None = None,
+    job_system: str | None = None,
+    count: int | None = None,
+    memory: str | None = None,
+) -> Iterator[Workers]:
+    """Use a running scheduler, else a job system, else this machine; errors as of these three."""
+    if scheduler is not None:
+        with scheduler_workers(scheduler) as found:
+            yield found
+    elif job_system is not None:
+        with job_workers(job_system, count or 1) as found:
+            yield found
+    else:
+        with local_workers(count, memory) as found:
+            yield found
+
+
+def _dask() -> tuple[Any, Any]:
+    distributed = import_extra("distributed", purpose=_PURPOSE)
+    return distributed, import_extra("dask", purpose=_PURPOSE)
+
+
+def _quiet(distributed: Any) -> AbstractContextManager[None]:
+    """Keep what Dask logs of lost connections, with a traceback each, off standard error; errors are raised besides."""
+    quiet: AbstractContextManager[None] = distributed.utils.silence_logging_cmgr(logging.CRITICAL)
+    return quiet
+
+
+def _settings() -> dict[str, object]:
+    return {
+        # Of a scheduler on this machine. A group that ends a worker twice is divided, until the item is found.
+        "distributed.scheduler.allowed-failures": 1,
+        "distributed.nanny.pre-spawn-environ": _ONE_THREAD,
+        # A worker beyond its memory is replaced; what it holds is small, and is not written to the disk before.
+        "distributed.worker.memory.target": False,
+        "distributed.worker.memory.spill": False,
+        "distributed.worker.memory.pause": False,
+    }
+
+
+def _wait_for_workers(client: Any, where: str) -> int:
+    """Return how many threads the workers have together, once the first of them is there."""
+    try:
+        client.wait_for_workers(1, timeout=_WORKERS_S)
+    except TimeoutError as error:
+        raise SuiteError(f"{where}: no worker is there after {_WORKERS_S:g} s.") from error
+    return sum(client.nthreads().values())
+
+
+def _workers_of(client: Any, width: int) -> Workers:
+    return Workers(client.get_executor(pure=False), width, lambda: client.status == "running")

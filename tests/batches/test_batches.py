@@ -1,0 +1,310 @@
+"""Batches in this process: items, the journal, results; a thread does the work."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import ClassVar
+
+import numpy as np
+import pyarrow.parquet
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from PIL import Image
+
+import brdf_suite as bs
+from brdf_suite.batches.items import Item, list_lights, list_paints, read_list
+from brdf_suite.batches.journal import JOURNAL, Finished, Journal
+from brdf_suite.batches.running import run_batch
+from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Outcome, Prefilter, Render, Work
+from brdf_suite.batches.workers import Workers
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
+from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions
+from brdf_suite.pipeline.scene import default_view
+from brdf_suite.progress import Progress
+
+Hire = Callable[[], AbstractContextManager[Workers]]
+
+
+@pytest.fixture
+def hire() -> Iterator[Hire]:
+    with ThreadPoolExecutor(1) as pool:
+        yield lambda: nullcontext(Workers(pool, 1))
+
+
+@pytest.fixture
+def paints(tmp_path: Path) -> Path:
+    folder = tmp_path / "paints"
+    (folder / "below").mkdir(parents=True)
+    bs.save(bs.load("blue", bs.Paint), folder / "blue.brdfpaint")
+    bs.save(bs.load("copper", bs.Paint), folder / "below" / "copper.brdfpaint")
+    entries = (
+        Entry(bs.load("fine_silver", bs.Paint), "7"),
+        Entry(FlatColour("Grey", "Gray", (0.25,)), "8"),
+    )
+    bs.save(Palette("Two", entries), folder / "two.brdfpalette")
+    return folder
+
+
+def rows_of(folder: Path) -> list[dict[str, str]]:
+    with (folder / "results.csv").open(encoding="utf-8", newline="") as file:
+        return [*csv.DictReader(file)]
+
+
+def test_items_are_the_paints_below_a_folder_and_each_counts_once(paints: Path) -> None:
+    items = list_paints([paints, paints / "blue.brdfpaint", "blue"])
+    assert [item.label for item in items] == [
+        "copper.brdfpaint",
+        "blue.brdfpaint",
+        "two.brdfpalette#7",
+        "two.brdfpalette#8",
+        "blue",
+    ]
+    assert len({item.key for item in items}) == 5
+    assert items == list_paints([paints, "blue"])  # the same in every run
+
+
+def test_a_paint_has_another_key_once_it_has_changed(paints: Path) -> None:
+    before = {item.label: item.key for item in list_paints([paints])}
+    paint = bs.load("blue", bs.Paint)
+    bs.save(replace(paint, notes="darker"), paints / "blue.brdfpaint")
+    after = {item.label: item.key for item in list_paints([paints])}
+    assert [label for label in before if before[label] != after[label]] == ["blue.brdfpaint"]
+
+
+def test_the_folder_of_the_results_is_no_source(paints: Path) -> None:
+    (paints / "out").mkdir()
+    bs.save(bs.load("red", bs.Paint), paints / "out" / "red.brdfpaint")
+    assert "red.brdfpaint" in {item.label for item in list_paints([paints])}
+    assert "red.brdfpaint" not in {item.label for item in list_paints([paints], paints / "out")}
+
+
+def test_a_list_names_files_from_its_own_folder_on(paints: Path) -> None:
+    lines = ["# autumn", "", "blue.brdfpaint", "  two.brdfpalette#7 ", "fine_silver"]
+    assert read_list(lines, paints) == [
+        str(paints / "blue.brdfpaint"),
+        str(paints / "two.brdfpalette#7"),
+        "fine_silver",
+    ]
+
+
+def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="holds no file"):
+        list_paints([tmp_path])
+
+
+def test_measuring_gives_what_the_library_reads(paints: Path, tmp_path: Path, hire: Hire) -> None:
+    out = tmp_path / "out"
+    done = run_batch(Measure("e2194"), list_paints([paints]), out, hire)
+    assert (done.items, done.done, done.problems) == (4, 4, {})
+    rows = rows_of(out)
+    read = bs.measure(paints / "blue.brdfpaint", geometry="e2194")
+    blue = next(row for row in rows if row["item"] == "blue.brdfpaint")
+    assert [float(blue[f"{axis}_45"]) for axis in "Lab"] == pytest.approx(read.readings[1].lab, abs=1e-4)
+    assert float(blue["G20"]) == pytest.approx(read.gloss[20], abs=1e-3)
+    table = pyarrow.parquet.read_table(out / "results.parquet")
+    assert table.num_rows == 4
+    assert table["L_45"].to_pylist() == [float(row["L_45"]) for row in rows]
+    names = [entry.name for entry in bs.load(out / "results.brdfpalette", bs.Palette).entries]
+    assert names == ["Copper", "Blue", "Fine silver", "Grey"]
+    page = (out / "summary.html").read_text(encoding="utf-8")
+    assert "Batch: measure" in page
+    assert "L_45" in page
+
+
+def test_a_fit_writes_the_weights(tmp_path: Path, hire: Hire) -> None:
+    run_batch(Fit(), list_paints(["blue"]), tmp_path / "out", hire)
+    row = pyarrow.parquet.read_table(tmp_path / "out" / "results.parquet").to_pylist()[0]
+    fitted = bs.fit("blue")
+    assert np.reshape(row["kg"], (-1, 3)) == pytest.approx(fitted.weights.kg)
+    assert row["worst_delta_e_2000"] == pytest.approx(fitted.worst_delta_e)
+
+
+def test_pictures_are_those_that_render_makes(tmp_path: Path, hire: Hire) -> None:
+    view = replace(default_view("overcast"), surface="sphere")
+    done = run_batch(Render(view, (48, 32)), list_paints(["blue", "red"]), tmp_path / "out", hire)
+    assert done.problems == {}
+    for row in rows_of(tmp_path / "out"):
+        made = np.asarray(Image.open(tmp_path / "out" / row["picture"]).convert("RGB"), int)
+        alone = bs.render(row["item"], size=(48, 32), view=view).pixels
+        assert np.abs(made - alone).max() <= 1
+    assert "<figure>" in (tmp_path / "out" / "summary.html").read_text(encoding="utf-8")
+
+
+def test_environments_are_filtered_into_the_cache(tmp_path: Path, hire: Hire) -> None:
+    light = tmp_path / "lights" / "even.exr"
+    light.parent.mkdir()
+    bs.save(bs.Environment("even", np.ones((64, 128, 3), np.float32)), light)
+    done = run_batch(Prefilter(), list_lights([light.parent]), tmp_path / "out", hire)
+    assert done.problems == {}
+    assert [(row["columns"], row["rows"]) for row in rows_of(tmp_path / "out")] == [("128", "64")]
+
+
+def test_factors_are_paints(tmp_path: Path, hire: Hire) -> None:
+    step = Factorize(FactoringOptions(resolution=8, pairs=2000))
+    run_batch(step, list_paints(["blue"]), tmp_path / "out", hire)
+    row = rows_of(tmp_path / "out")[0]
+    assert bs.load(tmp_path / "out" / row["paint"]).name == "Blue"
+
+
+def test_an_export_is_a_file_each(paints: Path, tmp_path: Path, hire: Hire) -> None:
+    run_batch(Export("json"), list_paints([paints]), tmp_path / "out", hire)
+    files = [tmp_path / "out" / row["file"] for row in rows_of(tmp_path / "out")]
+    assert [json.loads(file.read_text(encoding="utf-8"))["format"] for file in files]
+    assert len({*files}) == 4
+
+
+def test_a_bad_item_is_reported_and_the_rest_done(paints: Path, tmp_path: Path, hire: Hire) -> None:
+    (paints / "bad.brdfpaint").write_text('{"format": "brdfpaint", "version": 99', encoding="utf-8")
+    (paints / "torn.ase").write_bytes(b"ASEF\x00\x01\x00\x00\x00\x00\x00\x09")
+    done = run_batch(Measure(), list_paints([paints, "no such paint"]), tmp_path / "out", hire)
+    assert {*done.problems} == {"bad.brdfpaint", "torn.ase", "no such paint"}
+    assert "bad.brdfpaint" in done.problems["bad.brdfpaint"]
+    assert [row["item"] for row in rows_of(tmp_path / "out") if not row["problem"]] == [
+        "copper.brdfpaint",
+        "blue.brdfpaint",
+        "two.brdfpalette#7",
+        "two.brdfpalette#8",
+    ]
+
+
+def test_formulas_in_names_stay_text_in_the_table(tmp_path: Path, hire: Hire) -> None:
+    paint = replace(bs.load("blue", bs.Paint), name='=HYPERLINK("x")<img src=y>')
+    bs.save(paint, tmp_path / "a.brdfpaint")
+    run_batch(Measure(), list_paints([tmp_path / "a.brdfpaint"]), tmp_path / "out", hire)
+    assert rows_of(tmp_path / "out")[0]["name"].startswith("'=")
+    view = replace(default_view("overcast"), surface="sphere")
+    run_batch(Render(view, (16, 16)), list_paints([tmp_path / "a.brdfpaint"]), tmp_path / "drawn", hire)
+    assert "<img src=y>" not in (tmp_path / "drawn" / "summary.html").read_text(encoding="utf-8")
+
+
+def test_a_cancelled_batch_goes_on_where_it_was(tmp_path: Path, hire: Hire) -> None:
+    names = ["blue", "red", "copper", "fine_silver"]
+    whole, parts = tmp_path / "whole", tmp_path / "parts"
+    run_batch(Measure(), list_paints(names), whole, hire)
+
+    def stop(_share: float, words: str) -> None:
+        if words.startswith("measure: 2"):
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        run_batch(Measure(), list_paints(names), parts, hire, group=1, progress=stop)
+    done = run_batch(Measure(), list_paints(names), parts, hire)
+    assert (done.done_before, done.done) == (2, 2)
+    assert (parts / "results.csv").read_bytes() == (whole / "results.csv").read_bytes()
+
+
+def test_what_is_done_needs_no_workers(tmp_path: Path, hire: Hire) -> None:
+    run_batch(Measure(), list_paints(["blue"]), tmp_path, hire)
+
+    def never() -> AbstractContextManager[Workers]:
+        raise AssertionError("workers were started")
+
+    assert run_batch(Measure(), list_paints(["blue"]), tmp_path, never).done_before == 1
+
+
+def test_other_options_are_another_batch(tmp_path: Path, hire: Hire) -> None:
+    run_batch(Measure("six"), list_paints(["blue"]), tmp_path, hire)
+    done = run_batch(Measure("e2194"), list_paints(["blue"]), tmp_path, hire)
+    assert done.done_before == 0
+    assert "L_25" not in rows_of(tmp_path)[0]
+
+
+def test_an_item_whose_picture_is_gone_is_done_again(tmp_path: Path, hire: Hire) -> None:
+    step = Render(replace(default_view("overcast"), surface="sphere"), (16, 16))
+    run_batch(step, list_paints(["blue"]), tmp_path, hire)
+    picture = tmp_path / rows_of(tmp_path)[0]["picture"]
+    picture.unlink()
+    assert run_batch(step, list_paints(["blue"]), tmp_path, hire).done == 1
+    assert picture.is_file()
+
+
+def test_one_batch_in_a_folder_at_a_time(tmp_path: Path, hire: Hire) -> None:
+    def second(_share: float, _words: str) -> None:
+        with pytest.raises(FileError, match="another batch"):
+            run_batch(Measure(), list_paints(["red"]), tmp_path, hire)
+
+    run_batch(Measure(), list_paints(["blue"]), tmp_path, hire, progress=second)
+
+
+def test_a_batch_that_cannot_begin_says_why(tmp_path: Path, hire: Hire) -> None:
+    with pytest.raises(SuiteError, match="geometr"):
+        run_batch(Measure("nonsense"), list_paints(["blue"]), tmp_path, hire)
+    with pytest.raises(SuiteError, match="There is no format"):
+        run_batch(Export("nonsense"), list_paints(["blue"]), tmp_path, hire)
+    with pytest.raises(ValueRangeError, match="group"):
+        run_batch(Measure(), list_paints(["blue"]), tmp_path, hire, group=0)
+    (tmp_path / "file").write_bytes(b"")
+    with pytest.raises(FileError):
+        run_batch(Measure(), list_paints(["blue"]), tmp_path / "file", hire)
+
+
+class Broken(Executor):
+    """As a pool of processes whose workers have died."""
+
+    def submit(self, *_: object, **__: object) -> object:  # type: ignore[override]
+        raise RuntimeError("the pool is broken")
+
+
+def test_lost_workers_are_reported_and_nothing_is_lost(tmp_path: Path, hire: Hire) -> None:
+    run_batch(Measure(), list_paints(["blue"]), tmp_path, hire)
+    lost = Workers(Broken(), 1)
+    with pytest.raises(SuiteError, match="goes on where it was"):
+        run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, lambda: nullcontext(lost))
+    assert run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, hire).done_before == 1
+
+
+@dataclass(frozen=True)
+class Odd:
+    """Fails as no step of ours should."""
+
+    name: ClassVar[str] = "odd"
+
+    def prepare(self, _progress: Progress | None) -> None:
+        """There is nothing to prepare."""
+
+    def open(self) -> AbstractContextManager[Work]:
+        def work(item: Item, _folder: Path) -> Outcome:
+            if item.label == "red":
+                raise ZeroDivisionError("by nothing")
+            return Outcome({"name": item.label})
+
+        return nullcontext(work)
+
+
+def test_an_error_of_the_program_is_one_items_problem(tmp_path: Path, hire: Hire) -> None:
+    done = run_batch(Odd(), list_paints(["blue", "red"]), tmp_path, hire)
+    assert done.problems == {"red": "ZeroDivisionError: by nothing"}
+
+
+_DONE = [
+    Finished(f"{index:064x}", f"item {index}", "", {"value": index / 3, "name": "ä=,\n"})
+    for index in range(5)
+]
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(cut=st.integers(0, 2000), damage=st.binary(max_size=3))
+def test_a_journal_that_was_cut_off_anywhere_gives_whole_items(
+    tmp_path: Path, cut: int, damage: bytes
+) -> None:
+    path = tmp_path / JOURNAL
+    path.unlink(missing_ok=True)
+    Journal(tmp_path, "step").append(_DONE)
+    content = path.read_bytes()
+    path.write_bytes(content[:cut] + damage.replace(b"\n", b""))
+    again = Journal(tmp_path, "step")
+    whole = content[:cut].count(b"\n")
+    kept = [*again.finished.values()]
+    assert kept == _DONE[: len(kept)]
+    assert len(kept) >= whole - 1
+    again.append(_DONE)
+    assert [*Journal(tmp_path, "step").finished.values()] == _DONE
