@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from brdf_suite.cli.main import main
+from brdf_suite.processes import MODULE_OPTION
 
 PROGRAMS = {
     "brdf-designer": "designer",
@@ -18,5 +19,6 @@ PROGRAMS = {
 if __name__ == "__main__":
     multiprocessing.freeze_support()
     # A link to the executable, called as a program is, opens that program.
-    program = PROGRAMS.get(Path(sys.argv[0]).stem)
+    is_child = sys.argv[1:2] == [MODULE_OPTION]
+    program = None if is_child else PROGRAMS.get(Path(sys.argv[0]).stem)
     sys.exit(main(sys.argv[1:] if program is None else [program, *sys.argv[1:]]))
