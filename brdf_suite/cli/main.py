@@ -30,6 +30,7 @@ COMMANDS = {
         "picture.sheet",
         "render the paints of a palette or a folder to one PNG or PDF, with their figures",
     ),
+    "thumbnail": ("picture.thumbnail", "draw the small picture of a document, for file managers"),
     "measure": (
         "measured.measure",
         "measure paints and measured files: colour per angle, gloss, haze, flop, travel",

@@ -27,13 +27,15 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QFont, QGuiApplication, QSurfaceFormat
+from PySide6.QtGui import QFont, QGuiApplication, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
 from brdf_qt.program.settings import ORGANISATION, state_folder
+from brdf_qt.program.suite import MEMBERS
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import Cancelled
+from brdf_suite.resources import resource
 from brdf_suite.screen import screen_missing
 
 log = logging.getLogger("brdf_qt")
@@ -87,6 +89,9 @@ def create_application(
     app.setOrganizationName(ORGANISATION)
     app.setApplicationName(name)
     app.setApplicationDisplayName(f"BRDF Suite {name}")
+    command = next((one.command for one in MEMBERS.values() if one.name == name), "brdf-suite")
+    app.setDesktopFileName(command)
+    app.setWindowIcon(QIcon(str(resource("icons/suite", f"{command}.png"))))
     app.setStyle("Fusion")
     font = app.font()
     font.setFeature(QFont.Tag("tnum"), 1)  # digits of equal width: a number does not jump while it changes

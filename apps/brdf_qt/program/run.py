@@ -12,8 +12,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
+from brdf_qt.link.open_files import OpenFiles, hand_over
 from brdf_qt.program.application import create_application, process_age_s
 from brdf_qt.program.program import Program
+from brdf_qt.program.suite import MEMBERS
 from brdf_qt.program.theme import THEMES
 from brdf_qt.program.translation import languages
 from brdf_qt.start.launch import Launch
@@ -76,6 +78,14 @@ def program_parser(command: str, description: str, times: str, epilog: str | Non
         help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
         f"window, and {times}",
     )
+    window.add_argument(
+        "--open",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="FILE",
+        help="open these files in the window that is there already, or else in a new one: for file managers",
+    )
     parser.add_argument(
         "--start-page",
         action=argparse.BooleanOptionalAction,
@@ -116,9 +126,13 @@ def run_program(
     options = parser.parse_args(argv)
     set_loudness(options)
     app = create_application(name, theme_name=options.theme, language=options.language)
+    role = next(role for role, member in MEMBERS.items() if member.name == name)
+    if options.open and hand_over(role, options.open):
+        return 0
     run_actions = actions(options)
     launch = None
-    if loads and (options.start_page or _begins_with_page(options, is_asked(options), run_actions)):
+    asked = bool(options.open) or is_asked(options)
+    if loads and (options.start_page or _begins_with_page(options, asked, run_actions)):
         launch = Launch(app, name)
     try:
         program = make(options) if launch is None else launch.load(loads, partial(make, options))
@@ -138,6 +152,9 @@ def run_program(
     app.aboutToQuit.connect(places.close)
     program.start_when_painted()
     run = _Run(app, program, options, parser.prog, run_actions)
+    open_files = OpenFiles(role, program.window)
+    open_files.requested.connect(program.window.files_dropped)
+    app.aboutToQuit.connect(open_files.close)
     if launch is None:
         program.window.show()
     else:
@@ -188,6 +205,8 @@ class _Run(QObject):
             self._complete()
 
     def _complete(self) -> None:
+        if self._options.open:
+            self._program.window.files_dropped.emit([file.absolute() for file in self._options.open])
         if self._options.screenshot is not None:
             self._when_idle(self._finish)
             return
