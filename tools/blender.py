@@ -1,9 +1,18 @@
-"""Render a glTF or USD file in Blender's Cycles: ``tools/blender.py MODEL LIGHT.exr OUTPUT.exr [--size 128]``.
+"""Work with exported paints in Blender, without a window.
 
-The light is a latitude-longitude map, laid out as the suite's; the camera looks along -z (y up) at the origin, from
-``--distance`` metres, and sees ``--width`` metres there. The picture is linear Rec. 709 with alpha. Blender is the
-package ``bpy`` (374 MB), installed by uv into an environment that is deleted afterwards; ``--environment FOLDER`` uses,
-or makes and keeps, one there. It needs the Python version that the package is built for, 3.11 for Blender 5.0.
+    tools/blender.py render MODEL LIGHT.exr OUTPUT.exr [--size 128]
+    tools/blender.py library OUTPUT.blend MODEL.gltf...
+
+``render`` renders a glTF, USD or ``.blend`` file in Cycles. The light is a latitude-longitude map, laid out as the
+suite's; the camera looks along -z (y up) at the origin, from ``--distance`` metres, and sees ``--width`` metres there. A
+``.blend`` file is a library: ``--material`` names the one that a sphere is rendered in. The picture is linear Rec. 709
+with alpha.
+
+``library`` writes the materials of glTF files as assets, for Blender's Asset Browser.
+
+Blender is the package ``bpy`` (374 MB), installed by uv into an environment that is deleted afterwards; ``--environment
+FOLDER`` uses, or makes and keeps, one there. It needs the Python version that the package is built for, 3.11 for
+Blender 5.0.
 """
 
 from __future__ import annotations
@@ -16,19 +25,29 @@ import tempfile
 from pathlib import Path
 
 PACKAGE = "bpy==5.0.*"
+RADIUS_M = 0.1
+PREVIEW = 128
 
 
 def main() -> int:
-    """Render here where this is Blender's Python, else in an environment that has it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("model", type=Path)
-    parser.add_argument("light", type=Path)
-    parser.add_argument("output", type=Path)
-    parser.add_argument("--size", type=int, default=128)
-    parser.add_argument("--samples", type=int, default=512)
-    parser.add_argument("--distance", type=float, default=2.0)
-    parser.add_argument("--width", type=float, default=0.22)
+    """Run here where this is Blender's Python, else in an environment that has it."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--environment", type=Path, default=None, metavar="FOLDER")
+    commands = parser.add_subparsers(dest="command", required=True)
+    one = commands.add_parser("render")
+    one.add_argument("model", type=Path)
+    one.add_argument("light", type=Path)
+    one.add_argument("output", type=Path)
+    one.add_argument("--size", type=int, default=128)
+    one.add_argument("--samples", type=int, default=512)
+    one.add_argument("--distance", type=float, default=2.0)
+    one.add_argument("--width", type=float, default=0.22)
+    one.add_argument("--material", default=None, metavar="NAME")
+    many = commands.add_parser("library")
+    many.add_argument("output", type=Path)
+    many.add_argument("models", type=Path, nargs="+", metavar="MODEL")
     options = parser.parse_args()
     try:
         import bpy  # noqa: F401  # only to know where this runs
@@ -37,7 +56,10 @@ def main() -> int:
             return elsewhere(options.environment)
         with tempfile.TemporaryDirectory(prefix="blender-") as folder:
             return elsewhere(Path(folder) / "environment")
-    render(options)
+    if options.command == "render":
+        render(options)
+    else:
+        library(options.output, options.models)
     return 0
 
 
@@ -51,6 +73,42 @@ def elsewhere(folder: Path) -> int:
     return subprocess.run([str(python), __file__, *sys.argv[1:]], check=False).returncode
 
 
+def library(output: Path, models: list[Path]) -> None:
+    """Write the materials of glTF files as assets into a ``.blend`` file, with previews."""
+    import bpy
+
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    for model in models:
+        bpy.ops.import_scene.gltf(filepath=str(model.resolve()))
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    for material in bpy.data.materials:
+        material.asset_mark()
+        material.asset_data.author = "BRDF Suite"
+    bpy.ops.wm.save_as_mainfile(filepath=str(output.resolve()), compress=True)
+    print(f"{output}: {len(bpy.data.materials)} materials")
+
+
+def load(model: Path, material: str | None) -> None:
+    """Load what is rendered: a file's objects, or a sphere in a library's material."""
+    import bpy
+
+    path = str(model.resolve())
+    if model.suffix == ".blend":
+        with bpy.data.libraries.load(path, assets_only=True) as (_, wanted):
+            wanted.materials = [material]
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=256, ring_count=128, radius=RADIUS_M)
+        bpy.context.object.data.materials.append(bpy.data.materials[material])
+    elif model.suffix in (".usda", ".usd"):
+        bpy.ops.wm.usd_import(filepath=path)
+    else:
+        bpy.ops.import_scene.gltf(filepath=path)
+    for thing in bpy.context.scene.objects:
+        if thing.type == "MESH":
+            for face in thing.data.polygons:
+                face.use_smooth = True
+
+
 def render(options: argparse.Namespace) -> None:
     """Render with ``bpy``; Blender's axes have z up: its (x, y, z) is our (x, -z, y)."""
     import bpy
@@ -58,19 +116,10 @@ def render(options: argparse.Namespace) -> None:
 
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
-    path = str(options.model.resolve())
-    if options.model.suffix in (".usda", ".usd"):
-        bpy.ops.wm.usd_import(filepath=path)
-    else:
-        bpy.ops.import_scene.gltf(filepath=path)
-    for thing in scene.objects:
-        if thing.type == "MESH":
-            for face in thing.data.polygons:
-                face.use_smooth = True
+    load(options.model, options.material)
 
     world = bpy.data.worlds.new("light")
     scene.world = world
-    world.use_nodes = True
     nodes, links = world.node_tree.nodes, world.node_tree.links
     image = bpy.data.images.load(str(options.light.resolve()))
     image.colorspace_settings.name = "Non-Color"

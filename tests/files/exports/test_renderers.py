@@ -63,7 +63,8 @@ def test_a_solid_paint_has_no_lobe_and_a_metallic_one_has() -> None:
     for kind in ("gltf", "openpbr"):
         assert not fit_coated_facets(solid, kind).model.has_lobe
         assert fit_coated_facets(metallic, kind).model.has_lobe
-    assert fit_coated_facets(solid, "usd").model.metalness == 0.0
+    assert not fit_coated_facets(solid, "usd").model.metal
+    assert fit_coated_facets(metallic, "usd").model.metal
 
 
 def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
