@@ -130,13 +130,17 @@ def in_blender(model: Path, studio: Studio) -> Floats:
     kept = [] if studio.blender is None else ["--environment", str(studio.blender)]
     numbers = ["--size", str(SIZE), "--samples", str(studio.samples)]
     command = [sys.executable, str(ROOT / "tools" / "blender.py"), *kept, "render", str(model)]
-    subprocess.run([*command, str(studio.light_file), str(output), *numbers], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(
+        [*command, str(studio.light_file), str(output), *numbers], check=True, stdout=subprocess.DEVNULL
+    )
     return read(output)
 
 
 def gltf_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Return the picture (h, w, 4) of the glTF and the loss that is reported of it; so do the others below."""
-    return in_blender(export(item, "gltf", studio), studio), fit_coated_facets(item.modelled, "gltf").on_sphere
+    return in_blender(export(item, "gltf", studio), studio), fit_coated_facets(
+        item.modelled, "gltf"
+    ).on_sphere
 
 
 def usd_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
@@ -239,21 +243,12 @@ def carpaint_in_luxcore(item: ExportItem, studio: Studio) -> tuple[Floats, float
     return np.asarray(np.load(output), float), fit_carpaint(item.modelled).on_sphere
 
 
-@dataclass(frozen=True)
-class Client:
-    """A format in a program that renders it."""
-
-    format: str
-    program: str
-    render: Callable[[ExportItem, Studio], tuple[Floats, float]]
-
-
-CLIENTS: Mapping[str, Client] = {
-    "blender": Client("glTF", "Blender", gltf_in_blender),
-    "luxcore": Client("LuxCore", "LuxCore", carpaint_in_luxcore),
-    "openpbr": Client("OpenPBR", "MaterialX", openpbr_in_materialx),
-    "usd": Client("USD", "Blender", usd_in_blender),
-    "rgl": Client("RGL", "Mitsuba", table_in_mitsuba),
+CLIENTS: Mapping[str, Callable[[ExportItem, Studio], tuple[Floats, float]]] = {
+    "blender": gltf_in_blender,
+    "luxcore": carpaint_in_luxcore,
+    "usd": usd_in_blender,
+    "openpbr": openpbr_in_materialx,
+    "rgl": table_in_mitsuba,
 }
 
 
@@ -296,13 +291,14 @@ def tile(shown: Floats, coverage: Floats, text: str) -> Image.Image:
 def sheet(rows: list[list[Image.Image]], titles: list[str]) -> Image.Image:
     """Return rows of pictures of one size, under titles of their columns."""
     width, height = rows[0][0].size
-    top = CAPTION + GAP
+    top = 2 * CAPTION + GAP
     whole = Image.new(
         "RGB", (len(rows[0]) * (width + GAP) - GAP, top + len(rows) * (height + GAP) - GAP), "white"
     )
+    draw = ImageDraw.Draw(whole)
     for x, title in enumerate(titles):
-        draw = ImageDraw.Draw(whole)
-        draw.text((x * (width + GAP) + 2, 3), title, fill="black", font=ImageFont.load_default(12))
+        lines = title.replace(" in ", "\nin ")
+        draw.text((x * (width + GAP) + 2, 3), lines, fill="black", font=ImageFont.load_default(12))
     for y, row in enumerate(rows):
         for x, picture in enumerate(row):
             whole.paste(picture, (x * (width + GAP), top + y * (height + GAP)))
@@ -335,7 +331,7 @@ def main() -> int:
             figures = kept.setdefault(name, {})
             tiles = []
             for client in clients:
-                picture, reported = CLIENTS[client].render(item, studio)
+                picture, reported = CLIENTS[client](item, studio)
                 seen, first, other = difference(truth, picture)
                 figures[client] = {"reported": round(reported, 3), "seen": round(seen, 3)}
                 print(f"{name}, {client}: reported {reported:.2f}, seen {seen:.2f}", flush=True)
@@ -344,10 +340,11 @@ def main() -> int:
                 tiles.append(tile(other, truth[..., 3], f"\N{GREEK CAPITAL LETTER DELTA}E00 {seen:.1f}"))
             rows[name] = tiles
             FIGURES.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    documents = load_module(ROOT / "packaging" / "documents" / "insert_figures.py")
     if set(PICTURED) <= set(rows) and clients == list(CLIENTS):
-        titles = ["path-traced", *(f"{one.format}, {one.program}" for one in CLIENTS.values())]
+        titles = ["path-traced", *(documents.EXCHANGE_CLIENTS[client] for client in clients)]
         sheet([rows[name] for name in PICTURED], titles).save(PICTURE, optimize=True)
-    load_module(ROOT / "packaging" / "documents" / "insert_figures.py").insert_into_documents(ROOT)
+    documents.insert_into_documents(ROOT)
     return 0
 
 

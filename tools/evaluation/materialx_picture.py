@@ -30,17 +30,17 @@ class GeneratedShader:
 
 
 def generate_shader(path: Path, *, environment: bool) -> GeneratedShader:
-    """Return the shader of the only material of a ``.mtlx`` file, with light of an environment or of a directional lamp.
+    """Return the shader of the only material of a ``.mtlx`` file, in an environment or under a directional lamp.
 
     ``ImportError`` where MaterialX is missing.
     """
-    import MaterialX as mx
+    import MaterialX
     from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
 
-    library, document = mx.createDocument(), mx.createDocument()
-    folders = mx.getDefaultDataSearchPath()
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), folders, library)
-    mx.readFromXmlFile(document, str(path))
+    library, document = MaterialX.createDocument(), MaterialX.createDocument()
+    folders = MaterialX.getDefaultDataSearchPath()
+    MaterialX.loadLibraries(MaterialX.getDefaultDataLibraryFolders(), folders, library)
+    MaterialX.readFromXmlFile(document, str(path))
     document.importLibrary(library)
     generator = PyMaterialXGenGlsl.GlslShaderGenerator.create()
     colours = PyMaterialXGenShader.DefaultColorManagementSystem.create(generator.getTarget())
@@ -123,7 +123,9 @@ def draw_sphere(
                 program[name].value = place
         vertices = context.buffer(_sphere(radius).astype(np.float32).tobytes())
         inputs = [name for name in ("i_position", "i_normal", "i_tangent") if name in program]
-        layout = " ".join("3f" if f"i_{name}" in inputs else "3x4" for name in ("position", "normal", "tangent"))
+        layout = " ".join(
+            "3f" if f"i_{name}" in inputs else "3x4" for name in ("position", "normal", "tangent")
+        )
         mesh = context.vertex_array(program, [(vertices, layout, *inputs)])
         whole = (size, size)
         target = context.framebuffer(

@@ -11,7 +11,9 @@ RADIUS_M = 0.1
 
 def unit_sphere(
     rings: int, sectors: int
-) -> tuple[np.ndarray[tuple[int, int], np.dtype[np.float32]], np.ndarray[tuple[int, int], np.dtype[np.uint16]]]:
+) -> tuple[
+    np.ndarray[tuple[int, int], np.dtype[np.float32]], np.ndarray[tuple[int, int], np.dtype[np.uint16]]
+]:
     """Return unit vectors (n, 3), which are places and normals, and triangles (k, 3) facing outwards; y is up."""
     theta, phi = np.meshgrid(
         np.linspace(0.0, np.pi, rings + 1), np.linspace(0.0, 2.0 * np.pi, sectors + 1), indexing="ij"

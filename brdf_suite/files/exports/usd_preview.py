@@ -1,10 +1,11 @@
 """USD (``.usda``): paints as materials of ``UsdPreviewSurface``, which every program that reads USD knows.
 
-One colour, of a metal or of a matt layer, and one roughness, under a clearcoat of index ``ior``. ``metallic`` is 0 or 1:
-between these, programs differ (a blue metallic of 0.7 was 11 ΔE00 off in Blender where 3 were fitted). The specular workflow, which has two colours, is left out by many programs. The surface is fitted as MaterialX evaluates
-it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide; the axis up
-is y, and a unit is a metre. Colours are linear Rec. 709. The spheres are meshes, all of one class, since Blender gives
-``Sphere`` prims no material.
+One colour, of a metal or of a matt layer, and one roughness, under a clearcoat of index ``ior``. ``metallic`` is 0 or
+1, since programs differ between these: a blue of ``metallic`` 0.7, fitted to ΔE00 3.0 in MaterialX, was 11 off in
+Blender. The specular workflow, which has two colours, is left out by many programs. The surface is fitted as MaterialX
+evaluates it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide;
+the axis up is y, and a unit is a metre. The spheres are meshes, all of one class, since Blender gives ``Sphere`` prims
+no material. Colours are linear Rec. 709.
 """
 
 from __future__ import annotations

@@ -20,9 +20,11 @@ from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.realtime.gl.context import create_context, release_context
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.instruments.rendered_sphere import sphere_difference
 from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
+from tools.evaluation.materialx_picture import generate_shader
 
 LABS = {15.0: (86.1, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
 PAINT = Paint(
@@ -141,33 +143,8 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Pa
 
 def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Directions (n, 3) to light and view, and the light (n, 3) that MaterialX's shader of the file reflects."""
-    mx = pytest.importorskip("MaterialX")
-    from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
-
-    from brdf_suite.realtime.gl.context import create_context, release_context
-
-    library, document = mx.createDocument(), mx.createDocument()
-    folders = mx.getDefaultDataSearchPath()
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), folders, library)
-    mx.readFromXmlFile(document, str(path))
-    document.importLibrary(library)
-    generator = PyMaterialXGenGlsl.GlslShaderGenerator.create()
-    colours = PyMaterialXGenShader.DefaultColorManagementSystem.create(generator.getTarget())
-    colours.loadLibrary(document)
-    generator.setColorManagementSystem(colours)
-    context = PyMaterialXGenShader.GenContext(generator)
-    context.registerSourceCodeSearchPath(folders)
-    options = context.getOptions()
-    options.hwMaxActiveLightSources = 1
-    none = PyMaterialXGenShader.HwSpecularEnvironmentMethod.SPECULAR_ENVIRONMENT_NONE
-    options.hwSpecularEnvironmentMethod = none
-    light = document.getNodeDef("ND_directional_light")
-    PyMaterialXGenShader.HwShaderGenerator.bindLightShader(light, 1, context)
-    (element,) = PyMaterialXGenShader.findRenderableElements(document)
-    source = generator.generate("paint", element, context).getSourceCode(PyMaterialXGenShader.PIXEL_STAGE)
-    head = "#version 400\n"
-    # The generator leaves this one to the program that draws.
-    source = source.replace(head, head + "const bool u_refractionTwoSided = false;\n", 1)
+    pytest.importorskip("MaterialX")
+    source = generate_shader(path, environment=False).pixel
     angles = np.array([(45.0, 15.0), (45.0, 45.0), (45.0, 75.0), (45.0, 110.0), (20.0, 30.0), (65.0, 60.0)])
     wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
     gl = create_context()
@@ -192,6 +169,51 @@ def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     finally:
         release_context(gl)
     return wi, wo, np.array(found)
+
+
+def test_usd_is_valid_to_its_own_checks(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdShade, UsdValidation
+
+    def faults(path: Path) -> list[str]:
+        found = UsdValidation.ValidationContext(
+            UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+        ).Validate(Usd.Stage.Open(str(path)))
+        return [error.GetName() for error in found]
+
+    path = tmp_path / "a.usda"
+    items = [ExportItem(PAINT), ExportItem(load_shipped_paint("solid_red"))]
+    BY_NAME["usd"].write(items, path, None)
+    assert faults(path) == []
+    stage = Usd.Stage.Open(str(path))
+    spheres = [prim for prim in stage.Traverse() if prim.GetTypeName() == "Mesh"]
+    assert [prim.GetName() for prim in spheres] == ["gold_fine", "Solid_red"]
+    for prim, kind in zip(spheres, ("gold fine", "Solid red"), strict=True):
+        material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+        assert material.GetPrim().GetDocumentation().startswith(kind)
+    # The checks are not blind to what could be wrong.
+    text = path.read_text()
+    for kept, broken in (
+        ('prepend apiSchemas = ["MaterialBindingAPI"]', ""),
+        ("float inputs:ior", "double inputs:ior"),
+    ):
+        assert kept in text
+        path.with_name("broken.usda").write_text(text.replace(kept, broken))
+        assert faults(path.with_name("broken.usda")) != []
+
+
+def test_the_mesh_of_a_usd_faces_outwards(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdGeom
+
+    BY_NAME["usd"].write([ExportItem(PAINT)], tmp_path / "a.usda", None)
+    stage = Usd.Stage.Open(str(tmp_path / "a.usda"))
+    mesh = UsdGeom.Mesh(next(prim for prim in stage.Traverse() if prim.GetTypeName() == "Mesh"))
+    points = np.array(mesh.GetPointsAttr().Get())
+    corners = points[np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)]
+    volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6.0
+    assert volume == pytest.approx(4.0 / 3.0 * math.pi * 0.1**3, rel=0.02)
+    assert np.array(mesh.GetNormalsAttr().Get()) == pytest.approx(points / 0.1, abs=1e-5)
 
 
 def test_gltf_is_read_by_another_library(tmp_path: Path) -> None:
