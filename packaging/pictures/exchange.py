@@ -138,21 +138,19 @@ def in_blender(model: Path, studio: Studio) -> Floats:
 
 def gltf_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Return the picture (h, w, 4) of the glTF and the loss that is reported of it; so do the others below."""
-    return in_blender(export(item, "gltf", studio), studio), fit_coated_facets(
-        item.modelled, "gltf"
-    ).on_sphere
+    return in_blender(export(item, "gltf", studio), studio), fit_coated_facets(item, "gltf").on_sphere
 
 
 def usd_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Render the USD Preview Surface."""
-    return in_blender(export(item, "usd", studio), studio), fit_coated_facets(item.modelled, "usd").on_sphere
+    return in_blender(export(item, "usd", studio), studio), fit_coated_facets(item, "usd").on_sphere
 
 
 def openpbr_in_materialx(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Draw the OpenPBR surface by the shader that MaterialX generates."""
     path = export(item, "openpbr", studio)
     picture = draw_sphere(path, studio.light, SIZE, radius=RADIUS, distance=DISTANCE, width=WIDTH)
-    return picture, fit_coated_facets(item.modelled, "openpbr").on_sphere
+    return picture, fit_coated_facets(item, "openpbr").on_sphere
 
 
 def table_in_mitsuba(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
@@ -240,7 +238,7 @@ def carpaint_in_luxcore(item: ExportItem, studio: Studio) -> tuple[Floats, float
     command = [sys.executable, "-c", _LUX, str(path), *material_names([item.name]), str(studio.light_file)]
     numbers = map(str, (SIZE, studio.samples, DISTANCE, WIDTH, RADIUS))
     subprocess.run([*command, str(output), *numbers], check=True, stdout=subprocess.DEVNULL)
-    return np.asarray(np.load(output), float), fit_carpaint(item.modelled).on_sphere
+    return np.asarray(np.load(output), float), fit_carpaint(item).on_sphere
 
 
 CLIENTS: Mapping[str, Callable[[ExportItem, Studio], tuple[Floats, float]]] = {

@@ -28,9 +28,9 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.model_fit import target_of
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
-from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.instruments.rendered_sphere import exposure, rendered_sphere, shown_lab
 from brdf_suite.reflectance.renderers.coated_facets import GLTF_LOBE_IOR, CoatedFacets, matt_term
 from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe, index_of, normal_reflectance
@@ -156,8 +156,8 @@ def values(variant: Variant, x: Floats, model: CoatedFacets, integrate: Integrat
 
 
 def loss(paint: Paint, variant: Variant) -> float:
-    """Return the mean ΔE00 on the sphere of a paint that is fitted in a variant."""
-    target, model = target_of(paint), fit_coated_facets(paint, "gltf").model
+    """Return the mean ΔE00 on the sphere of a designed paint that is fitted in a variant."""
+    target, model = target_of(paint, None), fit_coated_facets(ExportItem(paint), "gltf").model
     kept: dict[Hashable, Floats] = {}
 
     def integrate(key: Hashable, terms: Terms) -> Floats:
@@ -172,7 +172,7 @@ def loss(paint: Paint, variant: Variant) -> float:
     ]
     best = min(tried, key=lambda pair: pair[1])[0]
     sphere = rendered_sphere()
-    pixels = sphere.pixels(build_paint(paint))
+    pixels = sphere.pixels(target.reflectance)
     found = values(variant, best, model, lambda _, terms: sphere.summed(terms), sphere.cos_o)
     factor = exposure(pixels)
     other = shown_lab(found @ REC709_TO_WORKING.T, factor)

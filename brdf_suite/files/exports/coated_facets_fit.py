@@ -15,8 +15,9 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.model_fit import FitTarget, Fitted, first_weights, fitted, target_of
-from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.renderers.coated_facets import GLTF_COAT_IOR, CoatedFacets, Kind, matt_term
 from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe
 
@@ -28,13 +29,20 @@ _SOLID_GAIN = 0.85
 """A lobe is kept where it brings the mean squared error below this share of that without."""
 
 
+def fit_coated_facets(item: ExportItem, kind: Kind) -> Fitted[CoatedFacets]:
+    """Return the model that is nearest to what is exported.
+
+    Raises :class:`~brdf_suite.errors.UnreachableError` where no paint has its readings.
+    """
+    return _fit(item.modelled, item.material, kind)
+
+
 @lru_cache(maxsize=64)
-def fit_coated_facets(paint: Paint, kind: Kind) -> Fitted[CoatedFacets]:
-    """Return the model that is nearest to a designed paint; :class:`UnreachableError` where the paint is none."""
-    target, layers = target_of(paint), build_paint(paint)
-    coat_ior = GLTF_COAT_IOR if kind == "gltf" else layers.ior
+def _fit(paint: Paint, material: Material | None, kind: Kind) -> Fitted[CoatedFacets]:
+    target = target_of(paint, material)
+    coat_ior = GLTF_COAT_IOR if kind == "gltf" else target.coat.ior
     black = (0.0, 0.0, 0.0)
-    start = CoatedFacets(kind, black, black, 1.0, coat_ior, min(max(layers.roughness, 1e-3), 1.0))
+    start = CoatedFacets(kind, black, black, 1.0, coat_ior, min(max(target.coat.roughness, 1e-3), 1.0))
     integrals = _Integrals(target, start)
     solid, solid_score = _refine(_coloured(start, integrals), integrals)
     wide = [replace(start, alpha=float(alpha), specular=(0.5, 0.5, 0.5)) for alpha in _WIDTHS]
@@ -47,7 +55,7 @@ def fit_coated_facets(paint: Paint, kind: Kind) -> Fitted[CoatedFacets]:
     best, score = min((_refine(model, integrals) for model in trials[:_TRIED]), key=lambda pair: pair[1])
     if score > _SOLID_GAIN * solid_score:
         best = solid
-    return fitted(paint, target, best, integrals.values(best))
+    return fitted(target, best, integrals.values(best))
 
 
 class _Integrals:

@@ -33,7 +33,7 @@ EXTRAS = "brdf_suite"
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
-    found = fit_coated_facets(item.modelled, "gltf")
+    found = fit_coated_facets(item, "gltf")
     return (
         *shape_losses(item, "glTF in a renderer with multiple scattering (Blender)", found),
         f"The clearcoat of glTF has the index {GLTF_COAT_IOR:g}, whatever the paint's.",
@@ -46,7 +46,7 @@ def losses(item: ExportItem) -> tuple[str, ...]:
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
     (item,) = items
-    model = fit_coated_facets(item.modelled, "gltf").model
+    model = fit_coated_facets(item, "gltf").model
     vertices, triangles = unit_sphere(32, 64)
     data = vertices.tobytes() + triangles.tobytes()
     half, bound = vertices.nbytes, [RADIUS_M] * 3

@@ -32,7 +32,7 @@ def losses(item: ExportItem) -> tuple[str, ...]:
     return fitted_losses(
         item,
         "USD Preview Surface (one colour for every angle, so no change of hue)",
-        fit_coated_facets(item.modelled, "usd"),
+        fit_coated_facets(item, "usd"),
     )
 
 
@@ -40,7 +40,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     """Write the materials of paints, and spheres; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
     # A name in USD does not begin with a digit.
     names = [f"_{name}" if name[0].isdigit() else name for name in material_names([i.name for i in items])]
-    found = [fit_coated_facets(item.modelled, "usd") for item in items]
+    found = [fit_coated_facets(item, "usd") for item in items]
     materials = "".join(
         _material(item, name, one) for item, name, one in zip(items, names, found, strict=True)
     )
