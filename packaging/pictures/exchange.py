@@ -303,6 +303,13 @@ def sheet(rows: list[list[Image.Image]], titles: list[str]) -> Image.Image:
     return whole
 
 
+def keep(name: str, figures: dict[str, dict[str, float]]) -> None:
+    """Add a paint's figures to those in the file."""
+    kept = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.is_file() else {}
+    kept.setdefault(name, {}).update(figures)
+    FIGURES.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
 def main() -> int:
     """Render, compare, keep the figures and draw."""
     parser = argparse.ArgumentParser(
@@ -316,7 +323,6 @@ def main() -> int:
     start()
     names, clients = options.paints.split(","), options.clients.split(",")
     light = np.repeat(light_map(512)[..., None], 3, axis=2).astype(np.float32)
-    kept = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.is_file() else {}
     rows = {}
     with tempfile.TemporaryDirectory(prefix="exchange-") as temporary:
         studio = Studio(
@@ -326,8 +332,7 @@ def main() -> int:
         for name in names:
             item = item_of(name)
             truth = ours(item, studio)
-            figures = kept.setdefault(name, {})
-            tiles = []
+            figures, tiles = {}, []
             for client in clients:
                 picture, reported = CLIENTS[client](item, studio)
                 seen, first, other = difference(truth, picture)
@@ -337,7 +342,7 @@ def main() -> int:
                     tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
                 tiles.append(tile(other, truth[..., 3], f"\N{GREEK CAPITAL LETTER DELTA}E00 {seen:.1f}"))
             rows[name] = tiles
-            FIGURES.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+            keep(name, figures)
     documents = load_module(ROOT / "packaging" / "documents" / "insert_figures.py")
     if set(PICTURED) <= set(rows) and clients == list(CLIENTS):
         titles = ["path-traced", *(documents.EXCHANGE_CLIENTS[client] for client in clients)]

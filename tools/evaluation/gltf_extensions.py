@@ -38,7 +38,7 @@ from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe, index_of, 
 
 THICKNESSES_NM = (150.0, 250.0, 350.0, 450.0, 600.0, 800.0)
 SHEEN_WIDTHS = (0.3, 0.7)
-_XYZ_TO_REC709: Floats = np.linalg.inv(primaries_to_xyz(REC709_PRIMARIES))
+_XYZ_TO_REC709: Floats = np.asarray(np.linalg.inv(primaries_to_xyz(REC709_PRIMARIES)), np.float64)
 
 Terms = Callable[[Floats, Floats], Floats]
 Integrate = Callable[[Hashable, Terms], Floats]

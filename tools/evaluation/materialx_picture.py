@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -99,7 +100,7 @@ def draw_sphere(
     shader = generate_shader(path, environment=True)
     context = create_context()
     try:
-        program = context.program(vertex_shader=shader.vertex, fragment_shader=shader.pixel)
+        program: Any = context.program(vertex_shader=shader.vertex, fragment_shader=shader.pixel)
         values = {
             "u_viewProjectionMatrix": _projection(distance, width).T.astype(np.float32).tobytes(),
             "u_viewPosition": np.array([0.0, 0.0, distance], np.float32).tobytes(),
