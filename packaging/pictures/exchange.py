@@ -340,7 +340,8 @@ def main() -> int:
                 print(f"{name}, {client}: reported {reported:.2f}, seen {seen:.2f}", flush=True)
                 if not tiles:
                     tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
-                tiles.append(tile(other, truth[..., 3], f"\N{GREEK CAPITAL LETTER DELTA}E00 {seen:.1f}"))
+                covered = np.minimum(truth[..., 3], picture[..., 3])
+                tiles.append(tile(other, covered, f"dE00 {seen:.1f}"))
             rows[name] = tiles
             keep(name, figures)
     documents = load_module(ROOT / "packaging" / "documents" / "insert_figures.py")
