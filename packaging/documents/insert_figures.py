@@ -86,7 +86,65 @@ def basis_table() -> str:
     return "\n".join(lines) + "\n"
 
 
-TABLES = {"basis": basis_table}
+EXCHANGE_CLIENTS = {
+    "blender": "glTF in Blender",
+    "luxcore": "LuxCore",
+    "usd": "USD in Blender",
+    "openpbr": "OpenPBR in MaterialX",
+    "rgl": "RGL in Mitsuba",
+}
+"""Formats in the programs that render them, as docs/method/exchange.json names them."""
+
+
+def exchange_figures() -> dict[str, dict[str, dict[str, float]]]:
+    """Return the losses, reported and seen, by paint and client, which packaging/pictures/exchange.py measured."""
+    found = json.loads((CHECKOUT / "docs" / "method" / "exchange.json").read_text(encoding="utf-8"))
+    return dict(sorted(found.items()))
+
+
+def paint_class(name: str) -> str:
+    """Return the class of a shipped paint: solid without flakes, pearl by its name, else metallic."""
+    paint = json.loads((CHECKOUT / "resources" / "paints" / f"{name}.brdfpaint").read_text(encoding="utf-8"))
+    if paint.get("flakes") is None:
+        return "solid"
+    return "pearl" if name.endswith(("pearl", "_shift")) else "metallic"
+
+
+def exchange_table() -> str:
+    """Return the loss of every paint in every client, as reported and as seen."""
+    lines = [f"| paint | {' | '.join(EXCHANGE_CLIENTS.values())} |", f"|---|{'---|' * len(EXCHANGE_CLIENTS)}"]
+    for name, figures in exchange_figures().items():
+        cells = (
+            f"{figures[client]['reported']:.2f} / {figures[client]['seen']:.2f}" if client in figures else "–"
+            for client in EXCHANGE_CLIENTS
+        )
+        lines.append(f"| {name.replace('_', ' ')} | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+def exchange_summary() -> str:
+    """Return the mean loss of each class in each client, the worst paint, and how many are as reported."""
+    figures = exchange_figures()
+    lines = [
+        "| export | solid | metallic | pearl | worst paint | as reported |",
+        "|---|---|---|---|---|---|",
+    ]
+    for client, title in EXCHANGE_CLIENTS.items():
+        found = {name: row[client] for name, row in figures.items() if client in row}
+        cells = []
+        for kind in ("solid", "metallic", "pearl"):
+            seen = [one["seen"] for name, one in found.items() if paint_class(name) == kind]
+            cells.append(f"{sum(seen) / len(seen):.2f} ({len(seen)})" if seen else "–")
+        worst = max(found, key=lambda name: found[name]["seen"])
+        kept = sum(
+            abs(one["seen"] - one["reported"]) <= max(0.5, 0.2 * one["reported"]) for one in found.values()
+        )
+        cells += [f"{found[worst]['seen']:.2f}, {worst.replace('_', ' ')}", f"{kept} of {len(found)}"]
+        lines.append(f"| {title} | {' | '.join(cells)} |")
+    return "\n".join(lines) + "\n"
+
+
+TABLES = {"basis": basis_table, "exchange": exchange_table, "exchange_summary": exchange_summary}
 
 
 def filled(text: str, measurements: dict[str, Any], place: str) -> str:

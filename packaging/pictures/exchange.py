@@ -1,19 +1,25 @@
-"""Draw docs/images/exchange_*.png and print the figures of docs/method/exchange.md.
+"""Measure what each export to a renderer looks like there: docs/method/exchange.json and docs/images/exchange.png.
 
-    python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,luxcore] [--blender FOLDER] [folder]
+    python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,luxcore] [--blender FOLDER] [--draw]
 
 A sphere in each paint, path-traced from the paint itself, beside that of each client rendering what was exported, in
-the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. ``--blender`` is the
-folder of an environment for tools/blender.py, made and kept there; without it Blender is installed each time.
+the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. Figures of other paints
+and clients stay as they are in the file; the tables of docs/method/exchange.md are renewed from it. The picture is
+drawn where all of ``PICTURED`` are rendered by all clients. ``--blender`` is the folder of an environment for
+tools/blender.py, made and kept there; without it Blender is installed each time.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
@@ -27,26 +33,36 @@ from brdf_suite.appearance.colour.colorimetry import (
 )
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
-from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.files.exports.model_fit import material_names
+from brdf_suite.pipeline.material import load_measured, paint_names
+from brdf_suite.reference.bsdfs.translate import translate
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.passes import trace
 from brdf_suite.reference.scene.camera import PinholeCamera
 from brdf_suite.reference.scene.scene import SurfacePart, build_scene
 from brdf_suite.reference.variant import start
-from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.instruments.rendered_sphere import light_map
+from brdf_suite.reflectance.instruments.rendered_sphere import light_map, sphere_difference
+from brdf_suite.reports.handover import item_of
+from tools.evaluation.materialx_picture import draw_sphere
 
 ROOT = Path(__file__).resolve().parents[2]
-PAINTS = {
-    "solid": ("solid_red", "solid_white"),
-    "metallic": ("silver_metallic", "blue_metallic"),
-    "pearl": ("pearl", "emerald_pearl"),
-}
+FIGURES = ROOT / "docs" / "method" / "exchange.json"
+PICTURE = ROOT / "docs" / "images" / "exchange.png"
+PICTURED = (
+    "solid_red",
+    "solid_white",
+    "silver_metallic",
+    "blue_metallic",
+    "pearl",
+    "emerald_pearl",
+    "teal_violet_shift",
+)
 SIZE, BLOCK = 96, 3
 DISTANCE, WIDTH, RADIUS = 2.0, 0.22, 0.1
 CAPTION, GAP = 18, 4
@@ -66,16 +82,30 @@ def _ball() -> SurfacePart:
     return SurfacePart("paint", (RADIUS * normals).astype(np.float32), normals.astype(np.float32), triangles)
 
 
-def ours(name: str, light: Floats, samples: int) -> Floats:
-    """Path-trace a paint; return light and coverage (h, w, 4), linear Rec. 709."""
-    from brdf_suite.reference.bsdfs.translate import translate
+@dataclass(frozen=True)
+class Studio:
+    """What all pictures share: the light, as a map and as a file, samples a pixel, a folder, and Blender's or None."""
 
-    term = translate(build_paint(load_shipped_paint(name))).term
+    light: Floats
+    light_file: Path
+    samples: int
+    folder: Path
+    blender: Path | None
+
+
+def traced(term: Any, studio: Studio) -> Floats:
+    """Path-trace the sphere in a BSDF; return light and coverage (h, w, 4) in the BSDF's own space."""
     eye = PinholeCamera(np.array([0.0, 0.0, DISTANCE]), np.eye(3), 0.5 * WIDTH / DISTANCE)
-    scene = build_scene([_ball()], {"paint": term}, light, eye, View(), (SIZE, SIZE))
-    found = trace(scene, samples=samples, samples_per_pass=max(samples // 4, 1))
-    print(f"{name}: path-traced, noise {100.0 * found.noise:.1f} % of the luminance", flush=True)
-    return np.concatenate((found.radiance @ WORKING_TO_SRGB.T, found.coverage[..., None]), axis=-1)
+    scene = build_scene([_ball()], {"paint": term}, studio.light, eye, View(), (SIZE, SIZE))
+    found = trace(scene, samples=studio.samples, samples_per_pass=max(studio.samples // 4, 1))
+    return np.concatenate((found.radiance, found.coverage[..., None]), axis=-1)
+
+
+def ours(item: ExportItem, studio: Studio) -> Floats:
+    """Path-trace a paint; return light and coverage (h, w, 4), linear Rec. 709."""
+    found = traced(translate(item.reflectance).term, studio)
+    found[..., :3] = found[..., :3] @ WORKING_TO_SRGB.T
+    return found
 
 
 def read(path: Path) -> Floats:
@@ -86,14 +116,48 @@ def read(path: Path) -> Floats:
     return np.array(bitmap, float)
 
 
-def in_blender(model: Path, light: Path, samples: int, folder: Path | None) -> Floats:
+def export(item: ExportItem, name: str, studio: Studio) -> Path:
+    """Write a paint in a format; return the file."""
+    known = next(one for one in FORMATS if one.name == name)
+    path = studio.folder / f"paint{known.ending}"
+    known.write([item], path, None)
+    return path
+
+
+def in_blender(model: Path, studio: Studio) -> Floats:
     """Render an exported model in Blender; return light and coverage (h, w, 4)."""
-    output = model.with_suffix(".blender.exr")
-    kept = [] if folder is None else ["--environment", str(folder)]
-    numbers = ["--size", str(SIZE), "--samples", str(samples)]
-    command = [sys.executable, str(ROOT / "tools" / "blender.py"), str(model), str(light), str(output)]
-    subprocess.run([*command, *numbers, *kept], check=True, capture_output=True)
+    output = model.with_suffix(".exr")
+    kept = [] if studio.blender is None else ["--environment", str(studio.blender)]
+    numbers = ["--size", str(SIZE), "--samples", str(studio.samples)]
+    command = [sys.executable, str(ROOT / "tools" / "blender.py"), *kept, "render", str(model)]
+    subprocess.run(
+        [*command, str(studio.light_file), str(output), *numbers], check=True, stdout=subprocess.DEVNULL
+    )
     return read(output)
+
+
+def gltf_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
+    """Return the picture (h, w, 4) of the glTF and the loss that is reported of it; so do the others below."""
+    return in_blender(export(item, "gltf", studio), studio), fit_coated_facets(item, "gltf").on_sphere
+
+
+def usd_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
+    """Render the USD Preview Surface."""
+    return in_blender(export(item, "usd", studio), studio), fit_coated_facets(item, "usd").on_sphere
+
+
+def openpbr_in_materialx(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
+    """Draw the OpenPBR surface by the shader that MaterialX generates."""
+    path = export(item, "openpbr", studio)
+    picture = draw_sphere(path, studio.light, SIZE, radius=RADIUS, distance=DISTANCE, width=WIDTH)
+    return picture, fit_coated_facets(item, "openpbr").on_sphere
+
+
+def table_in_mitsuba(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
+    """Path-trace the RGL table by Mitsuba's own plug-in; what is reported is that of the table as it is read back."""
+    path = export(item, "rgl", studio)
+    picture = traced(mi.load_dict({"type": "measured", "filename": str(path)}), studio)
+    return picture, sphere_difference(item.reflectance, load_measured(path).reflectance)
 
 
 # LuxCore ends in its own way, so it has a process of its own. Its z is up: its (x, y, z) is our (x, -z, y).
@@ -167,13 +231,23 @@ os._exit(0)
 """
 
 
-def in_luxcore(model: Path, name: str, light: Path, samples: int) -> Floats:
-    """Render an exported material in LuxCore; return light and coverage (h, w, 4)."""
-    output = model.with_suffix(".luxcore.npy")
-    command = [sys.executable, "-c", _LUX, str(model), name, str(light), str(output)]
-    numbers = map(str, (SIZE, samples, DISTANCE, WIDTH, RADIUS))
-    subprocess.run([*command, *numbers], check=True, capture_output=True)
-    return np.asarray(np.load(output), float)
+def carpaint_in_luxcore(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
+    """Render the car paint."""
+    path = export(item, "luxcore", studio)
+    output = path.with_suffix(".npy")
+    command = [sys.executable, "-c", _LUX, str(path), *material_names([item.name]), str(studio.light_file)]
+    numbers = map(str, (SIZE, studio.samples, DISTANCE, WIDTH, RADIUS))
+    subprocess.run([*command, str(output), *numbers], check=True, stdout=subprocess.DEVNULL)
+    return np.asarray(np.load(output), float), fit_carpaint(item).on_sphere
+
+
+CLIENTS: Mapping[str, Callable[[ExportItem, Studio], tuple[Floats, float]]] = {
+    "blender": gltf_in_blender,
+    "luxcore": carpaint_in_luxcore,
+    "usd": usd_in_blender,
+    "openpbr": openpbr_in_materialx,
+    "rgl": table_in_mitsuba,
+}
 
 
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
@@ -212,63 +286,69 @@ def tile(shown: Floats, coverage: Floats, text: str) -> Image.Image:
     return whole
 
 
-def sheet(rows: list[list[Image.Image]]) -> Image.Image:
-    """Return rows of pictures of one size."""
+def sheet(rows: list[list[Image.Image]], titles: list[str]) -> Image.Image:
+    """Return rows of pictures of one size, under titles of their columns."""
     width, height = rows[0][0].size
-    whole = Image.new("RGB", (len(rows[0]) * (width + GAP) - GAP, len(rows) * (height + GAP) - GAP), "white")
+    top = 2 * CAPTION + GAP
+    whole = Image.new(
+        "RGB", (len(rows[0]) * (width + GAP) - GAP, top + len(rows) * (height + GAP) - GAP), "white"
+    )
+    draw = ImageDraw.Draw(whole)
+    for x, title in enumerate(titles):
+        lines = title.replace(" in ", "\nin ")
+        draw.text((x * (width + GAP) + 2, 3), lines, fill="black", font=ImageFont.load_default(12))
     for y, row in enumerate(rows):
         for x, picture in enumerate(row):
-            whole.paste(picture, (x * (width + GAP), y * (height + GAP)))
+            whole.paste(picture, (x * (width + GAP), top + y * (height + GAP)))
     return whole
 
 
+def keep(name: str, figures: dict[str, dict[str, float]]) -> None:
+    """Add a paint's figures to those in the file."""
+    kept = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.is_file() else {}
+    kept.setdefault(name, {}).update(figures)
+    FIGURES.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
 def main() -> int:
-    """Render, compare and draw."""
+    """Render, compare, keep the figures and draw."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--paints", default=",".join(name for names in PAINTS.values() for name in names))
-    parser.add_argument("--clients", default="blender,luxcore")
+    parser.add_argument("--paints", default=",".join(paint_names()))
+    parser.add_argument("--clients", default=",".join(CLIENTS))
     parser.add_argument("--samples", type=int, default=256)
-    parser.add_argument("--name", default="exchange", help="the picture's name, without its ending")
     parser.add_argument("--blender", type=Path, default=None, metavar="FOLDER")
     options = parser.parse_args()
     start()
+    names, clients = options.paints.split(","), options.clients.split(",")
     light = np.repeat(light_map(512)[..., None], 3, axis=2).astype(np.float32)
-    formats = {known.name: known for known in FORMATS}
-    clients = options.clients.split(",")
-    rows = []
+    rows = {}
     with tempfile.TemporaryDirectory(prefix="exchange-") as temporary:
-        work = Path(temporary)
-        lit = work / "light.exr"
-        mi.Bitmap(light).write(str(lit))
-        for name in options.paints.split(","):
-            paint = load_shipped_paint(name)
-            truth = ours(name, light, options.samples)
-            shown: list[tuple[str, Floats, float]] = []
-            if "blender" in clients:
-                formats["gltf"].write([ExportItem(paint)], work / f"{name}.gltf", None)
-                picture = in_blender(work / f"{name}.gltf", lit, options.samples, options.blender)
-                shown.append(("Blender", picture, fit_coated_facets(paint, "gltf").on_sphere))
-            if "usd" in clients:
-                formats["usd"].write([ExportItem(paint)], work / f"{name}.usda", None)
-                picture = in_blender(work / f"{name}.usda", lit, options.samples, options.blender)
-                shown.append(("Blender, USD", picture, fit_coated_facets(paint, "usd").on_sphere))
-            if "luxcore" in clients:
-                formats["luxcore"].write([ExportItem(paint)], work / f"{name}.scn", None)
-                material = paint.name.replace(" ", "_")
-                picture = in_luxcore(work / f"{name}.scn", material, lit, options.samples)
-                shown.append(("LuxCore", picture, fit_carpaint(paint).on_sphere))
-            tiles = []
-            for client, picture, reported in shown:
+        studio = Studio(
+            light, Path(temporary) / "light.exr", options.samples, Path(temporary), options.blender
+        )
+        mi.Bitmap(light).write(str(studio.light_file))
+        for name in names:
+            item = item_of(name)
+            truth = ours(item, studio)
+            figures, tiles = {}, []
+            for client in clients:
+                picture, reported = CLIENTS[client](item, studio)
                 seen, first, other = difference(truth, picture)
+                figures[client] = {"reported": round(reported, 3), "seen": round(seen, 3)}
+                print(f"{name}, {client}: reported {reported:.2f}, seen {seen:.2f}", flush=True)
                 if not tiles:
                     tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
-                tiles.append(tile(other, picture[..., 3], f"{client}: dE00 {seen:.1f}"))
-                print(f"| {name} | {client} | {reported:.2f} | {seen:.2f} |", flush=True)
-            rows.append(tiles)
-            sheet(rows).save(options.folder / f"{options.name}.png", optimize=True)
+                covered = np.minimum(truth[..., 3], picture[..., 3])
+                tiles.append(tile(other, covered, f"dE00 {seen:.1f}"))
+            rows[name] = tiles
+            keep(name, figures)
+    documents = load_module(ROOT / "packaging" / "documents" / "insert_figures.py")
+    if set(PICTURED) <= set(rows) and clients == list(CLIENTS):
+        titles = ["path-traced", *(documents.EXCHANGE_CLIENTS[client] for client in clients)]
+        sheet([rows[name] for name in PICTURED], titles).save(PICTURE, optimize=True)
+    documents.insert_into_documents(ROOT)
     return 0
 
 

@@ -1,8 +1,8 @@
 """Fit of a matt layer and a lobe under a clearcoat: glTF, OpenPBR and USD Preview Surface.
 
-The width of the lobe, OpenPBR's reflectance along the normal and USD's metalness are searched; for each the colours are
-found by linear least squares, and from the best few all parameters together. A paint that a matt layer matches as well,
-a solid one, has no lobe, or no metal.
+The width of the lobe and OpenPBR's reflectance along the normal are searched; for each the colours are found by linear
+least squares, and from the best few all parameters together. A paint that a matt layer matches as well, a solid one,
+has no lobe, or is no metal.
 """
 
 from __future__ import annotations
@@ -15,40 +15,47 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.model_fit import FitTarget, Fitted, first_weights, fitted, target_of
-from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.renderers.coated_facets import GLTF_COAT_IOR, CoatedFacets, Kind, matt_term
 from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe
 
 _WIDTHS = np.geomspace(0.08, 1.0, 10)
 _GREYS = (0.15, 0.35, 0.6)
-_METALS = (0.3, 0.6, 0.95)
 _NARROWEST, _WIDEST, _BRIGHTEST = 0.02, 1.0, 0.95
 _TRIED = 2
 _SOLID_GAIN = 0.85
 """A lobe is kept where it brings the mean squared error below this share of that without."""
 
 
+def fit_coated_facets(item: ExportItem, kind: Kind) -> Fitted[CoatedFacets]:
+    """Return the model that is nearest to what is exported.
+
+    Raises :class:`~brdf_suite.errors.UnreachableError` where no paint has its readings.
+    """
+    return _fit(item.modelled, item.material, kind)
+
+
 @lru_cache(maxsize=64)
-def fit_coated_facets(paint: Paint, kind: Kind) -> Fitted[CoatedFacets]:
-    """Return the model that is nearest to a designed paint; :class:`UnreachableError` where the paint is none."""
-    target, layers = target_of(paint), build_paint(paint)
-    coat_ior = GLTF_COAT_IOR if kind == "gltf" else layers.ior
+def _fit(paint: Paint, material: Material | None, kind: Kind) -> Fitted[CoatedFacets]:
+    target = target_of(paint, material)
+    coat_ior = GLTF_COAT_IOR if kind == "gltf" else target.coat.ior
     black = (0.0, 0.0, 0.0)
-    start = CoatedFacets(kind, black, black, 1.0, coat_ior, min(max(layers.roughness, 1e-3), 1.0))
+    start = CoatedFacets(kind, black, black, 1.0, coat_ior, min(max(target.coat.roughness, 1e-3), 1.0))
     integrals = _Integrals(target, start)
     solid, solid_score = _refine(_coloured(start, integrals), integrals)
     wide = [replace(start, alpha=float(alpha), specular=(0.5, 0.5, 0.5)) for alpha in _WIDTHS]
     if kind == "openpbr":
         wide = [replace(model, grey=grey) for model in wide for grey in _GREYS]
     elif kind == "usd":
-        wide = [replace(model, specular=black, metalness=metal) for model in wide for metal in _METALS]
+        wide = [replace(model, specular=black, metal=True) for model in wide]
     trials = [_coloured(model, integrals) for model in wide]
     trials.sort(key=lambda model: target.score(integrals.values(model)))
     best, score = min((_refine(model, integrals) for model in trials[:_TRIED]), key=lambda pair: pair[1])
     if score > _SOLID_GAIN * solid_score:
         best = solid
-    return fitted(paint, target, best, integrals.values(best))
+    return fitted(target, best, integrals.values(best))
 
 
 class _Integrals:
@@ -106,8 +113,6 @@ def _refine(model: CoatedFacets, integrals: _Integrals) -> tuple[CoatedFacets, f
         )
     if kind == "openpbr" and model.has_lobe:
         start, low, high = [*start, model.grey], [*low, 0.01], [*high, _BRIGHTEST]
-    if kind == "usd" and model.metalness > 0.0:
-        start, low, high = [*start, model.metalness], [*low, 0.0], [*high, 1.0]
 
     def made(x: Floats) -> CoatedFacets:
         found = replace(model, diffuse=_rgb(x[:3]))
@@ -116,8 +121,7 @@ def _refine(model: CoatedFacets, integrals: _Integrals) -> tuple[CoatedFacets, f
         if len(x) > colours:
             found = replace(found, alpha=math.exp(float(x[colours])))
         if len(x) > colours + 1:
-            last = float(x[colours + 1])
-            found = replace(found, grey=last) if kind == "openpbr" else replace(found, metalness=last)
+            found = replace(found, grey=float(x[colours + 1]))
         return found
 
     x, error = integrals.target.least(lambda x: integrals.values(made(x)), *map(np.array, (start, low, high)))

@@ -76,7 +76,7 @@ class ExportItem:
 
     @cached_property
     def modelled(self) -> Paint:
-        """The paint that renderers' models are fitted to: the readings under the nearest possible coat.
+        """The paint with the coat of renderers' models: the readings under the nearest possible coat.
 
         What virtual instruments read need not be a coat over a base: then the gloss at 20° alone counts.
         """
@@ -186,4 +186,4 @@ def model_loss(item: ExportItem) -> tuple[str, ...]:
     """Return the sentence for formats with a model of their own about a paint that is not designed by readings."""
     if not item.computed:
         return ()
-    return ("The model is fitted to the designed paint that has the same readings, not to the paint itself.",)
+    return ("The clearcoat is that of a designed paint with the same gloss.",)

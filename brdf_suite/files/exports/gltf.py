@@ -15,8 +15,6 @@ import json
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError, PathLike
@@ -24,20 +22,18 @@ from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints
 from brdf_suite.files.exports.model_fit import shape_losses
-from brdf_suite.geometry.directions import spherical
+from brdf_suite.files.exports.sphere import RADIUS_M, unit_sphere
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.renderers.coated_facets import GLTF_COAT_IOR, GLTF_LOBE_IOR
 from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
 from brdf_suite.release import __version__
 
 EXTRAS = "brdf_suite"
-_RINGS, _SECTORS = 32, 64
-_RADIUS_M = 0.1
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a viewer of glTF does not show of a paint; it is fitted for this."""
-    found = fit_coated_facets(item.modelled, "gltf")
+    found = fit_coated_facets(item, "gltf")
     return (
         *shape_losses(item, "glTF in a renderer with multiple scattering (Blender)", found),
         f"The clearcoat of glTF has the index {GLTF_COAT_IOR:g}, whatever the paint's.",
@@ -50,10 +46,10 @@ def losses(item: ExportItem) -> tuple[str, ...]:
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write one paint on a sphere; :class:`FileError` where the disk refuses, :class:`UnreachableError` of a paint."""
     (item,) = items
-    model = fit_coated_facets(item.modelled, "gltf").model
-    vertices, triangles = _sphere()
+    model = fit_coated_facets(item, "gltf").model
+    vertices, triangles = unit_sphere(32, 64)
     data = vertices.tobytes() + triangles.tobytes()
-    half, bound = vertices.nbytes, (_RADIUS_M * np.ones(3)).tolist()
+    half, bound = vertices.nbytes, [RADIUS_M] * 3
     # On a unit sphere the normals are the positions; the node makes it smaller.
     document = {
         "asset": {"version": "2.0", "generator": f"BRDF Suite {__version__}"},
@@ -107,24 +103,6 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     text = json.dumps(document, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     write_atomically(path, text.encode("utf-8"))
     return ()
-
-
-def _sphere() -> tuple[
-    np.ndarray[tuple[int, int], np.dtype[np.float32]], np.ndarray[tuple[int], np.dtype[np.uint16]]
-]:
-    """Return unit vectors, and triangles facing outwards; y is up."""
-    theta, phi = np.meshgrid(
-        np.linspace(0.0, np.pi, _RINGS + 1), np.linspace(0.0, 2.0 * np.pi, _SECTORS + 1), indexing="ij"
-    )
-    # The frame of directions has z up; (x, y, z) to (x, z, -y) turns it without mirroring.
-    up_z = spherical(theta.ravel(), phi.ravel())
-    vertices = np.stack((up_z[:, 0], up_z[:, 2], -up_z[:, 1]), axis=-1).astype(np.float32)
-    first = (np.arange(_RINGS)[:, None] * (_SECTORS + 1) + np.arange(_SECTORS)).ravel()
-    below = first + _SECTORS + 1
-    triangles = (
-        np.stack((first, below, first + 1, first + 1, below, below + 1), axis=-1).ravel().astype(np.uint16)
-    )
-    return vertices, triangles
 
 
 def is_ours(head: bytes) -> bool:

@@ -34,7 +34,7 @@ from brdf_suite.files.exports.model_fit import (
     target_of,
 )
 from brdf_suite.progress import Progress
-from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.renderers.carpaint import CarPaint, lobe
 from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
 from brdf_suite.release import __version__
@@ -45,14 +45,18 @@ _TRIED = 2
 _BLACK, _WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 
 
-@lru_cache(maxsize=32)
-def fit_carpaint(paint: Paint) -> Fitted[CarPaint]:
-    """Return the car paint that is nearest to a designed paint.
+def fit_carpaint(item: ExportItem) -> Fitted[CarPaint]:
+    """Return the car paint that is nearest to what is exported.
 
-    Raises :class:`~brdf_suite.errors.UnreachableError` where there is no such paint.
+    Raises :class:`~brdf_suite.errors.UnreachableError` where no paint has its readings.
     """
-    target, layers = target_of(paint), build_paint(paint)
-    r3, m3 = normal_reflectance(layers.ior), min(max(layers.roughness, 1e-3), 1.0)
+    return _fit(item.modelled, item.material)
+
+
+@lru_cache(maxsize=32)
+def _fit(paint: Paint, material: Material | None) -> Fitted[CarPaint]:
+    target = target_of(paint, material)
+    r3, m3 = normal_reflectance(target.coat.ior), min(max(target.coat.roughness, 1e-3), 1.0)
     start = CarPaint(_BLACK, (_BLACK, _BLACK, _WHITE), (1.0, 1.0, r3), (1.0, 1.0, m3))
     matt, coat = target.integrals(start.terms)[:, 0], _integral(target, m3, r3)
     rest = target.value / target.scale[:, None] - coat[:, None]
@@ -64,7 +68,7 @@ def fit_carpaint(paint: Paint) -> Fitted[CarPaint]:
         trials.append((score, _made(start, np.append(weights.ravel(), math.log(m1)))))
     trials.sort(key=lambda pair: pair[0])
     best, _ = min((_refine(model, target) for _, model in trials[:_TRIED]), key=lambda pair: pair[1])
-    return fitted(paint, target, best, best.sum_terms(target.integrals(best.terms)))
+    return fitted(target, best, best.sum_terms(target.integrals(best.terms)))
 
 
 def _integral(target: FitTarget, m: float, r: float) -> Floats:
@@ -99,15 +103,13 @@ def _refine(model: CarPaint, target: FitTarget) -> tuple[CarPaint, float]:
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what the car paint of LuxCore cannot hold of a paint; it is fitted for this."""
-    return fitted_losses(item, "LuxCore's car paint (one lobe under a coat)", fit_carpaint(item.modelled))
+    return fitted_losses(item, "LuxCore's car paint (one lobe under a coat)", fit_carpaint(item))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
     names = material_names([item.name for item in items])
-    blocks = [
-        _block(item, name, fit_carpaint(item.modelled)) for item, name in zip(items, names, strict=True)
-    ]
+    blocks = [_block(item, name, fit_carpaint(item)) for item, name in zip(items, names, strict=True)]
     write_atomically(path, "\n".join(blocks).encode("utf-8"))
     return ()
 

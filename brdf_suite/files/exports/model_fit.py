@@ -1,4 +1,4 @@
-"""Fit of renderers' models to a designed paint, on spheres in several lights and at the paint's readings.
+"""Fit of renderers' models to a paint, on spheres in several lights and at the paint's readings.
 
 A model is fitted where it is seen: on spheres in the light of
 :mod:`brdf_suite.reflectance.instruments.rendered_sphere`, with the sun where the losses are reported and in three other
@@ -33,6 +33,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.format import ExportItem, flake_loss, model_loss
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.rendered_sphere import (
     SUN_PLACE,
     RenderedSphere,
@@ -40,6 +41,7 @@ from brdf_suite.reflectance.instruments.rendered_sphere import (
     rendered_sphere,
     sphere_difference,
 )
+from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
 _SUNS = (SUN_PLACE, (20.0, 15.0), (100.0, 25.0), (-150.0, 30.0))
@@ -61,6 +63,10 @@ class FitTarget:
 
     Attributes
     ----------
+    reflectance
+        What is exported.
+    coat
+        The clearcoat of the models: that of the designed paint with the readings' gloss.
     spheres
         In one light each.
     wi, wo
@@ -77,6 +83,8 @@ class FitTarget:
         Where light becomes white (n,): 1 for pixels, none for readings.
     """
 
+    reflectance: Reflectance
+    coat: PaintReflectance
     spheres: tuple[RenderedSphere, ...]
     wi: Floats
     wo: Floats
@@ -141,11 +149,25 @@ class FitTarget:
 
 
 @lru_cache(maxsize=8)
-def target_of(paint: Paint) -> FitTarget:
-    """Return what models of a designed paint are fitted to; :class:`UnreachableError` where it cannot be built."""
-    layers = build_paint(paint)
+def target_of(paint: Paint, material: Material | None) -> FitTarget:
+    """Return what models are fitted to.
+
+    Parameters
+    ----------
+    paint
+        The readings and, by its gloss, the coat: :attr:`ExportItem.modelled`.
+    material
+        What reflects; None where that is ``paint``.
+
+    Raises
+    ------
+    UnreachableError
+        No paint has these readings.
+    """
+    coat = build_paint(paint)
+    reflectance = coat if material is None else material.reflectance
     spheres = tuple(rendered_sphere(sun, _POINTS, _DIRECTIONS) for sun in _SUNS)
-    pixels = [sphere.pixels(layers) for sphere in spheres]
+    pixels = [sphere.pixels(reflectance) for sphere in spheres]
     exposures = [exposure(one) for one in pixels]
     angles = np.array([(m.illumination_deg, m.aspecular_deg) for m in paint.measurements])
     wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
@@ -153,6 +175,8 @@ def target_of(paint: Paint) -> FitTarget:
     value = np.concatenate([*(one * factor for one, factor in zip(pixels, exposures, strict=True)), read])
     many, few = _POINTS * len(spheres), len(read)
     return FitTarget(
+        reflectance,
+        coat,
         spheres,
         wi,
         wo,
@@ -192,13 +216,13 @@ class Fitted(Generic[M]):
     clipped: bool
 
 
-def fitted(paint: Paint, target: FitTarget, model: M, found: Floats) -> Fitted[M]:
-    """Return a model and its values (n, 3) with its differences from the paint."""
+def fitted(target: FitTarget, model: M, found: Floats) -> Fitted[M]:
+    """Return a model and its values (n, 3) with its differences from what was fitted to."""
     count = len(target.wi)
     return Fitted(
         model,
         target.readings(found),
-        sphere_difference(build_paint(paint), model),
+        sphere_difference(target.reflectance, model),
         bool(target.value[-count:].min() < -1e-6),
     )
 

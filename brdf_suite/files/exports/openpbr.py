@@ -26,14 +26,14 @@ from brdf_suite.release import __version__
 
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what an OpenPBR surface cannot hold of a paint; it is fitted for this."""
-    return fitted_losses(item, "OpenPBR in MaterialX", fit_coated_facets(item.modelled, "openpbr"))
+    return fitted_losses(item, "OpenPBR in MaterialX", fit_coated_facets(item, "openpbr"))
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write the materials of paints; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
     names = material_names([item.name for item in items])
     blocks = [
-        _block(item, name, fit_coated_facets(item.modelled, "openpbr"))
+        _block(item, name, fit_coated_facets(item, "openpbr"))
         for item, name in zip(items, names, strict=True)
     ]
     text = (

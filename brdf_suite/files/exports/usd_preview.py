@@ -1,9 +1,11 @@
 """USD (``.usda``): paints as materials of ``UsdPreviewSurface``, which every program that reads USD knows.
 
-One colour, for the matt layer and, by ``metallic``, the flakes, and one roughness, under a clearcoat of index ``ior``.
-The specular workflow, which has two colours, is left out by many programs. The surface is fitted as MaterialX evaluates
-it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide; the axis up
-is y, and a unit is a metre. Colours are linear Rec. 709.
+One colour, of a metal or of a matt layer, and one roughness, under a clearcoat of index ``ior``. ``metallic`` is 0 or
+1, since programs differ between these: a blue of ``metallic`` 0.7, fitted to ΔE00 3.0 in MaterialX, was 11 off in
+Blender. The specular workflow, which has two colours, is left out by many programs. The surface is fitted as MaterialX
+evaluates it (:mod:`brdf_suite.files.exports.coated_facets_fit`). Each material has a sphere in its paint, 0.2 m wide;
+the axis up is y, and a unit is a metre. The spheres are meshes, all of one class, since Blender gives ``Sphere`` prims
+no material. Colours are linear Rec. 709.
 """
 
 from __future__ import annotations
@@ -17,11 +19,11 @@ from brdf_suite.errors import PathLike
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.model_fit import Fitted, fitted_losses, material_names
+from brdf_suite.files.exports.sphere import RADIUS_M, unit_sphere
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.renderers.coated_facets import CoatedFacets
 from brdf_suite.release import __version__
 
-_RADIUS_M = 0.1
 _APART_M = 0.25
 
 
@@ -30,7 +32,7 @@ def losses(item: ExportItem) -> tuple[str, ...]:
     return fitted_losses(
         item,
         "USD Preview Surface (one colour for every angle, so no change of hue)",
-        fit_coated_facets(item.modelled, "usd"),
+        fit_coated_facets(item, "usd"),
     )
 
 
@@ -38,7 +40,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     """Write the materials of paints, and spheres; raise :class:`FileError`, or :class:`UnreachableError` of a paint."""
     # A name in USD does not begin with a digit.
     names = [f"_{name}" if name[0].isdigit() else name for name in material_names([i.name for i in items])]
-    found = [fit_coated_facets(item.modelled, "usd") for item in items]
+    found = [fit_coated_facets(item, "usd") for item in items]
     materials = "".join(
         _material(item, name, one) for item, name, one in zip(items, names, found, strict=True)
     )
@@ -50,7 +52,7 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
         f"    doc = {_text(maker)}\n"
         "    metersPerUnit = 1\n"
         '    upAxis = "Y"\n)\n\n'
-        f'def Xform "Paints"\n{{\n    def Scope "Materials"\n    {{\n{materials}    }}\n{spheres}}}\n'
+        f'{_shape()}\ndef Xform "Paints"\n{{\n    def Scope "Materials"\n    {{\n{materials}    }}\n{spheres}}}\n'
     )
     write_atomically(path, text.encode("utf-8"))
     return ()
@@ -61,8 +63,8 @@ def _material(item: ExportItem, name: str, found: Fitted[CoatedFacets]) -> str:
     differences = ", ".join(f"{value:.2f}" for value in found.differences)
     reported = f"{item.name}; dE00 {found.on_sphere:.2f} on a sphere, at its readings {differences}"
     inputs = {
-        "color3f inputs:diffuseColor": _colour(model.diffuse),
-        "float inputs:metallic": f"{model.metalness:.9g}",
+        "color3f inputs:diffuseColor": _triple(model.diffuse),
+        "float inputs:metallic": "1" if model.metal else "0",
         "float inputs:roughness": f"{math.sqrt(model.alpha):.9g}",
         "float inputs:clearcoat": "1",
         "float inputs:clearcoatRoughness": f"{math.sqrt(model.coat_alpha):.9g}",
@@ -78,17 +80,34 @@ def _material(item: ExportItem, name: str, found: Fitted[CoatedFacets]) -> str:
     )
 
 
+def _shape() -> str:
+    """Return the mesh of all spheres, an abstract class."""
+    vertices, triangles = unit_sphere(24, 48)
+    points, normals = (
+        ", ".join(_triple(place) for place in places.tolist()) for places in (RADIUS_M * vertices, vertices)
+    )
+    return (
+        'class Mesh "Sphere"\n{\n'
+        f"    float3[] extent = [{_triple([-RADIUS_M] * 3)}, {_triple([RADIUS_M] * 3)}]\n"
+        f"    int[] faceVertexCounts = [{', '.join(['3'] * len(triangles))}]\n"
+        f"    int[] faceVertexIndices = [{', '.join(map(str, triangles.ravel().tolist()))}]\n"
+        f"    point3f[] points = [{points}]\n"
+        f'    normal3f[] normals = [{normals}] (\n        interpolation = "vertex"\n    )\n'
+        '    uniform token subdivisionScheme = "none"\n}\n'
+    )
+
+
 def _sphere(index: int, name: str) -> str:
     return (
-        f'\n    def Sphere "{name}" (\n        prepend apiSchemas = ["MaterialBindingAPI"]\n    )\n    {{\n'
-        f"        double radius = {_RADIUS_M:g}\n"
+        f'\n    def Mesh "{name}" (\n        prepend apiSchemas = ["MaterialBindingAPI"]\n'
+        "        prepend inherits = </Sphere>\n    )\n    {\n"
         f"        double3 xformOp:translate = ({index * _APART_M:g}, 0, 0)\n"
         '        uniform token[] xformOpOrder = ["xformOp:translate"]\n'
         f"        rel material:binding = </Paints/Materials/{name}>\n    }}\n"
     )
 
 
-def _colour(values: Sequence[float]) -> str:
+def _triple(values: Sequence[float]) -> str:
     return f"({', '.join(f'{value:.9g}' for value in values)})"
 
 
@@ -101,7 +120,7 @@ FORMAT = ExportFormat(
     name="usd",
     title="USD Preview Surface",
     ending=".usda",
-    holds="One base colour, metalness and roughness under a clearcoat, fitted on a sphere.",
+    holds="One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.",
     losses=losses,
     write=write,
     many=True,

@@ -2,23 +2,21 @@
 
     f_r = (1 - E_c(wo)) [ (1 - E_s(wo)) d / π + t S(wi, wo) ] + C(wi, wo)
 
-of glTF and OpenPBR, S and C lobes of :mod:`brdf_suite.reflectance.renderers.facet_lobe`, E_s and E_c their albedos.
-Metalness is 0, which leaves the colour of the lobe free. Many programs know nothing but the metalness of USD Preview
-Surface; it has one colour, d, for the matt layer and the metal M, and S is uncoloured where the metalness μ is 0:
-
-    f_r = (1 - E_c(wo)) [ (1 - μ) ((1 - E_s(wo)) d / π + S(wi, wo)) + μ M(wi, wo) ] + C(wi, wo).
+S and C lobes of :mod:`brdf_suite.reflectance.renderers.facet_lobe`, E_s and E_c their albedos. In glTF and OpenPBR
+metalness is 0, which leaves the colour of the lobe free. Many programs know nothing but the metalness of USD Preview
+Surface. It has one colour, d, for either the matt layer, below an uncoloured S, or a metal, which has no matt layer and
+is S of f0 = d. Between the two, programs differ: MaterialX, Blender and Pixar's own renderer take three formulas.
 
 | | glTF as Blender's Cycles evaluates it | OpenPBR by MaterialX | USD Preview Surface by MaterialX |
 |---|---|---|---|
-| S | f0 in three channels, rise of index 6, t = 1 | a dielectric of one f0; t is the colour | Schlick from R² to 1 |
-| E_s | the largest channel | of t = 1 | the mean of the channels |
+| S | f0 in three channels, rise of index 6, t = 1 | a dielectric of one f0; t is the colour | Schlick from R², or d |
+| E_s | the largest channel | of t = 1 | of R² |
 | C | index 1.5 | any index | Schlick; its R² is that of S, too |
 | multiple scattering | Kulla and Conty | Turquin | Turquin |
 | width of S | α | √(α² + 2 α_c²) for a coat of α_c | α |
 
-M rises after Schlick; MaterialX takes a conductor's curve, up to 7 % higher in dark channels. Where 0 < μ < 1, it
-mixes μ into S, from s (R² (1 - μ) + μ) to s, s = 1 - μ + μ d. Layers take light from those below on the way to the
-view only, so the models are not reciprocal.
+A metal rises after Schlick; MaterialX takes a conductor's curve, up to 7 % higher in dark channels. Layers take light
+from those below on the way to the view only, so the models are not reciprocal.
 """
 
 from __future__ import annotations
@@ -81,8 +79,8 @@ class CoatedFacets(mixture.MixtureSampled):
         Index and width of the clearcoat.
     grey
         f0 of OpenPBR's dielectric, below 1; the other kinds do without. No lobe where it is 0.
-    metalness
-        μ of USD; the other kinds do without.
+    metal
+        Whether USD's colour is that of a metal; the other kinds do without.
     """
 
     kind: Kind
@@ -92,7 +90,7 @@ class CoatedFacets(mixture.MixtureSampled):
     coat_ior: float = GLTF_COAT_IOR
     coat_alpha: float = 0.002
     grey: float = 0.0
-    metalness: float = 0.0
+    metal: bool = False
     reciprocal: ClassVar[bool] = False
     energy_conserving: ClassVar[bool] = False
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
@@ -136,13 +134,11 @@ class CoatedFacets(mixture.MixtureSampled):
         return np.asarray(left[:, None] * matt + tint * self.lobe.sum_terms(terms[:, 1:4], f0, cos_o))
 
     def _sum_usd(self, terms: Floats, cos_o: Floats) -> Floats:
-        colour, metal = np.asarray(self.diffuse), self.metalness
-        top = 1.0 - metal + metal * colour
-        f0 = top * ((1.0 - metal) * normal_reflectance(self.coat_ior) + metal)
-        left = 1.0 - self.lobe.albedo(f0, cos_o, top).mean(axis=-1)
-        matt = left[:, None] * (1.0 - metal) * terms[:, :1] * colour
-        matt = matt + self.lobe.sum_terms(terms[:, 1:4], f0, cos_o, top)
-        return np.asarray((1.0 - metal) * matt + metal * self.lobe.sum_terms(terms[:, 1:4], colour, cos_o))
+        if self.metal:
+            return self.lobe.sum_terms(terms[:, 1:4], np.asarray(self.diffuse), cos_o)
+        f0 = np.array([normal_reflectance(self.coat_ior)])
+        matt = (1.0 - self.lobe.albedo(f0, cos_o)) * terms[:, :1] * np.asarray(self.diffuse)
+        return np.asarray(matt + self.lobe.sum_terms(terms[:, 1:4], f0, cos_o))
 
     @cached_property
     def lobe(self) -> RendererLobe:
@@ -164,7 +160,7 @@ class CoatedFacets(mixture.MixtureSampled):
     @property
     def _parts(self) -> list[mixture.MixturePart]:
         lobe = (self.grey if self.kind == "openpbr" else 1.0) * max(self.specular) + 0.05 * self.has_lobe
-        lobe += self.metalness * max(self.diffuse)
+        lobe += self.metal * max(self.diffuse)
         coat = 0.02 + 2.0 * normal_reflectance(self.coat_ior)
         return [
             mixture.diffuse(max(self.diffuse) + 0.02),

@@ -20,9 +20,11 @@ from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.realtime.gl.context import create_context, release_context
 from brdf_suite.reflectance.instruments.rendered_sphere import sphere_difference
 from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
+from brdf_suite.reports.handover import item_of
+from tools.evaluation.materialx_picture import generate_shader
 
 LABS = {15.0: (86.1, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
 PAINT = Paint(
@@ -39,31 +41,44 @@ TO_709 = WORKING_TO_SRGB.T
 )
 def test_models_of_renderers_come_near_on_a_sphere(name: str, most: float) -> None:
     """The limits are those of what the formats can hold, with some room; the losses report each paint's own."""
-    paint = load_shipped_paint(name)
+    item = ExportItem(load_shipped_paint(name))
     found = {
-        "carpaint": fit_carpaint(paint),
-        "gltf": fit_coated_facets(paint, "gltf"),
-        "openpbr": fit_coated_facets(paint, "openpbr"),
-        "usd": fit_coated_facets(paint, "usd"),
+        "carpaint": fit_carpaint(item),
+        "gltf": fit_coated_facets(item, "gltf"),
+        "openpbr": fit_coated_facets(item, "openpbr"),
+        "usd": fit_coated_facets(item, "usd"),
     }
     assert {kind: one.on_sphere for kind, one in found.items() if one.on_sphere > most} == {}
     for one in found.values():
-        assert one.on_sphere == sphere_difference(build_paint(paint), one.model)
+        assert one.on_sphere == sphere_difference(item.reflectance, one.model)
 
 
 def test_what_the_losses_report_is_the_difference_on_the_sphere() -> None:
-    found = fit_coated_facets(PAINT, "gltf")
+    found = fit_coated_facets(ExportItem(PAINT), "gltf")
     (reported,) = (loss for loss in BY_NAME["gltf"].losses(ExportItem(PAINT)) if "on a sphere" in loss)
     assert f"mean ΔE00 {found.on_sphere:.1f} on a sphere" in reported
     assert f"{found.differences[0]:.1f} at 15°" in reported
 
 
+@pytest.mark.parametrize("name", ["table1_polaris_silver", "table1_blue"])
+def test_a_paint_that_is_no_design_is_fitted_itself(name: str) -> None:
+    """Not the design of the same five readings, which differs from it by more than the fit does."""
+    item = item_of(name)
+    found = fit_coated_facets(item, "gltf")
+    assert found.on_sphere == sphere_difference(item.reflectance, found.model)
+    design = fit_coated_facets(ExportItem(item.modelled), "gltf")
+    assert found.on_sphere < 0.7 * sphere_difference(item.reflectance, design.model)
+    reported = next(loss for loss in BY_NAME["gltf"].losses(item) if "on a sphere" in loss)
+    assert f"mean ΔE00 {found.on_sphere:.1f} on a sphere" in reported
+
+
 def test_a_solid_paint_has_no_lobe_and_a_metallic_one_has() -> None:
-    solid, metallic = load_shipped_paint("solid_red"), load_shipped_paint("silver_metallic")
+    solid, metallic = (ExportItem(load_shipped_paint(name)) for name in ("solid_red", "silver_metallic"))
     for kind in ("gltf", "openpbr"):
         assert not fit_coated_facets(solid, kind).model.has_lobe
         assert fit_coated_facets(metallic, kind).model.has_lobe
-    assert fit_coated_facets(solid, "usd").model.metalness == 0.0
+    assert not fit_coated_facets(solid, "usd").model.metal
+    assert fit_coated_facets(metallic, "usd").model.metal
 
 
 def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
@@ -82,7 +97,7 @@ def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
     assert {item.getName() for item in surfaces[0].getInputs()} <= {
         item.getName() for item in definition.getInputs()
     }
-    found = fit_coated_facets(PAINT, "openpbr").model
+    found = fit_coated_facets(ExportItem(PAINT), "openpbr").model
     assert surfaces[0].getInputValue("specular_roughness") == pytest.approx(math.sqrt(found.alpha))
     assert surfaces[0].getInputValue("coat_ior") == pytest.approx(found.coat_ior)
 
@@ -115,7 +130,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_openpbr(tmp_path: Path) 
     path = tmp_path / "a.mtlx"
     BY_NAME["openpbr"].write([ExportItem(PAINT)], path, None)
     wi, wo, found = _shaded(path)
-    ratio = found / (fit_coated_facets(PAINT, "openpbr").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
+    ratio = found / (fit_coated_facets(ExportItem(PAINT), "openpbr").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
     assert np.abs(ratio - 1.0).max() < 0.03
     # Only towards grazing are its formulas for albedos, which are approximations, off by more than a percent.
     assert np.abs(ratio[wo[:, 2] > 0.5] - 1.0).max() < 0.01
@@ -132,7 +147,7 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Pa
     path = tmp_path / "a.mtlx"
     path.write_text(_USD_PREVIEW.format(inputs="".join(lines)))
     wi, wo, found = _shaded(path)
-    ratio = found / (fit_coated_facets(PAINT, "usd").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
+    ratio = found / (fit_coated_facets(ExportItem(PAINT), "usd").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
     # Its metal is a conductor, ours rises after Schlick; the two differ most in dark channels.
     assert np.abs(ratio - 1.0).max() < 0.08
     assert np.abs(ratio - 1.0).mean() < 0.02
@@ -140,33 +155,8 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Pa
 
 def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Directions (n, 3) to light and view, and the light (n, 3) that MaterialX's shader of the file reflects."""
-    mx = pytest.importorskip("MaterialX")
-    from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
-
-    from brdf_suite.realtime.gl.context import create_context, release_context
-
-    library, document = mx.createDocument(), mx.createDocument()
-    folders = mx.getDefaultDataSearchPath()
-    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), folders, library)
-    mx.readFromXmlFile(document, str(path))
-    document.importLibrary(library)
-    generator = PyMaterialXGenGlsl.GlslShaderGenerator.create()
-    colours = PyMaterialXGenShader.DefaultColorManagementSystem.create(generator.getTarget())
-    colours.loadLibrary(document)
-    generator.setColorManagementSystem(colours)
-    context = PyMaterialXGenShader.GenContext(generator)
-    context.registerSourceCodeSearchPath(folders)
-    options = context.getOptions()
-    options.hwMaxActiveLightSources = 1
-    none = PyMaterialXGenShader.HwSpecularEnvironmentMethod.SPECULAR_ENVIRONMENT_NONE
-    options.hwSpecularEnvironmentMethod = none
-    light = document.getNodeDef("ND_directional_light")
-    PyMaterialXGenShader.HwShaderGenerator.bindLightShader(light, 1, context)
-    (element,) = PyMaterialXGenShader.findRenderableElements(document)
-    source = generator.generate("paint", element, context).getSourceCode(PyMaterialXGenShader.PIXEL_STAGE)
-    head = "#version 400\n"
-    # The generator leaves this one to the program that draws.
-    source = source.replace(head, head + "const bool u_refractionTwoSided = false;\n", 1)
+    pytest.importorskip("MaterialX")
+    source = generate_shader(path, environment=False).pixel
     angles = np.array([(45.0, 15.0), (45.0, 45.0), (45.0, 75.0), (45.0, 110.0), (20.0, 30.0), (65.0, 60.0)])
     wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
     gl = create_context()
@@ -193,6 +183,51 @@ def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return wi, wo, np.array(found)
 
 
+def test_usd_is_valid_to_its_own_checks(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdShade, UsdValidation
+
+    def faults(path: Path) -> list[str]:
+        found = UsdValidation.ValidationContext(
+            UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+        ).Validate(Usd.Stage.Open(str(path)))
+        return [error.GetName() for error in found]
+
+    path = tmp_path / "a.usda"
+    items = [ExportItem(PAINT), ExportItem(load_shipped_paint("solid_red"))]
+    BY_NAME["usd"].write(items, path, None)
+    assert faults(path) == []
+    stage = Usd.Stage.Open(str(path))
+    spheres = [prim for prim in stage.Traverse() if prim.GetTypeName() == "Mesh"]
+    assert [prim.GetName() for prim in spheres] == ["gold_fine", "Solid_red"]
+    for prim, kind in zip(spheres, ("gold fine", "Solid red"), strict=True):
+        material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+        assert material.GetPrim().GetDocumentation().startswith(kind)
+    # The checks are not blind to what could be wrong.
+    text = path.read_text()
+    for kept, broken in (
+        ('prepend apiSchemas = ["MaterialBindingAPI"]', ""),
+        ("float inputs:ior", "double inputs:ior"),
+    ):
+        assert kept in text
+        path.with_name("broken.usda").write_text(text.replace(kept, broken))
+        assert faults(path.with_name("broken.usda")) != []
+
+
+def test_the_mesh_of_a_usd_faces_outwards(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    from pxr import Usd, UsdGeom
+
+    BY_NAME["usd"].write([ExportItem(PAINT)], tmp_path / "a.usda", None)
+    stage = Usd.Stage.Open(str(tmp_path / "a.usda"))
+    mesh = UsdGeom.Mesh(next(prim for prim in stage.Traverse() if prim.GetTypeName() == "Mesh"))
+    points = np.array(mesh.GetPointsAttr().Get())
+    corners = points[np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)]
+    volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])).sum() / 6.0
+    assert volume == pytest.approx(4.0 / 3.0 * math.pi * 0.1**3, rel=0.02)
+    assert np.array(mesh.GetNormalsAttr().Get()) == pytest.approx(points / 0.1, abs=1e-5)
+
+
 def test_gltf_is_read_by_another_library(tmp_path: Path) -> None:
     pygltflib = pytest.importorskip("pygltflib")
     import trimesh
@@ -200,7 +235,7 @@ def test_gltf_is_read_by_another_library(tmp_path: Path) -> None:
     path = tmp_path / "a.gltf"
     BY_NAME["gltf"].write([ExportItem(PAINT)], path, None)
     material = pygltflib.GLTF2().load(str(path)).materials[0]
-    found = fit_coated_facets(PAINT, "gltf").model
+    found = fit_coated_facets(ExportItem(PAINT), "gltf").model
     assert material.extensions["KHR_materials_clearcoat"]["clearcoatFactor"] == 1.0
     assert material.pbrMetallicRoughness.baseColorFactor == [*found.diffuse, 1.0]
     assert material.pbrMetallicRoughness.metallicFactor == 0.0
@@ -278,5 +313,5 @@ def test_luxcore_itself_renders_the_material_as_it_was_fitted(tmp_path: Path) ->
     found = [line.split()[1:] for line in done.stdout.splitlines() if line.startswith("FOUND")]
     assert len(found) == 3, done.stderr[-2000:]
     wi, wo = np.broadcast_to(illumination(45.0), (3, 3)), aspecular_view(45.0, np.array(list(LABS)))
-    expected = fit_carpaint(PAINT).model.eval(wi, wo) @ TO_709 * math.cos(math.pi / 4.0)
+    expected = fit_carpaint(ExportItem(PAINT)).model.eval(wi, wo) @ TO_709 * math.cos(math.pi / 4.0)
     assert np.array(found, float) == pytest.approx(expected, rel=1e-4)

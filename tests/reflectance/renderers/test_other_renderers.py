@@ -19,7 +19,8 @@ MODELS = {
     "gltf": CoatedFacets("gltf", RED, BLUE, 0.2),
     "gltf_solid": CoatedFacets("gltf", RED, BLACK, 1.0),
     "openpbr": CoatedFacets("openpbr", RED, BLUE, 0.2, 1.6, 0.1, grey=0.4),
-    "usd": CoatedFacets("usd", RED, BLACK, 0.2, 1.6, 0.01, metalness=0.5),
+    "usd": CoatedFacets("usd", RED, BLACK, 0.2, 1.6, 0.01),
+    "usd_metal": CoatedFacets("usd", RED, BLACK, 0.2, 1.6, 0.01, metal=True),
     "carpaint": CarPaint(RED, (BLUE, (0.1, 0.0, 0.0), WHITE), (1.0, 0.5, 0.04), (0.5, 0.2, 0.01)),
 }
 
@@ -61,7 +62,7 @@ def test_white_paint_returns_what_it_gets(kind: str, alpha: float) -> None:
     np.testing.assert_allclose(white_furnace(matt, views), 1.0, atol=0.015)
     lobe = replace(matt, diffuse=BLACK, specular=WHITE, grey=0.999)
     if kind == "usd":
-        lobe = replace(matt, metalness=1.0)
+        lobe = replace(matt, metal=True)
     np.testing.assert_allclose(white_furnace(lobe, views), 1.0, atol=0.03)
 
 
