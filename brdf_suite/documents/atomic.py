@@ -2,6 +2,9 @@
 
 The content goes to a temporary file in the same folder, is forced to the disk, and takes the old file's place in
 one step of the file system. Whatever happens before that step, the old file is as it was.
+
+A writer that is killed leaves its temporary file, hidden and with the ending of the target. The next save of the same
+file removes it: a writer that lives holds a lock on its own, which the system frees with the process.
 """
 
 from __future__ import annotations
@@ -9,13 +12,25 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import secrets
 import stat
+import sys
+import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from glob import escape
+from io import BufferedIOBase
 from pathlib import Path
 
 from brdf_suite.errors import FileError
+
+if sys.platform != "win32":
+    import fcntl
+
+_UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?", re.DOTALL)
+_LONGEST_WRITE_S = 3600.0
+"""Where a system has no locks, a temporary file that has not grown for so long belongs to no writer."""
 
 
 @contextmanager
@@ -36,11 +51,13 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     temporary: Path | None = None
     try:
         mode = _mode_of(target)
+        remove_leftovers(target)
         unused = target.parent / f".{target.stem[:80]}.{secrets.token_hex(8)}{target.suffix}"
         # "x" refuses a file that is already there; the user's umask applies as to any new file.
-        with unused.open("xb"):
+        with unused.open("xb") as held:
             temporary = unused
-        yield temporary
+            _lock(held)
+            yield temporary
         with temporary.open("rb+") as file:
             os.fsync(file.fileno())
         if mode is not None:
@@ -55,6 +72,40 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
             # Where even this fails, the first error is the one to report.
             with contextlib.suppress(OSError):
                 temporary.unlink()
+
+
+def remove_leftovers(target: Path, stem: str | None = None) -> None:
+    """Remove the temporary files that killed writers of ``target`` left beside it; those in use stay.
+
+    ``stem`` is a pattern of :mod:`glob` in place of the name without its ending, where that changes with the content.
+    """
+    stem = escape(target.stem[:80]) if stem is None else stem
+    for path in target.parent.glob(f".{stem}.{'[0-9a-f]' * 16}{escape(target.suffix)}"):
+        with contextlib.suppress(OSError), path.open("rb+") as file:
+            is_left = _lock(file)
+            old = time.time() - path.stat().st_mtime > _LONGEST_WRITE_S
+            if is_left or old:
+                path.unlink()
+
+
+def is_unfinished(path: Path) -> bool:
+    """Return whether a name is that of a temporary file of :func:`replacing`, which is no document.
+
+    >>> is_unfinished(Path(".blue.0123456789abcdef.brdfpaint")), is_unfinished(Path("blue.brdfpaint"))
+    (True, False)
+    """
+    return _UNFINISHED.fullmatch(path.name) is not None
+
+
+def _lock(file: BufferedIOBase) -> bool:
+    """Lock an open file for this process; return whether it is locked now, which needs a system with such locks."""
+    if sys.platform == "win32":
+        return False
+    try:
+        fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # another holds it, or the file system has no locks
+        return False
+    return True
 
 
 def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:

@@ -14,13 +14,15 @@ import re
 import tempfile
 from collections.abc import Mapping
 from functools import lru_cache
+from glob import escape
 from pathlib import Path
 
 import numpy as np
 import OpenEXR
 from numpy.typing import NDArray
 
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import remove_leftovers, write_atomically
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.errors import DocumentError, FileError
 
@@ -63,14 +65,11 @@ def write_textures(maps: Maps, beside: str | os.PathLike[str]) -> TextureFile:
     # The name is known only when the content is.
     with tempfile.TemporaryDirectory() as folder:
         made = Path(folder) / "maps.exr"
-        try:
-            OpenEXR.File(parts).write(str(made))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(beside, f"its textures cannot be written ({error})") from error
+        write_by_library(OpenEXR.File(parts), made, beside)
         content = made.read_bytes()
     digest = hashlib.sha256(content).hexdigest()
     target = _target(document, digest)
-    write_atomically(target, content)
+    _write(target, document, content)
     return TextureFile(str(target.absolute()), digest)
 
 
@@ -87,7 +86,7 @@ def save_beside(textures: TextureFile, beside: str | os.PathLike[str]) -> Textur
         return TextureFile(source.name, textures.sha256)
     content = _checked(textures, beside)
     target = _target(document, textures.sha256)
-    write_atomically(target, content)
+    _write(target, document, content)
     return TextureFile(target.name, textures.sha256)
 
 
@@ -169,6 +168,12 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
             "textures.sha256",
         )
     return content
+
+
+def _write(target: Path, document: Path, content: bytes) -> None:
+    """Write the textures of a document; what killed writers left of others of them goes."""
+    remove_leftovers(target, f"{escape(_stem(document))}-{'[0-9a-f]' * _DIGITS}")
+    write_atomically(target, content)
 
 
 def _target(document: Path, digest: str) -> Path:

@@ -13,6 +13,7 @@ import OpenEXR
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.primaries import REC2020
 
@@ -34,10 +35,7 @@ def write_state(
     }
     channels = {name: np.ascontiguousarray(plane, np.float32) for name, plane in planes.items()}
     with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(path, f"cannot be written ({error})") from error
+        write_by_library(OpenEXR.File(header, channels), temporary, path)
 
 
 @contextmanager

@@ -220,8 +220,19 @@ class Recovery(QObject, Generic[T]):
         saved = saved - first if first <= saved < first + len(kept) else -1
         return f'{{"place": {place - first}, "saved": {saved}, "states": [{", ".join(rows)}]}}'
 
+    def _sweep_unfinished(self) -> None:
+        """Remove what a kill left of an autosave that was being written, and locks of runs without one."""
+        for lock in self.folder.glob("*.lock"):
+            if lock.stat().st_size == 0:  # its run was killed while it made the lock, which Qt takes for held
+                lock.unlink(missing_ok=True)
+            autosave = lock.with_suffix(".json")
+            if self._has_ended(autosave):
+                autosave.with_suffix(".tmp").unlink(missing_ok=True)
+                _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
+
     def found(self) -> list[Recovered[T]]:
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
+        self._sweep_unfinished()
         result = []
         for file in self.folder.glob(f"*{_ENDING}"):
             if not self._has_ended(file):
@@ -309,8 +320,12 @@ def _saved_file(autosave: Path) -> Path:
 def _replace(file: Path, text: str) -> None:
     # No fsync: what a killed process has written stays in the system, and this runs between two frames.
     draft = file.with_suffix(".tmp")
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(file)
+    try:
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(file)
+    except OSError:
+        draft.unlink(missing_ok=True)
+        raise
 
 
 def _aside(file: Path) -> Path:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, open_plain
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
@@ -202,10 +203,7 @@ def write_exr(
         "chromaticities": chromaticities,
     } | ({"dwaCompressionLevel": float(dwa_level)} if dwa_level else {})
     with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(path, f"cannot be written ({error})") from error
+        write_by_library(OpenEXR.File(header, channels), temporary, path)
 
 
 _LINES = 16
