@@ -53,7 +53,10 @@ def reading_state(
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()
             state = json.loads(header[attribute])
-            planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
+            with np.errstate(invalid="ignore"):  # of numbers that are none
+                planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
+        if not all(np.isfinite(plane).all() for plane in planes.values()):
+            raise ValueError("it holds numbers that are not finite")
         yield state, planes
     except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
         raise FileError(

@@ -68,7 +68,7 @@ def record_from_json(plain: Any) -> Record | None:
             gloss = None if plain["gloss"] is None else Gloss(**plain["gloss"])
             standard = Standard(name, origin, tuple(map(_reading, plain["readings"])), gloss, notices=notices)
         return Record(standard, str(plain["source"]), int(plain["chosen"]))
-    except (KeyError, TypeError, ValueError, SuiteError):
+    except (ArithmeticError, KeyError, TypeError, ValueError, SuiteError):
         # Another version's, or damaged: then the paint has no standard, as if none had been kept.
         return None
 
@@ -97,7 +97,7 @@ def kept(path: Path) -> Record | None:
     """Return the record of the paint in file ``path``; ``None`` where there is none."""
     try:
         plain = json.loads(_file(path).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         # Most paints have none; a damaged one is as good as none.
         return None
     return record_from_json(plain)

@@ -137,5 +137,5 @@ def _read_record(file: Path) -> TabsLeft | None:
             for row in content["tabs"][:_MOST_TABS]
         ]
         return TabsLeft(tuple(tabs), int(content["front"]), file)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (OSError, ArithmeticError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None

@@ -182,7 +182,7 @@ class Recovery(QObject, Generic[T]):
             rows = content["history"]
             value = self._format.from_json(rows["states"][int(rows["place"])][1], file)
             return self._recovered(content, value, file)
-        except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
+        except (OSError, ArithmeticError, ValueError, TypeError, LookupError, RecursionError, SuiteError):
             return None
 
     def _has_ended(self, file: Path) -> bool:
@@ -223,9 +223,9 @@ class Recovery(QObject, Generic[T]):
     def _sweep_unfinished(self) -> None:
         """Remove what a kill left of an autosave that was being written, and locks of runs without one."""
         for lock in self.folder.glob("*.lock"):
-            if lock.stat().st_size == 0:  # its run was killed while it made the lock, which Qt takes for held
-                lock.unlink(missing_ok=True)
             autosave = lock.with_suffix(".json")
+            if not any(lock_of(autosave).getLockInfo()):  # its run was killed while it made it; Qt takes it for held
+                lock.unlink(missing_ok=True)
             if self._has_ended(autosave):
                 autosave.with_suffix(".tmp").unlink(missing_ok=True)
                 _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
@@ -239,7 +239,7 @@ class Recovery(QObject, Generic[T]):
                 continue
             try:
                 result.append(self._read(file))
-            except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
+            except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError, SuiteError) as error:
                 text = tr("unsaved work of an earlier run cannot be read ({reason})").format(reason=error)
                 self._failed(FileError(_aside(file), text))
         return sorted(result, key=lambda item: item.when, reverse=True)
@@ -268,7 +268,7 @@ class Recovery(QObject, Generic[T]):
             rows = content["states"][:MOST_STATES]
             states = tuple((str(name), self._format.from_json(row, file)) for name, row in rows)
             place, saved = int(content["place"]), int(content["saved"])
-        except (KeyError, TypeError, ValueError, SuiteError):
+        except (KeyError, TypeError, ValueError, OverflowError, SuiteError):
             return None
         if not 0 <= place < len(states) or states[place][1] != value or not -1 <= saved < len(states):
             return None

@@ -25,6 +25,8 @@ LARGEST_SIDE = 4096
 _STRIP_PIXELS = 1 << 16
 """Pixels that are worked on at once: as numbers, all of a large map would take gigabytes, and few stay in the cache."""
 _STEEPEST = 20.0
+_LARGEST_NUMBER = 1e6
+"""In an EXR file; the squares of larger ones would overflow."""
 _EXR = b"\x76\x2f\x31\x01"
 _SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}
 """What white is, by kind and size of the numbers; Pillow gives 16 bits as either of two."""
@@ -109,6 +111,8 @@ def _read(path: PathLike) -> tuple[NDArray[Any], bool]:
     pixels = read_exr(path).pixels
     if not np.isfinite(pixels).all():
         raise FileError(path, "holds numbers that are not finite")
+    if np.abs(pixels).max() > _LARGEST_NUMBER:
+        raise FileError(path, f"holds numbers over {_LARGEST_NUMBER:g}, which are neither shares nor directions")
     return pixels, bool((pixels < 0.0).any())
 
 

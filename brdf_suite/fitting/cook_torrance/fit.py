@@ -331,7 +331,7 @@ class StartsFile:
             return {}
         except OSError as error:
             raise FileError(self._path, f"cannot be read: {error.strerror or error}") from error
-        except ValueError as error:  # of the size, the encoding or the form
+        except (ValueError, RecursionError) as error:  # of the size, the encoding or the form
             raise FileError(self._path, "is no file of kept starts; name another one") from error
         if not isinstance(value, dict) or value.get("format") != STARTS_FORMAT:
             raise FileError(self._path, "is no file of kept starts; name another one", "format")

@@ -24,7 +24,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.meshes.occlusion_cache import encode_baked, read_baked
-from brdf_suite.fitting.basis_search.document import load_search
+from brdf_suite.fitting.basis_search.document import STATE_FORMAT, STATE_VERSION, load_search, load_state
 from brdf_suite.fitting.cook_torrance.fit import StartsFile
 from brdf_suite.fitting.lobes.basis import read_basis
 from brdf_suite.lighting.filter.face_array import FaceArray
@@ -45,7 +45,7 @@ from tools.attack.readers.reader import MEGABYTE, Reader, WrongValueError, text_
 KEY = "key"
 _PAGES = {
     "html": (b"<!doctype html>" + html._OPEN.encode(), html._CLOSE.encode()),
-    "pdf": (b"%PDF-1.4\n", b"endstream"),
+    "pdf": (b"%PDF-1.4\nstream\n", b"endstream"),
 }
 _FACTORS = "p:wo q:h p:wi"
 
@@ -177,6 +177,17 @@ def _read_basis(path: Path) -> None:
     load_search(path)
 
 
+_SETTINGS = {"database_sha256": "0", "paints": ["a", "b"], "starts": 2}
+
+
+def _search_state(folder: Path) -> list[Path]:
+    results = json.loads(resource("basis", "search.json").read_text())["results"][:2]
+    for result in results:
+        result["errors"] = result["errors"][:2]
+    value = {"format": STATE_FORMAT, "version": STATE_VERSION, "settings": _SETTINGS, "results": results}
+    return text_files(state__json=json.dumps(value))(folder)
+
+
 def _starts(folder: Path) -> list[Path]:
     StartsFile(folder / "starts.json").save(KEY, {0: [1.0, 2.0], 1: [0.5]})
     return [folder / "starts.json"]
@@ -230,7 +241,7 @@ def _export(name: str) -> Callable[[Path], list[Path]]:
         if name in ("html", "pdf"):  # a page takes seconds to draw, and only the paint in it is read
             items = [ExportItem(load_shipped_paint("blue"))]
             json_document.FORMAT.write(items, path, None)
-            content = path.read_bytes()
+            content = json.dumps(json.loads(path.read_bytes())).encode()
             path.write_bytes(_PAGES[name][0] + content + _PAGES[name][1])
         else:
             known.write(items, path, None)
@@ -283,6 +294,7 @@ READERS = [
     Reader("document:session", read_session, _session),
     Reader("document:work", _read_work, _work),
     Reader("document:basis", _read_basis, _basis),
+    Reader("document:search_state", lambda path: load_state(path, _SETTINGS), _search_state),
     Reader("document:starts", lambda path: StartsFile(path).load(KEY), _starts),
     Reader("cache:maps", lambda path: read_maps(path, KEY), _array_file(lambda: encode_maps(maps_of(1), KEY))),
     Reader("cache:packed", lambda path: read_packed_maps(path, KEY), _array_file(lambda: pack_maps(maps_of(1), KEY, ""))),

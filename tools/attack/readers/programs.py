@@ -196,8 +196,13 @@ def _texts(folder: Path) -> list[Path]:
 def _read_text(path: Path) -> None:
     """Read a text as the clipboard's, as a list of factors, and as a number that is typed."""
     text = path.read_bytes().decode("utf-8", "replace")
-    with contextlib.suppress(*REFUSALS):
-        importlib.import_module("brdf_color_swatch.editing.transfer").entries_of_text(text)
+    transfer = importlib.import_module("brdf_color_swatch.editing.transfer")
+    application()
+    for kind in ("text/plain", transfer.MIME, transfer.PAINT_MIME):
+        carried = importlib.import_module("PySide6.QtCore").QMimeData()
+        carried.setData(kind, path.read_bytes())
+        with contextlib.suppress(*REFUSALS):
+            transfer.read_data(carried)
     importlib.import_module("brdf_qt.fields.number").parse_number(text)
     with contextlib.suppress(ValueError):
         importlib.import_module("brdf_lobe_visualizer.view3d.camera").parse_camera(text)
