@@ -271,6 +271,8 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
         except (LookupError, TypeError, ValueError, AttributeError) as error:
             # A migration sees fields that are not checked yet.
             raise DocumentError(
-                path, f"is of version {step} but not as that version was, so it cannot be brought up to date"
+                path,
+                f"is of version {step} but not as that version was, so it cannot be brought up to date",
+                "version",
             ) from error
     return FieldReader(fields, path)

@@ -70,14 +70,13 @@ class Seed:
         self.key = label or f"{path.parent.name}/{path.name}"
         self.content = path.read_bytes()
         beside = [one for one in path.parent.iterdir() if one.is_file() and one.name != path.name]
-        self.companions = {one.name: one.read_bytes() for one in beside if one.stat().st_size < MEGABYTE}
-        self._named = [name for name in self.companions if name.encode() in self.content]
+        self.companions = {one.name: one.read_bytes() for one in beside if one.name.encode() in self.content}
 
     def damaged(self, run: int, number: int) -> tuple[str, bytes]:
         """Return which of the files is damaged, and its content; the same each time."""
         rng = random.Random(f"{run} {self.reader.name} {self.key} {number}")
-        if self._named and rng.random() < 0.25:
-            name = rng.choice(self._named)
+        if self.companions and rng.random() < 0.25:
+            name = rng.choice(sorted(self.companions))
             return name, mutate(self.companions[name], rng)
         return self.name, mutate(self.content, rng)
 
@@ -152,11 +151,14 @@ class Loop:
             count[seed.reader.name] = count.get(seed.reader.name, 0) + 1
         self._wanted = {id(seed): -(-inputs // count[seed.reader.name]) for seed in seeds}
         self._selector = selectors.DefaultSelector()
+        self._slice_s = SLICE_S
         self._saved = self._reported = time.monotonic()
 
     def run(self, jobs: int = 1, seconds: float = float("inf")) -> None:
         """Read until all inputs are read or the time is over; ``jobs`` workers at once."""
         until = time.monotonic() + seconds
+        # Where the time is short, every seed comes at least once.
+        self._slice_s = min(SLICE_S, 0.7 * jobs * seconds / len(self._seeds))
         waiting = list(self._seeds)
         try:
             while True:
@@ -193,7 +195,7 @@ class Loop:
         shared = "/dev/shm" if Path("/dev/shm").is_dir() else None
         folder = tempfile.TemporaryDirectory(prefix="attack-", dir=shared, ignore_cleanup_errors=True)
         receive, send = os.pipe()
-        ends = min(until, time.monotonic() + SLICE_S)
+        ends = min(until, time.monotonic() + self._slice_s)
         pid = os.fork()
         if pid == 0:
             status = 70

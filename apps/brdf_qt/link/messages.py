@@ -22,6 +22,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.store import paint_from_json, view_from_json
 
 VERSION = 1
@@ -85,16 +86,16 @@ def decode(line: bytes) -> Message:
     try:
         data = json.loads(line, parse_constant=_no_constants)
     except (ValueError, RecursionError) as error:
-        raise BadMessageError(f"not JSON ({error})") from error
+        raise BadMessageError(f"not JSON ({error})"[:200]) from error
     if not isinstance(data, dict) or set(data) != _KEYS:
         raise BadMessageError("not an envelope with exactly v, topic, value, from and seq")
     if data["v"] != VERSION:
-        raise BadMessageError(f"version {data['v']!r}, this program knows {VERSION}")
+        raise BadMessageError(f"version {describe(data['v'])}, this program knows {VERSION}")
     topic, value, sender, seq = data["topic"], data["value"], data["from"], data["seq"]
     if not _is_name(topic) or not _is_name(sender) or not isinstance(value, dict):
         raise BadMessageError("topic, from or value has the wrong type")
     if isinstance(seq, bool) or not isinstance(seq, int) or not 0 <= seq <= _MAX_SEQ:
-        raise BadMessageError(f"seq {seq!r} is not a whole number from 0 to {_MAX_SEQ}")
+        raise BadMessageError(f"seq {describe(seq)} is not a whole number from 0 to {_MAX_SEQ}")
     return Message(topic, value, sender, seq, line.rstrip(b"\r\n") + b"\n")
 
 

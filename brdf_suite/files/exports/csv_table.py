@@ -219,7 +219,7 @@ class Table:
         if illuminant != "D65" or observer not in ("10", "10.0", "10°"):
             raise FileError(
                 self._path,
-                f"colours of {illuminant[:20]} and the {observer[:20]}° observer cannot become those of D65 and 10° "
+                f"colours of {illuminant[:20]!r} and the observer {observer[:20]!r} cannot become those of D65 and 10° "
                 "without a spectrum",
                 f"line {line}",
             )

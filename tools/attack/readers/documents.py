@@ -183,7 +183,8 @@ _SETTINGS = {"database_sha256": "0", "paints": ["a", "b"], "starts": 2}
 def _search_state(folder: Path) -> list[Path]:
     results = json.loads(resource("basis", "search.json").read_text())["results"][:2]
     for result in results:
-        result["errors"] = result["errors"][:2]
+        for name in ("errors", "base_errors", "coat_errors"):
+            result[name] = result[name][:2]
     value = {"format": STATE_FORMAT, "version": STATE_VERSION, "settings": _SETTINGS, "results": results}
     return text_files(state__json=json.dumps(value))(folder)
 

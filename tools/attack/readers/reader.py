@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 
 MEGABYTE = 1 << 20
 REFUSALS: tuple[type[Exception], ...] = (SuiteError,)
@@ -58,7 +58,9 @@ def outcome(reader: Reader, path: Path) -> str:
             return "over the memory bound, refused"
         if reader.has_place and isinstance(error, SuiteError) and not getattr(error, "place", None):
             return f"no place in the message {text!r}"[:300]
-        good = len(text) < LONGEST_MESSAGE and text.isprintable()
+        # The file's own name may be as long as a system allows.
+        own = error.path if isinstance(error, FileError) else ""
+        good = len(text) - len(own) < LONGEST_MESSAGE and text.isprintable()
         return "refused" if good else f"message {text!r}"[:300]
     except MemoryError:
         return "MemoryError"
