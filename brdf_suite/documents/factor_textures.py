@@ -63,10 +63,13 @@ def write_textures(maps: Maps, beside: str | os.PathLike[str]) -> TextureFile:
         parts.append(OpenEXR.Part(header, channels, name))
     document = Path(beside)
     # The name is known only when the content is.
-    with tempfile.TemporaryDirectory() as folder:
-        made = Path(folder) / "maps.exr"
-        write_by_library(OpenEXR.File(parts), made, beside)
-        content = made.read_bytes()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / "maps.exr"
+            write_by_library(OpenEXR.File(parts), made, beside)
+            content = made.read_bytes()
+    except OSError as error:  # a temporary folder that is full, or not there
+        raise FileError(beside, f"its textures cannot be written ({error.strerror or error})") from error
     digest = hashlib.sha256(content).hexdigest()
     target = _target(document, digest)
     _write(target, document, content)

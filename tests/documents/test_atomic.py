@@ -5,13 +5,22 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
+import numpy as np
+import OpenEXR
 import pytest
 
+from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.errors import FileError
+from brdf_suite.fitting.basis_search.database import load_database
+from brdf_suite.pipeline.material import paints_of
+from brdf_suite.reports.contact_sheet.document import sheet_items
 
 OLD = solid_paint("old", (50.0, 0.0, 0.0))
 
@@ -73,3 +82,71 @@ def test_places_that_cannot_be_written_are_named(tmp_path: Path) -> None:
         save_paint(OLD, tmp_path / "none" / "a.brdfpaint")
     with pytest.raises(FileError, match="not a plain file"):
         save_paint(OLD, tmp_path)
+
+
+def test_the_next_save_removes_what_a_killed_one_left_and_nothing_else(path: Path) -> None:
+    left = path.with_name(f".{path.stem}.{'0a' * 8}{path.suffix}")
+    other = path.with_name(f".another.{'0a' * 8}{path.suffix}")
+    for one in (left, other):
+        one.write_bytes(path.read_bytes())
+    with replacing(path) as used:
+        save_paint(OLD, path)  # another writer of the same file at the same time
+        assert used.exists()
+        used.write_bytes(path.read_bytes())
+    assert sorted(path.parent.iterdir()) == sorted([path, other])
+
+
+def test_what_a_kill_left_is_no_document(path: Path) -> None:
+    save_paint(OLD, path.with_name(f".{path.stem}.{'0a' * 8}{path.suffix}"))
+    assert paints_of(path.parent) == (str(path),)
+    assert [item.name for item in sheet_items(path.parent)[1]] == ["old"]
+    assert len(load_database(path.parent).names) >= 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sets a limit of Unix")
+@pytest.mark.parametrize("size", [0, 1, 100, 900])
+def test_small_maps_on_a_full_disk_are_an_error(tmp_path: Path, size: int) -> None:
+    script = (
+        "import resource, signal, sys\n"
+        "import numpy as np\n"
+        "from brdf_suite.documents.factor_textures import write_textures\n"
+        "from brdf_suite.errors import FileError\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        f"resource.setrlimit(resource.RLIMIT_FSIZE, ({size}, {size}))\n"
+        "try:\n"
+        "    write_textures({name: np.full((16, 16, 3), 0.5, np.float32) for name in 'pq'}, sys.argv[1])\n"
+        "except FileError as error:\n"
+        "    print(error)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(tmp_path / "a.brdfpaint")],
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    assert "cannot be written" in done.stdout, done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def write_content(content: bytes, name: str) -> None:
+    Path(name).write_bytes(content)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (5, 3), (40, 7), (300, 2)])
+@pytest.mark.parametrize("parts", [1, 3])
+def test_whole_files_of_any_height_are_whole_and_none_that_is_cut_off(
+    tmp_path: Path, shape: tuple[int, int], parts: int
+) -> None:
+    rng = np.random.default_rng(1)
+    planes = {name: rng.random(shape).astype(np.float32) for name in "RGB"}
+    path = tmp_path / "a.exr"
+    for compression in (OpenEXR.ZIP_COMPRESSION, OpenEXR.PIZ_COMPRESSION, OpenEXR.DWAB_COMPRESSION):
+        header = {"compression": compression, "type": OpenEXR.scanlineimage}
+        made = [OpenEXR.Part({**header, "name": f"p{k}"}, dict(planes), f"p{k}") for k in range(parts)]
+        write_by_library(OpenEXR.File(made) if parts > 1 else OpenEXR.File(header, planes), path, path)
+        content = path.read_bytes()
+        for size in (0, 7, 60, len(content) // 2, len(content) - 1):
+            cut = SimpleNamespace(write=partial(write_content, content[:size]))
+            with pytest.raises(FileError, match="cannot be written"):
+                write_by_library(cut, path, path)

@@ -195,13 +195,17 @@ def signals(count: int, seed: int, report: Callable[[str], None]) -> Lines:
                 sent = rng.choice(_SIGNALS)
                 after = rng.uniform(0.0, 2.0)
                 status, said = _with_signal(child_command(*line), environment, sent, after)
-                found.judge(f"{' '.join(line)}, {sent.name} after {after:.2f} s", status, said, killed=status == -sent)
+                found.judge(
+                    f"{' '.join(line)}, {sent.name} after {after:.2f} s", status, said, killed=status == -sent
+                )
             if len(found.faults) > before:
                 report(f"{list(found.faults)[-1]}: {said.strip()[-300:]}")
     return found
 
 
-def _with_signal(command: list[str], environment: dict[str, str], sent: signal.Signals, after_s: float) -> tuple[int, str]:
+def _with_signal(
+    command: list[str], environment: dict[str, str], sent: signal.Signals, after_s: float
+) -> tuple[int, str]:
     process = subprocess.Popen(
         command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
     )
@@ -237,7 +241,7 @@ def _with_pipes(command: list[str], environment: dict[str, str], kind: int) -> t
         process = begin(subprocess.DEVNULL, send)
         os.close(send)
     elif kind == 2:
-        with open("/dev/full", "wb") as full:
+        with Path("/dev/full").open("wb") as full:
             process = begin(subprocess.DEVNULL, full.fileno())
     else:
         process = begin(subprocess.DEVNULL, subprocess.DEVNULL, 1 if kind == 1 else 0)

@@ -4,7 +4,8 @@ Each writer writes one version after another to the same place, in a forked chil
 random moment (SIGKILL by the clock), at each step that opens, renames or removes a file (:func:`sys.addaudithook`), and
 within a file, after so many bytes (the kernel's limit of a file's size, whose signal kills). The last two leave nothing
 to luck. After each kill what is there must be a whole version, not older than the last that was reported as written.
-Then the program starts again: it writes once more, and no file may be there that was not there before.
+Then the program starts again: it writes once more, and no file may be there that was not there before. Caches, which
+several programs use at once, have another writer beside the one that is killed.
 
 The same limit of a file's size, with its signal ignored, stands for a full disk: the writer must report a
 :class:`SuiteError`, and the old version must still be there.
@@ -12,6 +13,7 @@ The same limit of a file's size, with its signal ignored, stands for a full disk
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import itertools
 import json
@@ -25,7 +27,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -42,7 +44,7 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.project import Project, load_project, save_project
 from brdf_suite.documents.store import load_any_paint, save_paint
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.files.images.png import write_png
@@ -61,7 +63,17 @@ from tools.attack.readers.documents import maps_of
 from tools.attack.readers.programs import _form, application
 
 _STEPS = frozenset(
-    ("open", "os.rename", "os.remove", "os.chmod", "os.mkdir", "os.rmdir", "os.link", "os.truncate", "sqlite3.connect")
+    (
+        "open",
+        "os.rename",
+        "os.remove",
+        "os.chmod",
+        "os.mkdir",
+        "os.rmdir",
+        "os.link",
+        "os.truncate",
+        "sqlite3.connect",
+    )
 )
 VERSIONS = 200
 _MOST_STEPS = 60
@@ -74,8 +86,9 @@ _FILL = "x" * 60_000
 class Writer:
     """What writes one kind of file.
 
-    ``write(folder, number)`` writes version ``number``, below :data:`VERSIONS`; ``read(folder)`` returns the version that
-    is there and raises where it is damaged. ``optional``: a cache, which may lose anything but serves nothing wrong;
+    ``write(folder, number)`` writes version ``number``, below :data:`VERSIONS`; ``read(folder)`` returns the version
+    that is there and raises where it is damaged. ``optional``: a cache, which may lose anything and serves no wrong
+    value;
     ``read`` then returns -1, and ``write`` may report with a ValueError that it cannot keep anything.
     """
 
@@ -132,7 +145,9 @@ def _read_one(names: Iterable[str]) -> int:
 def _textures(folder: Path, number: int) -> None:
     path = folder / "f.brdfpaint"
     maps = {name: np.full((16, 16, 3), 0.1 + number % 2, np.float32) for name in "pq"}
-    save_paint(FactoredPaint(f"v{number}", write_textures(maps, path), "p:wo q:h p:wi", (1.0, 1.0, 1.0)), path)
+    save_paint(
+        FactoredPaint(f"v{number}", write_textures(maps, path), "p:wo q:h p:wi", (1.0, 1.0, 1.0)), path
+    )
 
 
 def _read_textures(folder: Path) -> int:
@@ -150,7 +165,11 @@ def _export_writer(name: str) -> Writer:
     def write(folder: Path, number: int) -> None:
         known.write([ExportItem(_paint(number))], folder / f"e{known.ending}", None)
 
-    return Writer(f"export:{name}", write, lambda folder: _read_one(p.name for p in read_paints(folder / f"e{known.ending}").paints))
+    return Writer(
+        f"export:{name}",
+        write,
+        lambda folder: _read_one(p.name for p in read_paints(folder / f"e{known.ending}").paints),
+    )
 
 
 def _palette_writer(name: str) -> Writer:
@@ -158,9 +177,13 @@ def _palette_writer(name: str) -> Writer:
     path = f"p{known.endings[0]}"
 
     def read(folder: Path) -> int:
-        return _read_one(entry.content.name.split(" (")[0] for entry in read_palette(folder / path).palette.entries)
+        return _read_one(
+            entry.content.name.split(" (")[0] for entry in read_palette(folder / path).palette.entries
+        )
 
-    return Writer(f"palette:{name}", lambda folder, number: write_palette(_palette(number), folder / path, known), read)
+    return Writer(
+        f"palette:{name}", lambda folder, number: write_palette(_palette(number), folder / path, known), read
+    )
 
 
 def _table(folder: Path, number: int) -> None:
@@ -241,10 +264,14 @@ def _read_maps(folder: Path) -> int:
         return -1
     for index in range(_CACHED):
         key = lobe_map_cache.cache_key(_environment(index), (3.0, 40.0))
-        if cache.path(key).exists():
+        try:
             found = lobe_map_cache.read_maps(cache.path(key), key)
-            if not np.array_equal(found.diffuse.faces, maps_of(index, 96).diffuse.faces):
-                raise ValueError("the maps of another environment")
+        except FileError as error:
+            if isinstance(error.__cause__, FileNotFoundError):
+                continue  # it was never made, or another program made room
+            raise
+        if not np.array_equal(found.diffuse.faces, maps_of(index, 96).diffuse.faces):
+            raise ValueError("the maps of another environment")
     return -1
 
 
@@ -280,7 +307,9 @@ def _recovery(folder: Path) -> Any:
     documents = importlib.import_module("brdf_qt.documents.open_document")
     recovery = importlib.import_module("brdf_qt.documents.recovery")
     store = documents.DocumentStore(_form().new())
-    return store, recovery.Recovery(store, _form(), lambda error: (_ for _ in ()).throw(error), keeps_history=True)
+    return store, recovery.Recovery(
+        store, _form(), lambda error: (_ for _ in ()).throw(error), keeps_history=True
+    )
 
 
 def _write_autosave(folder: Path, number: int) -> None:
@@ -309,7 +338,9 @@ WRITERS: tuple[Writer, ...] = (
     Writer("document:factored", _textures, _read_textures),
     Writer(
         "document:project",
-        lambda folder, number: save_project(Project(f"v{number}", (_paint(number),)), folder / "p.brdfproject"),
+        lambda folder, number: save_project(
+            Project(f"v{number}", (_paint(number),)), folder / "p.brdfproject"
+        ),
         lambda folder: _version(load_project(folder / "p.brdfproject").name),
     ),
     Writer(
@@ -319,9 +350,7 @@ WRITERS: tuple[Writer, ...] = (
         ),
         lambda folder: _version(load_project(folder / "p.brdfproject").name),
     ),
-    Writer(
-        "document:session", _session, lambda folder: _version(read_session(folder / "photographs").notes)
-    ),
+    Writer("document:session", _session, lambda folder: _version(read_session(folder / "photographs").notes)),
     Writer("document:work", _work, _read_work),
     Writer("document:autosave", _write_autosave, _read_autosave),
     *(_palette_writer(name) for name in ("brdfpalette", "ase", "sbz")),
@@ -341,6 +370,7 @@ class Trial:
         self._rng = random.Random(f"{seed} {writer.name}")
         self._usual: Counter[str] = Counter()
         self._version = 0
+        self._beside = False
         self.figures = Figures()
 
     def run(self, kills: int) -> Figures:
@@ -353,11 +383,41 @@ class Trial:
                 break
         for size in _BYTES:
             self._one(lambda size=size: _kill_at_size(size))  # type: ignore[misc]  # bound early
-        while self.figures.kills < kills:
-            self._one(None, self._rng.uniform(0.0, 3.0 * seconds))
+        with self._companion():
+            while self.figures.kills < kills:
+                self._one(None, self._rng.uniform(0.0, 3.0 * seconds))
         for size in _BYTES:
             self._full_disk(size)
         return self.figures
+
+    @contextlib.contextmanager
+    def _companion(self) -> Iterator[None]:
+        """Let another process write beside the one that is killed, where several may; it must live to the end."""
+        if not self._writer.optional:
+            yield
+            return
+        pid = os.fork()
+        if pid == 0:
+            try:
+                _be_quiet()
+                for number in itertools.count(VERSIONS // 2):
+                    self._writer.write(self._folder, number % VERSIONS)
+            finally:
+                os._exit(1)
+        self._beside = True
+        try:
+            yield
+        finally:
+            self._beside = False
+            ended, _ = os.waitpid(pid, os.WNOHANG)
+            if ended:
+                self.figures.damaged += 1
+                self.figures.note(f"{self._writer.name}: the program beside it ended")
+            else:
+                os.kill(pid, signal.SIGKILL)
+                os.waitpid(pid, 0)
+                self.figures.kills += 1
+                self._judge(self._version, "killed beside the other")
 
     def _undisturbed(self) -> float:
         """Write some versions without a kill; return the seconds that one takes."""
@@ -409,7 +469,9 @@ class Trial:
             return False
         self.figures.kills += 1
         self.figures.in_a_write += said.endswith(b"<")
-        self._judge(base + said.count(b">"), f"{'killed' if prepare is None else 'cut off'} after {said!r}"[:80])
+        self._judge(
+            base + said.count(b">"), f"{'killed' if prepare is None else 'cut off'} after {said!r}"[:80]
+        )
         return True
 
     def _judge(self, reported: int, how: str) -> None:
@@ -422,7 +484,12 @@ class Trial:
                 return json.dumps(["damaged", f"{type(error).__name__}: {error}", []])
             again = reported + 2
             self._writer.write(self._folder, again % VERSIONS)
-            more = [name for name, count in self._listed().items() if count > self._usual[name]]
+            # What the program beside it is writing just now is no leftover.
+            more = [
+                name
+                for name, count in self._listed().items()
+                if count > self._usual[name] and not self._beside
+            ]
             return json.dumps(["read", found, more])
 
         word, found, more = json.loads(_in_child(work))
@@ -454,10 +521,11 @@ class Trial:
             try:
                 self._writer.write(self._folder, (base + 1) % VERSIONS)
                 written = True
-            except (SuiteError, *([ValueError] if self._writer.optional else [])):
+            except SuiteError:
                 pass
             except Exception as error:  # noqa: BLE001 - finding these is what this program is for
-                said = f"{type(error).__name__}: {error}"
+                if not (self._writer.optional and isinstance(error, ValueError)):
+                    said = f"{type(error).__name__}: {error}"
             resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
             try:
                 found = self._writer.read(self._folder)
@@ -532,7 +600,9 @@ def _in_child(work: Callable[[], str]) -> str:
     return answer
 
 
-def kill_writers(kills: int, seed: int, words: Iterable[str] = (), report: Callable[[str], None] = print) -> dict[str, Figures]:
+def kill_writers(
+    kills: int, seed: int, words: Iterable[str] = (), report: Callable[[str], None] = print
+) -> dict[str, Figures]:
     """Return the figures of each writer whose name begins with one of ``words``, with ``kills`` in all."""
     chosen = [one for one in WRITERS if not words or any(one.name.startswith(word) for word in words)]
     found: dict[str, Figures] = {}

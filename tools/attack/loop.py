@@ -10,6 +10,7 @@ error goes to a file that is quoted where a worker dies.
 
 from __future__ import annotations
 
+import faulthandler
 import json
 import os
 import random
@@ -201,7 +202,16 @@ class Loop:
             status = 70
             try:
                 os.close(receive)
-                _work(seed, self._run, range(first, last), Path(folder.name), send, ends, self._hang_s, self._undamaged)
+                _work(
+                    seed,
+                    self._run,
+                    range(first, last),
+                    Path(folder.name),
+                    send,
+                    ends,
+                    self._hang_s,
+                    self._undamaged,
+                )
                 status = 0
             except BaseException as error:  # noqa: BLE001 - the other side is the parent's
                 os.write(2, f"{type(error).__name__}: {error}\n".encode())
@@ -252,7 +262,11 @@ class Loop:
             number = os.WTERMSIG(status)
             how = f"died ({signal.Signals(number).name})"
             if number in (signal.SIGPROF, signal.SIGKILL):
-                how = f"over {self._hang_s:g} s of processor time" if number == signal.SIGPROF else "no sign of life"
+                how = (
+                    f"over {self._hang_s:g} s of processor time"
+                    if number == signal.SIGPROF
+                    else "no sign of life"
+                )
         else:
             how = f"ended with status {os.waitstatus_to_exitcode(status)}"
         tally.inputs += 1
@@ -292,13 +306,21 @@ class Loop:
 
 
 def _work(
-    seed: Seed, run: int, numbers: range, folder: Path, pipe: int, until: float, hang_s: float, undamaged: bool
+    seed: Seed,
+    run: int,
+    numbers: range,
+    folder: Path,
+    pipe: int,
+    until: float,
+    hang_s: float,
+    undamaged: bool,
 ) -> None:
     """Read damaged versions of a seed and report each: seconds, megabytes, and what came out."""
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     log = os.open(folder / "log", os.O_WRONLY | os.O_CREAT | os.O_APPEND)
     os.dup2(log, 1)
     os.dup2(log, 2)
+    faulthandler.disable()  # of the parent, whose own standard error it holds
     scratch = folder / "files"
     scratch.mkdir()
     os.chdir(scratch)
@@ -312,7 +334,9 @@ def _work(
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     bound = seed.reader.memory + 3 * len(seed.content)
     wide = 4 if seed.reader.outside else 1
-    resource.setrlimit(resource.RLIMIT_AS, (_status("VmSize") + wide * bound + _SLACK, resource.RLIM_INFINITY))
+    resource.setrlimit(
+        resource.RLIMIT_AS, (_status("VmSize") + wide * bound + _SLACK, resource.RLIM_INFINITY)
+    )
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     begin = _status("VmRSS")
     for number in numbers:
@@ -333,13 +357,13 @@ def _work(
             seed.restore(scratch)
         if time.monotonic() > until or _status("VmRSS") - begin > GROWTH:
             break
-        if os.stat(log).st_size > MEGABYTE:
+        if os.fstat(log).st_size > MEGABYTE:
             os.truncate(log, 0)
 
 
 def _status(name: str) -> int:
     """Return a figure of this process's memory in bytes."""
-    with open("/proc/self/status", "rb") as file:
+    with Path("/proc/self/status").open("rb") as file:
         for line in file:
             if line.startswith(name.encode()):
                 return int(line.split()[1]) << 10
@@ -348,8 +372,7 @@ def _status(name: str) -> int:
 
 def _forget_peak() -> None:
     """Let the kernel begin a new largest resident size."""
-    with open("/proc/self/clear_refs", "w") as file:
-        file.write("5")
+    Path("/proc/self/clear_refs").write_text("5")
 
 
 def seeds_of(readers: list[Reader], folder: Path) -> Iterator[Seed]:

@@ -156,7 +156,9 @@ def _mutate_value(value: Any, rng: Random) -> Any:
             value[key:key] = [copy.deepcopy(value[key]) for _ in range(rng.choice((1, 3, 300)))]
         return value
     if isinstance(value, int | float) and not isinstance(value, bool) and rng.random() < 0.5:
-        return rng.choice((-value, value + 1, value * 1e6, value * 1e-6, int(value) if value == value else 0, 1 - value))
+        return rng.choice(
+            (-value, value + 1, value * 1e6, value * 1e-6, int(value) if value == value else 0, 1 - value)
+        )
     return copy.deepcopy(rng.choice(VALUES))
 
 
@@ -166,14 +168,21 @@ def mutate_xml(content: bytes, rng: Random) -> bytes:
     for _ in range(rng.choice((1, 1, 2, 4))):
         kind = rng.randrange(8)
         if kind < 4:
-            places = [match.span(index) for match in _ATTRIBUTE.finditer(data) for index in (1, 2, 3) if match[index]]
+            places = [
+                match.span(index)
+                for match in _ATTRIBUTE.finditer(data)
+                for index in (1, 2, 3)
+                if match[index]
+            ]
             start, end = rng.choice(places)
             data = data[:start] + rng.choice(WORDS) + data[end:]
         elif kind < 7:
             start, end = rng.choice([match.span() for match in _ELEMENT.finditer(data)])
             element = data[start:end]
             nested = b"<a>" * rng.choice((3, 90, 3000))
-            new = (b"", element * rng.choice((2, 50)), nested + element + nested.replace(b"<", b"</"))[kind - 4]
+            new = (b"", element * rng.choice((2, 50)), nested + element + nested.replace(b"<", b"</"))[
+                kind - 4
+            ]
             data = data[:start] + new + data[end:]
         else:
             root = re.search(rb"<\w", data)
@@ -284,7 +293,8 @@ def mutate_png(content: bytes, rng: Random) -> bytes:
         extra = rng.choice((b"iCCP", b"tEXt", b"eXIf", b"PLTE", b"tRNS", b"acTL", b"gAMA", b"zTXt"))
         chunks.insert(rng.randrange(len(chunks) + 1), (extra, rng.randbytes(rng.choice((0, 1, 4, 30)))))
     return content[:8] + b"".join(
-        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)) for name, data in chunks
+        struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+        for name, data in chunks
     )
 
 
@@ -331,9 +341,13 @@ def mutate_exr(content: bytes, rng: Random) -> bytes:
             width = min(size, rng.choice((1, 4)))
             place = value + rng.randrange(0, max(1, size - width + 1), width)
             new = struct.pack("<Q", rng.choice(INTEGERS))[:width]
-            data[place : place + width] = new if rng.random() < 0.7 else struct.pack("<f", rng.choice(FLOATS))[:width]
+            data[place : place + width] = (
+                new if rng.random() < 0.7 else struct.pack("<f", rng.choice(FLOATS))[:width]
+            )
         elif kind == 3:
-            struct.pack_into("<I", data, type_end + 1, rng.choice((0, 1, size + 1, size * 2, 0x7FFFFFFF, 0xFFFFFFFF)))
+            struct.pack_into(
+                "<I", data, type_end + 1, rng.choice((0, 1, size + 1, size * 2, 0x7FFFFFFF, 0xFFFFFFFF))
+            )
         elif kind == 4:
             letter = rng.randrange(begin, type_end)
             data[letter] = rng.choice(b"axZ\0\xff") if letter != name_end else 0
@@ -364,7 +378,9 @@ def mutate_arrays(content: bytes, rng: Random) -> bytes:
         return mutate_lengths(content, rng)
     header = mutate_json(content[48 : 48 + length], rng)
     header += b" " * (-(48 + len(header)) % 64)
-    return restamp(content[:8] + struct.pack("<I", len(header)) + content[12:48] + header + content[48 + length :])
+    return restamp(
+        content[:8] + struct.pack("<I", len(header)) + content[12:48] + header + content[48 + length :]
+    )
 
 
 _STARTS: dict[bytes, Callable[[bytes, Random], bytes]] = {

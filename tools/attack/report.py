@@ -33,7 +33,11 @@ def rows(figures: Figures) -> list[Row]:
         ]
     kills = figures.get("kills", {})
     if kills:
-        total_of = {name: sum(one[name] for one in kills.values()) for name in next(iter(kills.values())) if name != "examples"}
+        total_of = {
+            name: sum(one[name] for one in kills.values())
+            for name in next(iter(kills.values()))
+            if name != "examples"
+        }
         found += [
             (f"kills of {len(kills)} writers", f"{total_of['kills']:,}", "", True),
             ("kills in the middle of a write", f"{total_of['in_a_write']:,}", "", True),
@@ -50,7 +54,10 @@ def rows(figures: Figures) -> list[Row]:
     for name, title in (("lines", "wrong command lines"), ("signals", "signals and closed pipes")):
         if name in figures:
             count, faults = figures[name]["lines"], len(figures[name]["faults"])
-            found += [(title, f"{count:,}", "", True), (f"{title}: tracebacks", f"{faults}", "0", faults == 0)]
+            found += [
+                (title, f"{count:,}", "", True),
+                (f"{title}: tracebacks", f"{faults}", "0", faults == 0),
+            ]
     if "surroundings" in figures:
         one = figures["surroundings"]
         bad = len(one["faults"])
@@ -91,8 +98,15 @@ _HEAD = ("reader", "inputs", "read", "refused", "died", "faults", "ms", "slowest
 
 def text(figures: Figures) -> str:
     """Return the tables as aligned text, with the faults in words."""
-    lines = [f"{'' if good else '! '}{title:<62} {value:>12}  {bound}" for title, value, bound, good in rows(figures)]
-    lines += ["", f"{_HEAD[0]:<28}" + "".join(f"{name:>11}" for name in _HEAD[1:])] if figures.get("readers") else []
+    lines = [
+        f"{'' if good else '! '}{title:<62} {value:>12}  {bound}"
+        for title, value, bound, good in rows(figures)
+    ]
+    lines += (
+        ["", f"{_HEAD[0]:<28}" + "".join(f"{name:>11}" for name in _HEAD[1:])]
+        if figures.get("readers")
+        else []
+    )
     lines += [f"{row[0]:<28}" + "".join(f"{cell:>11}" for cell in row[1:]) for row in reader_rows(figures)]
     for name, one in figures.get("readers", {}).items():
         lines += [f"{name}: {count} × {fault}" for fault, count in one["faults"].items()]

@@ -27,6 +27,8 @@ from brdf_suite.processes import child_command
 from tools.attack.command_lines import home
 
 _PATIENCE_S = 180.0
+_UNGUARDED = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]|(?:^|,)\"?=", re.MULTILINE)
+"""Control, bidirectional and invisible characters, and cells that a spreadsheet takes for formulas."""
 _TRAPS = ("random", "json", "numpy", "PySide6", "struct", "logging", "brdf_suite", "PIL", "encodings", "site")
 _TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 _POSTSCRIPT = "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 8 8\n(ran) (w) file closefile showpage\n"
@@ -145,7 +147,7 @@ def hostile_names(pipe: Path) -> list[str]:
     return [
         f'<img src="{pipe}"><b>x</b>',
         f"![x]({pipe}) <table background='{pipe}'>",
-        "=HYPERLINK(\"http://x\",\"y\")",
+        '=HYPERLINK("http://x","y")',
         "A\u202eB\u200b\u2066C %s %n {0} &amp; &lt;",
         "x" * 200,
     ]
@@ -175,7 +177,9 @@ def _hostile_names(scene: Scene) -> None:
                 scene.window(module)
             for line in (["measure", "p.brdfpaint", "--csv"], ["palette", "info", "p.gpl"]):
                 said = scene.start("brdf_suite.cli.main", *line)
-                if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said) or re.search(r"(?m)(?:^|,)\"?=", said):
+                if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said) or re.search(
+                    r"(?m)(?:^|,)\"?=", said
+                ):
                     scene.fault(f"an unguarded name on the terminal: {said[:200]!r}", line)
         if opened:
             scene.found.local_files_shown += 1
@@ -189,7 +193,13 @@ def _no_home(scene: Scene) -> None:
     scene.documents("plain")
     for variables in ({"HOME": "/nonexistent"}, {"HOME": ""}, {"HOME": None}, {"HOME": "/proc/1"}):
         kept = dict(scene.environment)
-        for name in ("BRDF_SUITE_CACHE", "BRDF_SUITE_SETTINGS", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_RUNTIME_DIR"):
+        for name in (
+            "BRDF_SUITE_CACHE",
+            "BRDF_SUITE_SETTINGS",
+            "XDG_CACHE_HOME",
+            "XDG_CONFIG_HOME",
+            "XDG_RUNTIME_DIR",
+        ):
             scene.environment.pop(name, None)
         for name, value in variables.items():
             scene.environment.pop(name, None)
@@ -210,7 +220,9 @@ def _read_only(scene: Scene) -> None:
     try:
         scene.start("brdf_suite.cli.main", "list", "paints", ordinary=True, fails=False)
         scene.start("brdf_suite.cli.main", "measure", "p.brdfpaint", ordinary=True, fails=False)
-        scene.start("brdf_suite.cli.main", "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True)
+        scene.start(
+            "brdf_suite.cli.main", "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True
+        )
         scene.start("brdf_suite.cli.main", "cache", "verify", ordinary=True)
         scene.start("brdf_suite.cli.main", "cache", "clear", ordinary=True)
         scene.start("brdf_suite.cli.main", "prefilter", "overcast", ordinary=True)
@@ -242,7 +254,11 @@ def _no_graphics(scene: Scene) -> None:
     scene.documents("plain")
     render = ("render", "blue", "-o", "x.png", "--size", "32x32")
     for change in (
-        {"LIBGL_DRIVERS_PATH": "/nonexistent", "GALLIUM_DRIVER": "none", "__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent"},
+        {
+            "LIBGL_DRIVERS_PATH": "/nonexistent",
+            "GALLIUM_DRIVER": "none",
+            "__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent",
+        },
         {"MESA_GL_VERSION_OVERRIDE": "1.1"},
         {"QT_QPA_PLATFORM": "xcb", "DISPLAY": ":987"},
         {"QT_QPA_PLATFORM": "none"},

@@ -224,7 +224,9 @@ class Recovery(QObject, Generic[T]):
         """Remove what a kill left of an autosave that was being written, and locks of runs without one."""
         for lock in self.folder.glob("*.lock"):
             autosave = lock.with_suffix(".json")
-            if not any(lock_of(autosave).getLockInfo()):  # its run was killed while it made it; Qt takes it for held
+            if not any(
+                lock_of(autosave).getLockInfo()
+            ):  # its run was killed while it made it; Qt takes it for held
                 lock.unlink(missing_ok=True)
             if self._has_ended(autosave):
                 autosave.with_suffix(".tmp").unlink(missing_ok=True)
@@ -239,7 +241,15 @@ class Recovery(QObject, Generic[T]):
                 continue
             try:
                 result.append(self._read(file))
-            except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError, SuiteError) as error:
+            except (
+                OSError,
+                ValueError,
+                LookupError,
+                TypeError,
+                AttributeError,
+                RecursionError,
+                SuiteError,
+            ) as error:
                 text = tr("unsaved work of an earlier run cannot be read ({reason})").format(reason=error)
                 self._failed(FileError(_aside(file), text))
         return sorted(result, key=lambda item: item.when, reverse=True)

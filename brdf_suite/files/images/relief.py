@@ -112,7 +112,9 @@ def _read(path: PathLike) -> tuple[NDArray[Any], bool]:
     if not np.isfinite(pixels).all():
         raise FileError(path, "holds numbers that are not finite")
     if np.abs(pixels).max() > _LARGEST_NUMBER:
-        raise FileError(path, f"holds numbers over {_LARGEST_NUMBER:g}, which are neither shares nor directions")
+        raise FileError(
+            path, f"holds numbers over {_LARGEST_NUMBER:g}, which are neither shares nor directions"
+        )
     return pixels, bool((pixels < 0.0).any())
 
 

@@ -49,7 +49,10 @@ def missing(report: Callable[[str], None] = lambda _text: None) -> list[str]:
     faults = []
     endings = {f".{reader.name.partition(':')[2]}" for reader in READERS if reader.name.startswith("mesh:")}
     others = {".usd", ".stp", ".igs"}  # other endings of kinds that are there
-    faults += [f"No reader of meshes is called {ending}." for ending in set(MESH_ENDINGS) - endings - others - {".iges"}]
+    faults += [
+        f"No reader of meshes is called {ending}."
+        for ending in set(MESH_ENDINGS) - endings - others - {".iges"}
+    ]
     reached: set[tuple[str, str]] = set()
     with tempfile.TemporaryDirectory(prefix="attack-") as folder:
         for reader in READERS:
@@ -98,12 +101,16 @@ def _traced(name: str, seed: Path) -> tuple[str, set[tuple[str, str]]]:
             for stream in (1, 2):
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
             reader = next(one for one in READERS if one.name == name)
-            sys.setprofile(lambda frame, event, _argument: seen.add(frame.f_code) if event == "call" else None)
+            sys.setprofile(
+                lambda frame, event, _argument: seen.add(frame.f_code) if event == "call" else None
+            )
             answer = outcome(reader, seed)
             sys.setprofile(None)
             root = f"{_ROOT}{os.sep}"
             calls = [
-                (code.co_filename.removeprefix(root), code.co_name) for code in seen if code.co_filename.startswith(root)
+                (code.co_filename.removeprefix(root), code.co_name)
+                for code in seen
+                if code.co_filename.startswith(root)
             ]
             with os.fdopen(send, "w") as stream:
                 json.dump([answer, calls], stream)

@@ -18,7 +18,14 @@ from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.documents.factor_textures import read_textures, write_textures
 from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.documents.palette_store import load_palette, save_palette
-from brdf_suite.documents.project import NamedView, Project, ProjectPicture, load_project, project_parts, save_project
+from brdf_suite.documents.project import (
+    NamedView,
+    Project,
+    ProjectPicture,
+    load_project,
+    project_parts,
+    save_project,
+)
 from brdf_suite.documents.store import load_any_paint, load_view, save_paint, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.files.exports import json_document
@@ -227,7 +234,9 @@ def _read_swatches(path: Path) -> None:
 def _array_file(parts: Callable[[], list[bytes | memoryview] | bytes]) -> Callable[[Path], list[Path]]:
     def make(folder: Path) -> list[Path]:
         made = parts()
-        return text_files(entry=made if isinstance(made, bytes) else b"".join(bytes(part) for part in made))(folder)
+        return text_files(entry=made if isinstance(made, bytes) else b"".join(bytes(part) for part in made))(
+            folder
+        )
 
     return make
 
@@ -297,8 +306,14 @@ READERS = [
     Reader("document:basis", _read_basis, _basis),
     Reader("document:search_state", lambda path: load_state(path, _SETTINGS), _search_state),
     Reader("document:starts", lambda path: StartsFile(path).load(KEY), _starts),
-    Reader("cache:maps", lambda path: read_maps(path, KEY), _array_file(lambda: encode_maps(maps_of(1), KEY))),
-    Reader("cache:packed", lambda path: read_packed_maps(path, KEY), _array_file(lambda: pack_maps(maps_of(1), KEY, ""))),
+    Reader(
+        "cache:maps", lambda path: read_maps(path, KEY), _array_file(lambda: encode_maps(maps_of(1), KEY))
+    ),
+    Reader(
+        "cache:packed",
+        lambda path: read_packed_maps(path, KEY),
+        _array_file(lambda: pack_maps(maps_of(1), KEY, "")),
+    ),
     Reader(
         "cache:occlusion",
         lambda path: read_baked(path, tetrahedron()),

@@ -92,7 +92,8 @@ def _made(known: MeasuredFormat, folder: Path) -> list[Path]:
         _write_rgl(folder / "small.bsdf")
     elif known.name == "merl":
         write_measured(
-            IsotropicTable.from_reflectance(Lambertian(0.5), HalfAngleGrid(20, 20, 40)), folder / "small.binary"
+            IsotropicTable.from_reflectance(Lambertian(0.5), HalfAngleGrid(20, 20, 40)),
+            folder / "small.binary",
         )
     elif known.name == "utia":
         np.random.default_rng(2).uniform(0.01, 0.2, (3, 288, 288)).astype("<f8").tofile(folder / "cloth.bin")

@@ -91,15 +91,27 @@ def _by_hand(kind: str, folder: Path) -> None:
         (folder / "made.bin").write_bytes(data)
         views = [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 24}]
         accessors = [
-            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]},
+            {
+                "bufferView": 0,
+                "componentType": 5126,
+                "count": 4,
+                "type": "VEC3",
+                "min": [0, 0, 0],
+                "max": [1, 1, 1],
+            },
             {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"},
         ]
         document = {
             "asset": {"version": "2.0"},
             "scene": 0,
             "scenes": [{"nodes": [0]}],
-            "nodes": [{"mesh": 0, "children": [1], "rotation": [0, 0, 0, 1]}, {"mesh": 0, "scale": [1, 2, 1]}],
-            "meshes": [{"name": "m", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+            "nodes": [
+                {"mesh": 0, "children": [1], "rotation": [0, 0, 0, 1]},
+                {"mesh": 0, "scale": [1, 2, 1]},
+            ],
+            "meshes": [
+                {"name": "m", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}
+            ],
             "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
             "accessors": accessors,
             "bufferViews": views,
@@ -111,10 +123,14 @@ def _by_hand(kind: str, folder: Path) -> None:
         (folder / "made.mtl").write_text("newmtl red\nKd 1 0 0\nPm 0.5\nPr 0.2\nd 0.5\nmap_Kd none.png\n")
         lines = ["mtllib made.mtl", "o body", "usemtl red", *(f"v {x} {y} {z}" for x, y, z in _POINTS)]
         lines += ["vt 0 0", "vt 1 0", "vt 0 1", "vn 0 0 1"]
-        lines += ["f " + " ".join(f"{corner + 1}/{number + 1}/1" for number, corner in enumerate(f)) for f in _FACES]
+        lines += [
+            "f " + " ".join(f"{corner + 1}/{number + 1}/1" for number, corner in enumerate(f)) for f in _FACES
+        ]
         (folder / "made.obj").write_text("\n".join(lines) + "\n")
     elif kind == "stl":
-        rows = b"".join(struct.pack("<12fH", 0, 0, 1, *(c for corner in f for c in _POINTS[corner]), 0) for f in _FACES)
+        rows = b"".join(
+            struct.pack("<12fH", 0, 0, 1, *(c for corner in f for c in _POINTS[corner]), 0) for f in _FACES
+        )
         (folder / "binary.stl").write_bytes(bytes(80) + struct.pack("<I", 4) + rows)
         loops = "".join(
             "facet normal 0 0 1\nouter loop\n"
@@ -125,9 +141,13 @@ def _by_hand(kind: str, folder: Path) -> None:
         (folder / "text.stl").write_text(f"solid made\n{loops}endsolid made\n")
     elif kind == "ply":
         write_ply(folder / "binary.ply", _point_mesh())
-        head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        head = (
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        )
         head += "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
-        rows_text = "".join(f"{x} {y} {z}\n" for x, y, z in _POINTS) + "".join(f"3 {a} {b} {c}\n" for a, b, c in _FACES)
+        rows_text = "".join(f"{x} {y} {z}\n" for x, y, z in _POINTS) + "".join(
+            f"3 {a} {b} {c}\n" for a, b, c in _FACES
+        )
         (folder / "text.ply").write_text(head + rows_text)
     elif kind == "x3d":
         index = " ".join(f"{a} {b} {c} -1" for a, b, c in _FACES)

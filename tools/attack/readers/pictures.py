@@ -32,6 +32,7 @@ from brdf_suite.reference.raytraced.picture import Sums, read_sums, write_sums
 from tools.attack.readers.reader import MEGABYTE, Reader, WrongValueError
 
 _SHAPE = (32, 64)
+_PRIMARIES = "0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329"
 Make = Callable[[Path], list[Path]]
 
 
@@ -83,7 +84,7 @@ def _test_module(name: str) -> Any:
 def _hdr(folder: Path) -> list[Path]:
     """Write a Radiance file with runs and one without."""
     height, width = 8, 16
-    head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=1.0\nPRIMARIES=0.64 0.33 0.3 0.6 0.15 0.06 0.3127 0.329\n\n-Y {height} +X {width}\n"
+    head = f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=1.0\nPRIMARIES={_PRIMARIES}\n\n-Y {height} +X {width}\n"
     rng = np.random.default_rng(1)
     flat = rng.integers(100, 140, (height, width, 4), dtype=np.uint8)
     (folder / "flat.hdr").write_bytes(head.encode() + flat.tobytes())
@@ -177,7 +178,9 @@ def _photographs(ending: str) -> Make:
         path = folder / f"photograph.{ending}"
         if ending == "dng":
             mosaic = np.full((64, 64), 1064)
-            path.write_bytes(_test_module("tests/acquisition/test_photographs.py")._dng(mosaic, black=64, white=4095))
+            path.write_bytes(
+                _test_module("tests/acquisition/test_photographs.py")._dng(mosaic, black=64, white=4095)
+            )
         elif ending == "jpg":
             Image.fromarray((codes >> 8).astype(np.uint8)).save(path, "JPEG")
         elif ending in ("exr", "hdr"):
@@ -220,7 +223,9 @@ def _cmyk_profile(folder: Path) -> list[Path]:
     for name, content in tags.items():
         listed += struct.pack(">4sII", name, start + len(data), len(content))
         data += content + bytes(-len(content) % 4)
-    head = struct.pack(">I4sI4s4s4s12s4s", start + len(data), b"", 0x02400000, b"prtr", b"CMYK", b"Lab ", b"", b"acsp")
+    head = struct.pack(
+        ">I4sI4s4s4s12s4s", start + len(data), b"", 0x02400000, b"prtr", b"CMYK", b"Lab ", b"", b"acsp"
+    )
     white_d50 = struct.pack(">3i", 63190, 65536, 54061)
     profile = (head + bytes(28) + white_d50).ljust(128, b"\0") + struct.pack(">I", len(tags)) + listed + data
     (folder / "inks.icc").write_bytes(profile)

@@ -57,7 +57,12 @@ def _paint() -> dict[str, object]:
 def _messages(folder: Path) -> list[Path]:
     link = importlib.import_module("brdf_qt.link.messages")
     offer = {"to": "designer", "time": 1.0, "paint": _paint()}
-    values = {"paint": _paint(), "view": view_to_json(View()), link.OFFER: offer, link.HELLO: {"role": "viewer"}}
+    values = {
+        "paint": _paint(),
+        "view": view_to_json(View()),
+        link.OFFER: offer,
+        link.HELLO: {"role": "viewer"},
+    }
     lines = {f"{topic}__json": link.encode(topic, value, "a1", 17).line for topic, value in values.items()}
     return text_files(**lines)(folder)
 
@@ -222,8 +227,10 @@ READERS = [
         for name, stored in _STORED.items()
     ),
     Reader("settings:autosave", _read_autosave, _autosave),
-    Reader("settings:tabs", _read_tabs, _json_file(lambda: json.dumps(
-        {"tabs": [{"path": "/x", "autosave": "a", "source": ""}], "front": 0}
-    ))),
+    Reader(
+        "settings:tabs",
+        _read_tabs,
+        _json_file(lambda: json.dumps({"tabs": [{"path": "/x", "autosave": "a", "source": ""}], "front": 0})),
+    ),
     Reader("text:typed", _read_text, _texts),
 ]
