@@ -58,7 +58,7 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=1, help="readers at once")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument(
-        "--results", type=Path, help="a file of figures that is written all the time, and gone on with"
+        "--results", type=Path, help="a file of figures that is written all the time, and continued"
     )
     parser.add_argument("--keep", type=Path, help="a folder for files that made a fault")
     parser.add_argument("--json", action="store_true", help="print the figures as JSON")
@@ -70,8 +70,8 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
 
 def run(options: argparse.Namespace) -> dict[str, object]:
     """Run the parts and return their figures; those of an earlier run in ``--results`` are kept."""
-    minutes = options.minutes or (None if options.inputs else 2.0)
-    whole = minutes is None
+    whole = options.minutes is None and options.inputs is not None
+    minutes: float = options.minutes or (float("inf") if whole else 2.0)
     figures: dict[str, object] = {}
     store = options.results
     if store is not None and store.exists():
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> dict[str, object]:
         if store is not None:
             write_atomically(store, encode(figures))
 
-    share = 1.0 if whole else min(1.0, minutes / 30.0)
+    share = min(1.0, minutes / 30.0)
     with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as scratch:
         folder = Path(scratch)
         folder.chmod(0o755)
@@ -97,7 +97,7 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             figures["lines"] = asdict(wrong(count - count // 5, options.seed, say))
             figures["signals"] = asdict(signals(count // 5, options.seed, say))
             keep()
-        if "surroundings" in options.parts and (whole or minutes >= 10.0 or options.only):
+        if "surroundings" in options.parts and (minutes >= 10.0 or options.only):
             say("surroundings")
             (folder / "cases").mkdir()
             figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
@@ -115,7 +115,7 @@ def run(options: argparse.Namespace) -> dict[str, object]:
                 report=say,
             )
             try:
-                loop.run(options.jobs, float("inf") if whole else 60.0 * minutes)
+                loop.run(options.jobs, 60.0 * minutes)
             finally:
                 figures["readers"] = {name: asdict(tally) for name, tally in sorted(loop.tallies.items())}
                 keep()

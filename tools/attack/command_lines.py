@@ -30,7 +30,7 @@ _MEMORY = 2 << 30
 _WORDS = [
     "", " ", "-", "--", "---", "-1", "0", "1", "nan", "inf", "1e999", "9" * 5000, "0x10", "1x1", "0x0", "99999x99999",
     "-5x-5", "\u0661", "a\u202eb", "\ud800", "\n", "\x1b[31m", "%s", "{}", "$(id)", "`id`", ";", "..", "../..", "/",
-    "/dev/null", "/proc/self/mem", "file\0x", "~", "~nobody", "blue", "copper#1", "table1:9", "no such", "--help",
+    "/dev/null", "/proc/self/mem", "file\0x", "~", "~root", "blue", "copper#1", "table1:9", "no such", "--help",
     "--json", "-o", "--output=", "--size", "@file", "=1+1", "<img src=x>", "é" * 300, "model:ggx", "a,b,c", "1,2,3",
     "45as15", "D65", "*", "[", "(", "1/0", "{\"a\":", "NUL", "con", "\\\\host\\share",
 ]  # fmt: skip
@@ -226,7 +226,7 @@ def _ended(process: subprocess.Popen[bytes]) -> tuple[int, str]:
     return process.returncode, (said or b"").decode(errors="replace")
 
 
-_PIPES = ("a pipe that nobody reads", "a closed standard output", "a full device", "a closed standard input")
+_PIPES = ("a pipe without a reader", "a closed standard output", "a full device", "a closed standard input")
 
 
 def _with_pipes(command: list[str], environment: dict[str, str], kind: int) -> tuple[int, str]:

@@ -151,7 +151,7 @@ def _mutate_value(value: Any, rng: Random) -> Any:
             value[key] = value[rng.choice(keys)]
             value = copy.deepcopy(value)
         elif kind == 8 and isinstance(value, dict):
-            value[rng.choice(("", "x", key + "s", "__class__"))] = value.pop(key)
+            value[rng.choice(("", "x", f"{key}s", "__class__"))] = value.pop(key)
         elif isinstance(value, list):
             value[key:key] = [copy.deepcopy(value[key]) for _ in range(rng.choice((1, 3, 300)))]
         return value

@@ -1,7 +1,7 @@
 """Hostile surroundings: planted files, hostile names, and systems that lack a home, a screen, room or a right clock.
 
 Each case starts real processes in a folder of its own. What is looked for: Python files of the working folder that ran,
-PostScript that ran, local files that a name made a window show (a pipe that is opened by nobody else stands for them),
+PostScript that ran, local files that a name made a window show (a pipe that no other program opens stands for them),
 tracebacks, and statuses that the command does not know.
 """
 

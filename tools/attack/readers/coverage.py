@@ -112,13 +112,13 @@ def _traced(name: str, seed: Path) -> tuple[str, set[tuple[str, str]]]:
                 for code in seen
                 if code.co_filename.startswith(root)
             ]
-            with os.fdopen(send, "w") as stream:
-                json.dump([answer, calls], stream)
+            with os.fdopen(send, "w") as pipe:
+                json.dump([answer, calls], pipe)
         finally:
             os._exit(0)
     os.close(send)
-    with os.fdopen(receive) as stream:
-        said = stream.read()
+    with os.fdopen(receive) as pipe:
+        said = pipe.read()
     os.waitpid(pid, 0)
     answer, calls = json.loads(said or '["the process died", []]')
     return answer, {(place, function) for place, function in calls}

@@ -78,7 +78,7 @@ def baked_mesh() -> BakedMesh:
     """Return what could have been baked for the tetrahedron."""
     part = tetrahedron().parts[0]
     values = {name: getattr(part, name) for name in ("positions", "normals", "uvs", "triangles")}
-    light = np.full((4, 8), 0.5, np.float32)
+    light = np.full((4, 8), 0.5, np.float16)
     ground = GroundLight(0.0, (-1.0, -1.0), (1.0, 1.0), np.full((4, 4, 8), 0.5, np.float32))
     return BakedMesh((BakedPart(**values, light=light),), ground)
 

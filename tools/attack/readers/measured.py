@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.errors import FileError
@@ -69,7 +70,7 @@ def _write_rgl(path: Path) -> None:
     """Write a small material in the adaptive parameterization, isotropic, in colours."""
     rng = np.random.default_rng(3)
     one = np.ones((1, 8, 8), np.float32)
-    fields = {
+    fields: dict[str, AnyArray] = {
         "description": np.frombuffer(b"small", np.uint8),
         "phi_i": np.zeros(1, np.float32),
         "theta_i": np.linspace(0.0, 1.4, 3, dtype=np.float32),

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.meshes.glb import write_mesh_glb
 from brdf_suite.files.meshes.kinds import OUTSIDE, kind_of
 from brdf_suite.files.meshes.outside import child, worker
@@ -43,12 +43,12 @@ _POINTS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
 _FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
 
-def run_here(path: Any, library: str, file: str, given: dict[str, Any]) -> Any:
+def run_here(path: PathLike, library: str, file: str, options: dict[str, Any]) -> Any:
     """Do what the child process does, in this one."""
     read = importlib.import_module(worker._READERS[library]).read
     try:
         with np.errstate(all="ignore"):
-            found = read(Path(file), given)
+            found = read(Path(file), options)
     except Refused as refusal:
         found = ReadMesh([], refused=str(refusal))
     answer = Path(file).with_suffix(".answer")
@@ -59,7 +59,7 @@ def run_here(path: Any, library: str, file: str, given: dict[str, Any]) -> Any:
 
 
 def _read(path: Path) -> None:
-    child._run = run_here
+    child._run = run_here  # the reader starts a process for each file, which takes a second
     low, high = read_mesh(path).bounds()
     if not np.isfinite([low, high]).all():
         raise WrongValueError("a mesh without bounds")
