@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.errors import DocumentError, FileError
+from brdf_suite.regular_files import read_bytes
 
 LARGEST_FILE = 256 * 1024 * 1024
 LARGEST_MAP = 2048
@@ -154,14 +155,9 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
     """Return the file's bytes, which are those that are meant."""
     path = Path(textures.path)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise FileError(
-                path, f"is larger than {LARGEST_FILE >> 20} MB, too large for the maps of a paint"
-            )
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileError(path, f"the textures of the paint cannot be read: {reason}") from error
+        content = read_bytes(path, LARGEST_FILE)
+    except FileError as error:
+        raise FileError(path, f"the textures of the paint cannot be read: it {error.reason}") from error
     if hashlib.sha256(content).hexdigest() != textures.sha256:
         raise DocumentError(
             reported_path,

@@ -29,6 +29,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance, has_spectra
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.regular_files import open_regular, read_bytes, within_memory
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
@@ -91,9 +92,9 @@ def file_kind(path: str | os.PathLike[str]) -> FileKind:
 def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] | None:
     """Return which document of ours a file is, by its content; None for files of other programs, and for no file."""
     try:
-        with Path(path).open("rb") as stream:
+        with open_regular(path) as stream:
             head = stream.read(_HEAD)
-    except OSError:
+    except FileError:
         return None
     found = _DOCUMENT.search(head) if head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{") else None
     if found is not None:
@@ -105,6 +106,7 @@ def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] |
     return None
 
 
+@within_memory
 def load_material(
     name_or_path: str | os.PathLike[str], *, observer_deg: int = 10, solved_through: Aperture | None = None
 ) -> Material:
@@ -302,9 +304,8 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
         measured.sniff(path)
     except FileError as no_measurement:
         try:
-            palettes.sniff(Path(path).read_bytes(), path)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+            content = read_bytes(path, palettes.LARGEST_PALETTE)
+            palettes.sniff(content, path)
         except FileError:
             reason = (
                 "is neither a paint nor a palette nor measured data of a format that is known here (the pages "

@@ -15,6 +15,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.primaries import REC2020
+from brdf_suite.regular_files import check_regular
 
 
 def write_state(
@@ -52,12 +53,13 @@ def reading_state(
         The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
     try:
+        check_regular(path)
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()
             state = json.loads(header[attribute])
             planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
         yield state, planes
-    except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
+    except (RuntimeError, ValueError, KeyError, TypeError, OSError, MemoryError) as error:
         raise FileError(
             path, f"holds no render to resume from ({error}); remove it, or render to another file"
         ) from error

@@ -17,9 +17,10 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made, within_memory
+from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.meshes.reading import read_mesh
+from brdf_suite.regular_files import within_memory
 
 MEASURE = """
 import os, sys

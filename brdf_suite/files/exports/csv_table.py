@@ -24,11 +24,11 @@ from functools import cache
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint, solid_paint
 from brdf_suite.errors import DocumentError, FileError, PathLike, SuiteError
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, readings_loss
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.files.tables.grid import decode, decode_head
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import read_bytes
 
 _LARGEST = 64 << 20
 _MOST_ROWS = 100_000

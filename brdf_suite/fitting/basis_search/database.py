@@ -37,6 +37,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
+from brdf_suite.regular_files import read_bytes
 
 #: Aspecular angles at which colours are compared, degrees. Beyond 90° only KD is left of a fit.
 BETWEEN_DEG = (
@@ -204,7 +205,7 @@ def _hash_of(folder: Path, files: list[Path]) -> str:
 
 def _content(path: Path) -> bytes:
     """Return what a paint's file says of its mean: without flakes and targets of texture, and without the version."""
-    raw = path.read_bytes()
+    raw = read_bytes(path)
     try:
         record = json.loads(raw)
     except ValueError:  # reported when it is read; here it only differs from what was searched

@@ -12,9 +12,9 @@ from html import escape
 
 from brdf_suite.appearance.texture import SCALE
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.release import __version__
 from brdf_suite.reports.paint_report.document import (
     Report,
