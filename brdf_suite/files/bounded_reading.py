@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from brdf_suite import variables
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.regular_files import open_regular
 
@@ -72,7 +74,13 @@ def file_stamp(asked: object) -> tuple[int, int] | None:
 
 
 MOST_MADE_BYTES = 1 << 30
-"""Largest array of pixels or mesh data, in bytes, that is made of one file."""
+"""Largest array of pixels or mesh data, in bytes, that is made of one file unless ``BRDF_SUITE_READ_MB`` says more."""
+
+
+def most_made_bytes() -> int:
+    """Return how many bytes may be made of one file: 1 GiB, or ``BRDF_SUITE_READ_MB`` (10⁶ bytes) if that is more."""
+    text = os.environ.get(variables.READ_MB, "").strip()
+    return max(MOST_MADE_BYTES, int(text[:9]) * 1_000_000 if text.isdecimal() else 0)
 
 
 def check_made(path: PathLike, size: int, what: str, place: str | None = None) -> None:
@@ -80,6 +88,8 @@ def check_made(path: PathLike, size: int, what: str, place: str | None = None) -
 
     ``size`` is in bytes; ``place`` says where in the file it is announced.
     """
-    if size > MOST_MADE_BYTES:
+    allowed = most_made_bytes()
+    if size > allowed:
         taken = f"{size / 2**30:,.1f} GiB" if size < 1 << 60 else "more memory than there is"
-        raise FileError(path, f"{what} would take {taken}; {MOST_MADE_BYTES >> 30} GiB is allowed", place)
+        more = f"{allowed / 2**30:,.3g} GiB is allowed ({variables.READ_MB} can allow more)"
+        raise FileError(path, f"{what} would take {taken}; {more}", place)

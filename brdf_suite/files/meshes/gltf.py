@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
+from brdf_suite.files.bounded_reading import check_made, most_made_bytes
 from brdf_suite.files.meshes.meshopt import decode_view
 from brdf_suite.files.meshes.outside.child import OutsidePart, decode_draco
 from brdf_suite.regular_files import read_bytes
@@ -379,7 +379,7 @@ class _Primitives:
         if not file.is_relative_to(folder):
             raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
         try:
-            return memoryview(read_bytes(file, MOST_MADE_BYTES))
+            return memoryview(read_bytes(file, most_made_bytes()))
         except FileError as error:
             raise FileError(
                 self._path, f"needs {file.name} beside it, which {error.reason}", place
