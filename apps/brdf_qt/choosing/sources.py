@@ -22,6 +22,7 @@ from brdf_qt.choosing.thumbnails import Thumbnails
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.settings import settings
 from brdf_suite.palettes.swatches.look import Content
+from brdf_suite.visible_text import make_visible
 
 Index = QModelIndex | QPersistentModelIndex
 Group = Literal["shipped", "recent", "palette"]
@@ -125,7 +126,7 @@ class SourceModel(QAbstractListModel):
             return None
         source = self._sources[index.row()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            return source.title
+            return make_visible(source.title)
         if role == KEY_ROLE:
             return source.key
         if role == Qt.ItemDataRole.ToolTipRole:

@@ -43,6 +43,7 @@ from brdf_qt.window.settings_window import SettingsWindow
 from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.window.tab_panel import Page, Tab, TabPanel
+from brdf_suite.visible_text import make_visible
 
 LAYOUT_VERSION = 1
 _SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}
@@ -320,7 +321,9 @@ class SuiteWindow(QMainWindow):
     def show_recent(self, paths: Sequence[Path]) -> None:
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
-            action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
+            action = self.recent_menu.addAction(
+                f"&{number % 10} {make_visible(path.name).replace('&', '&&')}"
+            )
             action.setToolTip(plain_tip(str(path)))
             action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
         self.recent_menu.addSeparator()
