@@ -15,7 +15,7 @@ from time import perf_counter
 
 from brdf_suite.cli import default_action
 from brdf_suite.cli.output import print_error
-from brdf_suite.cli.streams import streams
+from brdf_suite.cli.streams import streams, visible_streams
 from brdf_suite.command_parser import LOG, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import run_named_module
@@ -170,7 +170,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return status
     try:
         try:
-            status = _run(given)
+            with visible_streams():
+                status = _run(given)
         finally:
             if sys.stdout is not None:  # None where the caller closed it
                 sys.stdout.flush()  # here and not at exit, where a failure can no longer be reported

@@ -19,6 +19,7 @@ from typing import Any
 from brdf_suite.command_parser import LOG
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.visible_text import make_visible
 
 STAGE_END = " ..."
 """Ends the line of a stage on standard error, which sets it apart from notes and errors."""
@@ -103,7 +104,7 @@ def print_notes(notes: Iterable[str], word: str = "note") -> None:
 
 def print_error(error: SuiteError) -> None:
     """Print what went wrong, in one line also where a name that was typed has line breaks."""
-    print("brdf-suite: " + " ".join(str(error).splitlines()), file=sys.stderr)
+    print("brdf-suite: " + make_visible(" ".join(str(error).splitlines())), file=sys.stderr)
 
 
 def print_written(made: Any, line: str, *, as_json: bool, **changed: object) -> None:

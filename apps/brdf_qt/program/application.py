@@ -35,6 +35,7 @@ from brdf_qt.program.settings import ORGANISATION, state_folder
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import Cancelled
 from brdf_suite.screen import screen_missing
+from brdf_suite.visible_text import make_visible
 
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()
@@ -139,7 +140,7 @@ _LEVELS = {
 def _qt_message(kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
     logging.getLogger("qt").log(_LEVELS[kind], "%s: %s", context.category or "default", text)
     if kind in (QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg):
-        sys.stderr.write(f"{text}\n")
+        sys.stderr.write(f"{make_visible(text)}\n")
 
 
 def _quit_on_signals(app: QApplication) -> None:

@@ -22,6 +22,7 @@ from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
 from brdf_suite.processes import run_named_module
+from brdf_suite.visible_text import make_visible
 
 _LARGEST = 20_000
 _LOOK_EVERY_MS = 50
@@ -128,7 +129,7 @@ def run_program(
     try:
         program = make(options) if launch is None else launch.load(loads, partial(make, options))
     except SuiteError as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {make_visible(str(error))}", file=sys.stderr)
         return 1
     if program is None:
         return 0
@@ -238,7 +239,7 @@ class _Run(QObject):
 
     def _end(self, status: int, problem: str = "") -> None:
         if problem:
-            print(f"{self._command}: {problem}", file=sys.stderr)
+            print(f"{self._command}: {make_visible(problem)}", file=sys.stderr)
         self._app.exit(status)
 
     def _when_idle(self, then: Callable[[], None]) -> None:
