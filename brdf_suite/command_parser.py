@@ -10,8 +10,8 @@ from itertools import takewhile
 from typing import Any, NoReturn, cast
 
 from brdf_suite.errors import did_you_mean
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.release import __version__
-from brdf_suite.visible_text import make_visible
 
 USAGE = 2
 """Exit status of wrong arguments."""

@@ -20,8 +20,8 @@ from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.palettes.columns import Columns
-from brdf_suite.visible_text import make_visible
 
 
 class PaletteController(QObject):

@@ -19,7 +19,7 @@ from brdf_color_swatch.panels.palette import PalettePanel
 from brdf_color_swatch.panels.swatch import SwatchPanel
 from brdf_color_swatch.panels.top_bar import TopBar
 from brdf_color_swatch.search.filters import FiltersPanel
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 
 class SwatchWindow(SuiteWindow):

@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.compare.section import MODE_TITLES
 from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 

@@ -24,8 +24,8 @@ from PySide6.QtGui import QGuiApplication
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.realtime.gl.context import Context
-from brdf_suite.visible_text import make_visible
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
 from brdf_viewer.documents.file_kinds import (

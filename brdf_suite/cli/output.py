@@ -18,8 +18,8 @@ from typing import Any
 
 from brdf_suite.command_parser import LOG
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.foreign_text import guard_cells, make_visible
 from brdf_suite.progress import Progress
-from brdf_suite.visible_text import make_visible
 
 STAGE_END = " ..."
 """Ends the line of a stage on standard error, which sets it apart from notes and errors."""
@@ -84,7 +84,8 @@ def print_csv(rows: Iterable[Mapping[str, object]]) -> None:
     writer = csv.DictWriter(sys.stdout, list(table[0]), lineterminator="\n")
     writer.writeheader()
     for row in table:
-        writer.writerow({key: f"{v:.6g}" if isinstance(v, float) else v for key, v in row.items()})
+        cells = {key: f"{v:.6g}" if isinstance(v, float) else v for key, v in row.items()}
+        writer.writerow(guard_cells(cells))
 
 
 def print_done(*lines: str) -> None:

@@ -13,7 +13,7 @@ from typing import Any, TextIO
 
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _READ = ("PAINT", "PALETTE", "FILE")
 """An argument is read from a file, but for ``-o``, where one of these is in the word that stands for it."""

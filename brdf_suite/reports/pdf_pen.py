@@ -15,9 +15,9 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFError, TTFont
 
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.reports.paint_report.plots import INK, Mark, PlotLine
 from brdf_suite.reports.sheet_text import font_for
-from brdf_suite.visible_text import make_visible
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas

@@ -13,9 +13,9 @@ import pytest
 
 from brdf_suite.cli.main import main
 from brdf_suite.documents.store import save_paint
+from brdf_suite.foreign_text import escape_html, make_visible
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.processes import child_command
-from brdf_suite.visible_text import escape_html, make_visible
 
 HOSTILE = "Blue\u202egnp.exe\u200b"
 

@@ -17,7 +17,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QTextDocument
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 APPS = Path(__file__).resolve().parent.parent.parent / "apps"
 RICH_ON_PURPOSE = {

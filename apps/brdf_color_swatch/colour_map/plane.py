@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygo
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.colour_map.points import LassoLine, MapPoints, inside, nearest
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _AXES = {
     "flop": (mark("Lightness L* at 45°"), mark("Flop index")),

@@ -43,7 +43,7 @@ from brdf_color_swatch.grid.layout import GAP, GridLayout
 from brdf_color_swatch.grid.model import SwatchModel
 from brdf_color_swatch.grid.tile import Look, Tile, TilePainter
 from brdf_color_swatch.grid.view_state import SIZES
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 DEFAULT_SIZE = 96
 

@@ -21,7 +21,7 @@ from PySide6.QtCore import (
 from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
 from brdf_suite.documents.palette import Entry
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 ID_ROLE = Qt.ItemDataRole.UserRole + 1
 _READINGS = tuple(f"{axis}_{angle:g}" for angle in ANGLES_DEG for axis in ("L", "a", "b"))

@@ -21,7 +21,7 @@ from PySide6.QtGui import (
     QRadialGradient,
 )
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 FORMS = ("sphere", "panel", "flop_strip", "chips")
 _PAD = 4

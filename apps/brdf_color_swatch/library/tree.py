@@ -27,7 +27,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, Q
 from brdf_color_swatch.editing.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.library import Item
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _SCOPE = Qt.ItemDataRole.UserRole
 _TAGS = Scope("", (), "\0tags")

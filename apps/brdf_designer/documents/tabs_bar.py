@@ -12,7 +12,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 
 from brdf_designer.session.state import TabState
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 MARK = "•"
 """Before the title of a paint that is not saved."""

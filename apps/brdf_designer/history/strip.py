@@ -30,7 +30,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.paint import Paint
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 PICTURE, SMALL_PICTURE = 48, 32
 _WIDTH, _PAD, _NAME_LINES, _BEHIND_OPACITY = 92, 4, 2, 0.45

@@ -18,7 +18,7 @@ from brdf_designer.standard_comparison.settings import ToleranceSettings
 from brdf_designer.standard_comparison.state import StandardState
 from brdf_designer.standard_comparison.tables import BatchTable, ResultTable, ToleranceTable
 from brdf_designer.window.widgets import button, combo, make_row, set_font, wrapped
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 OWN_CMC = "cmc"
 FORMULAS = (

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from brdf_designer.standard_comparison.settings import PARTS, ToleranceSettings
 from brdf_designer.standard_comparison.state import LIMIT_NAMES, ResultRow
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _MARK = Qt.ItemDataRole.UserRole

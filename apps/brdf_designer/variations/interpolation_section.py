@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_designer.variations.section import PictureButton
 from brdf_designer.window.widgets import combo, wrapped
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.paint_design.mix import LEAST_SHARE, MOST_SHARE
-from brdf_suite.visible_text import make_visible
 
 STOPS = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Where the small pictures are."""

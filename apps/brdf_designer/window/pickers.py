@@ -17,7 +17,7 @@ from brdf_designer.session.edits import MakeSolid, PickColour
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 
 class ColourPickers(QObject):

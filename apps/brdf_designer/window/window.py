@@ -36,7 +36,7 @@ from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
 from brdf_suite.documents.paint import Lab, Paint
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 TABS = standard_tabs(
     paint=mark("Colours, gloss and flakes of the paint"),

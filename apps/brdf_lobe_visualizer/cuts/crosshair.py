@@ -15,7 +15,7 @@ from brdf_lobe_visualizer.cuts.lines import Kind, Lines
 from brdf_lobe_visualizer.cuts.pens import colour_of
 from brdf_lobe_visualizer.subjects.subjects import Srgb
 from brdf_lobe_visualizer.words import number
-from brdf_suite.visible_text import escape_html
+from brdf_suite.foreign_text import escape_html
 
 _MOST_ROWS = 12
 _MARGIN = 6

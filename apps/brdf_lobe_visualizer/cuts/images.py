@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QWidget
 from brdf_lobe_visualizer.cuts.image_layout import BAR, GAP, Layout, Room, best_layout
 from brdf_lobe_visualizer.cuts.pens import hatching_brush
 from brdf_suite.arrays import Bools, Bytes, Floats
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _POINT, _DOT = 3.0, 1.2
 _MANY = 60

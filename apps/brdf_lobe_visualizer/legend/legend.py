@@ -27,7 +27,7 @@ from brdf_lobe_visualizer.cuts.pens import LINE_SIZE, line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 from brdf_lobe_visualizer.verdict import words_of
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole

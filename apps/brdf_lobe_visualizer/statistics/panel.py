@@ -36,8 +36,8 @@ from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
-from brdf_suite.visible_text import make_visible
 
 if TYPE_CHECKING:
     # What measures is much to import, and the panel is not seen at a first start.

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _ORIGIN = Qt.ItemDataRole.UserRole
 PICTURE = 40

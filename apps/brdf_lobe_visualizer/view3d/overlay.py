@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
 
 from brdf_lobe_visualizer.view3d.frame import Bar, Label, Panel
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 Project = Callable[[tuple[float, float, float]], QPointF | None]
 _HALO = 3.0

@@ -19,8 +19,8 @@ from PySide6.QtCore import QRectF, QSize
 from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import Bar, Frame, Label, Layer, Panel, Scene
 from brdf_suite.arrays import Floats
+from brdf_suite.foreign_text import escape_html
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
-from brdf_suite.visible_text import escape_html
 
 _ROW_STEP, _COLUMN_STEP = 2, 4
 _TO_LIGHT = np.array([-0.36, 0.48, 0.80]) / np.linalg.norm([-0.36, 0.48, 0.80])

@@ -21,8 +21,8 @@ from brdf_qt.choosing.drag import MIME, carry_paint
 from brdf_qt.choosing.thumbnails import Thumbnails
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.settings import settings
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.palettes.swatches.look import Content
-from brdf_suite.visible_text import make_visible
 
 Index = QModelIndex | QPersistentModelIndex
 Group = Literal["shipped", "recent", "palette"]

@@ -2,7 +2,7 @@
 
 Qt draws what looks like HTML as such, in labels and in tips: ``<img src=…>`` in the name of a paint would have a file
 read. Labels of the programs are :class:`PlainLabel`, and tips with words from elsewhere go through :func:`plain_tip`.
-Both, and with :func:`~brdf_suite.visible_text.make_visible` all other texts, show characters that are not seen.
+Both, and with :func:`~brdf_suite.foreign_text.make_visible` all other texts, show characters that are not seen.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from brdf_qt.fields.marks import SIZE, Mark, draw_mark
-from brdf_suite.visible_text import escape_html, make_visible
+from brdf_suite.foreign_text import escape_html, make_visible
 
 _WIDTHS = 16
 """Of so many widths at most a label knows its heights, and of so many texts the widths."""

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 PAPER, INK = QColor(0, 0, 0, 168), QColor(255, 255, 255)
 """Neutral, like all of the interface, and readable on any picture."""

@@ -34,8 +34,8 @@ from brdf_qt.program import theme, translation
 from brdf_qt.program.settings import ORGANISATION, state_folder
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import Cancelled
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.screen import screen_missing
-from brdf_suite.visible_text import make_visible
 
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()

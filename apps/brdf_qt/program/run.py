@@ -21,8 +21,8 @@ from brdf_qt.start.page import is_wanted
 from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.processes import run_named_module
-from brdf_suite.visible_text import make_visible
 
 _LARGEST = 20_000
 _LOOK_EVERY_MS = 50

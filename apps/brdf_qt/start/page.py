@@ -33,7 +33,7 @@ from brdf_qt.program.settings import SHARED, settings
 from brdf_qt.program.translation import SYSTEM, language_in_use, language_names, tr
 from brdf_qt.start.gallery import Gallery
 from brdf_qt.window.shortcuts import SHORTCUTS
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _SHOW = "start/show"
 _SIZE = QSize(1140, 752)

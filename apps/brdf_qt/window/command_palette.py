@@ -12,7 +12,7 @@ from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.translation import tr
 from brdf_qt.window.command_search import search
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _ACTION = Qt.ItemDataRole.UserRole
 _MOST_ROWS = 12

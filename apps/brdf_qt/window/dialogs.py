@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QM
 from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _ICON = 32
 """Size of the sign in a question, pixels; our own signs, because those of the style have colour."""

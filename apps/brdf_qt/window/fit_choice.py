@@ -22,7 +22,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.basis import MOST_LOBES, read_basis, shipped_basis
 from brdf_suite.fitting.lobes.program import Weighting
 from brdf_suite.fitting.lobes.settings import Diffuse, FitSettings
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _STORED, _MESSAGE = "fit/choice", "lobe fit"
 _WEIGHTINGS: dict[Weighting, str] = {

@@ -43,7 +43,7 @@ from brdf_qt.window.settings_window import SettingsWindow
 from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.window.tab_panel import Page, Tab, TabPanel
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 LAYOUT_VERSION = 1
 _SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}

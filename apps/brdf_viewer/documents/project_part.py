@@ -13,7 +13,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.project import NamedView, Project
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.scene.control import SceneControl

@@ -14,7 +14,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, 
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 _MARGIN = 12.0
 _HANDLE = 9.0

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMenu
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MATERIALS, SECOND_PAINT
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.overlay.part_layer import PartLayer
 from brdf_viewer.overlay.seen_parts import SeenParts

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.view_settings import MATERIALS, PARAMETERS, SurfaceLook
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 MATERIAL_TITLES = {
     "paint": mark("Paint"),

@@ -13,6 +13,7 @@ from brdf_suite.appearance.texture import SCALE
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.foreign_text import escape_html
 from brdf_suite.regular_files import read_bytes
 from brdf_suite.release import __version__
 from brdf_suite.reports.paint_report.document import (
@@ -23,7 +24,6 @@ from brdf_suite.reports.paint_report.document import (
     write_report,
 )
 from brdf_suite.reports.paint_report.plots import STYLES, Mark, PlotLine, Stroke, plots_of
-from brdf_suite.visible_text import escape_html
 
 _OPEN = f'<script type="application/json" id="{json_document.NAME}">'
 _CLOSE = "</script>"

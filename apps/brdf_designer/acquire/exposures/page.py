@@ -18,7 +18,7 @@ from brdf_designer.acquire.states import Series, Shot
 from brdf_designer.acquire.step_page import Facts, PositionPage
 from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import split, wrapped
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 THUMB = 84
 _HARDLY = 0.02

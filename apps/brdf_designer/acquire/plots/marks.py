@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QImage, QPainter, QPen, QPolygonF, QTransform
 
-from brdf_suite.visible_text import make_visible
+from brdf_suite.foreign_text import make_visible
 
 Shape = Literal["cross", "ring", "dot"]
 INK, CASING, PAPER = QColor(255, 255, 255), QColor(0, 0, 0, 190), QColor(0, 0, 0, 168)
