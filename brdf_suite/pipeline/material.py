@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
+from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING
@@ -233,7 +234,7 @@ def paints_of(name_or_path: str | os.PathLike[str]) -> tuple[str, ...]:
     if packaged_name(text, [*paint_names(), *TABLE_1]) is not None:
         return (text,)
     if Path(text).is_dir():
-        found = tuple(sorted(map(str, Path(text).glob(f"*{PAINT_ENDING}")), key=str.casefold))
+        found = tuple(sorted(map(str, documents_in(Path(text), PAINT_ENDING)), key=str.casefold))
         if not found:
             raise FileError(text, f"holds no {PAINT_ENDING} file")
         return found

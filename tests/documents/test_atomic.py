@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from brdf_suite.documents.atomic import documents_in, is_unfinished, remove_unfinished, replacing
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.errors import FileError
@@ -73,3 +75,36 @@ def test_places_that_cannot_be_written_are_named(tmp_path: Path) -> None:
         save_paint(OLD, tmp_path / "none" / "a.brdfpaint")
     with pytest.raises(FileError, match="not a plain file"):
         save_paint(OLD, tmp_path)
+
+
+def test_what_a_killed_writer_left_goes_with_the_next_save(path: Path) -> None:
+    kill = "import os, signal\nos.fsync = lambda *a: os.kill(os.getpid(), signal.SIGKILL)\n"
+    assert run(kill, path).returncode == -signal.SIGKILL
+    other = path.with_name(".paint.brdfpaint")  # a document that somebody hides
+    save_paint(OLD, other)
+    (left,) = [file for file in path.parent.iterdir() if is_unfinished(file)]
+    assert list(documents_in(path.parent, ".brdfpaint")) != []
+    assert left not in documents_in(path.parent, ".brdfpaint")
+    save_paint(OLD, path)
+    assert sorted(path.parent.iterdir()) == sorted([path, other])
+
+
+def test_what_another_writer_is_writing_stays(path: Path) -> None:
+    with replacing(path) as first:
+        first.write_bytes(b"half")
+        remove_unfinished(path)
+        assert first.exists()
+        save_paint(OLD, path)
+        assert first.exists()
+        first.write_bytes(path.read_bytes())
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_an_empty_one_is_forgotten_after_a_while(path: Path) -> None:
+    empty = path.with_name(".paint.0123456789abcdef.brdfpaint")
+    empty.touch()
+    remove_unfinished(path)
+    assert empty.exists()
+    os.utime(empty, (0, 0))
+    remove_unfinished(path)
+    assert not empty.exists()

@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
 from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableError
@@ -189,7 +190,8 @@ def database_sha256(folder: Path) -> str:
 
 
 def _paint_files(folder: Path) -> list[Path]:
-    files = sorted(folder.rglob(f"*{PAINT_ENDING}"), key=lambda path: path.relative_to(folder).as_posix())
+    found = documents_in(folder, PAINT_ENDING, within=True)
+    files = sorted(found, key=lambda path: path.relative_to(folder).as_posix())
     if not files:
         raise FileError(folder, f"there is no paint ({PAINT_ENDING}) in this folder")
     return files
