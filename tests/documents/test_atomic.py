@@ -80,7 +80,7 @@ def test_places_that_cannot_be_written_are_named(tmp_path: Path) -> None:
 def test_what_a_killed_writer_left_goes_with_the_next_save(path: Path) -> None:
     kill = "import os, signal\nos.fsync = lambda *a: os.kill(os.getpid(), signal.SIGKILL)\n"
     assert run(kill, path).returncode == -signal.SIGKILL
-    other = path.with_name(".paint.brdfpaint")  # a document that somebody hides
+    other = path.with_name(".paint.brdfpaint")  # a document whose name is a hidden one
     save_paint(OLD, other)
     (left,) = [file for file in path.parent.iterdir() if is_unfinished(file)]
     assert list(documents_in(path.parent, ".brdfpaint")) != []

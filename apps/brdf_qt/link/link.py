@@ -207,7 +207,7 @@ class LiveLink(Feature, QObject):
 
     def _join_later(self) -> None:
         if self._running:
-            wait = random.uniform(*_RETRY_MS) * 1.5 ** min(self._failures, 12)
+            wait = random.uniform(*_RETRY_MS) * 1.5 ** min(self._failures, 12)  # noqa: S311 - a wait
             self._retry.start(int(min(wait, _MAX_RETRY_MS)))
 
     def _accept(self) -> None:
