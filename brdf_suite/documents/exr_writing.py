@@ -9,10 +9,10 @@ from __future__ import annotations
 import os
 import struct
 from io import BufferedReader
-from pathlib import Path
 from typing import Any
 
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.regular_files import open_regular
 
 _MULTIPART = 0x1000
 _LINES = (1, 1, 1, 16, 32, 16, 32, 32, 32, 256)
@@ -35,7 +35,7 @@ def write_by_library(file: Any, path: PathLike, named: PathLike) -> None:
 
 def _is_whole(path: PathLike) -> bool:
     """Return whether the last chunk that the table of offsets names ends with the file."""
-    with Path(path).open("rb") as stream:
+    with open_regular(path) as stream:
         size = os.fstat(stream.fileno()).st_size
         start = stream.read(8)
         if len(start) < 8:

@@ -21,10 +21,11 @@ import numpy as np
 import OpenEXR
 from numpy.typing import NDArray
 
-from brdf_suite.documents.atomic import remove_leftovers, write_atomically
+from brdf_suite.documents.atomic import remove_unfinished, write_atomically
 from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.errors import DocumentError, FileError
+from brdf_suite.regular_files import read_bytes
 
 LARGEST_FILE = 256 * 1024 * 1024
 LARGEST_MAP = 2048
@@ -156,14 +157,9 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
     """Return the file's bytes, which are those that are meant."""
     path = Path(textures.path)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise FileError(
-                path, f"is larger than {LARGEST_FILE >> 20} MB, too large for the maps of a paint"
-            )
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileError(path, f"the textures of the paint cannot be read: {reason}") from error
+        content = read_bytes(path, LARGEST_FILE)
+    except FileError as error:
+        raise FileError(path, f"the textures of the paint cannot be read: it {error.reason}") from error
     if hashlib.sha256(content).hexdigest() != textures.sha256:
         raise DocumentError(
             reported_path,
@@ -175,7 +171,7 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
 
 def _write(target: Path, document: Path, content: bytes) -> None:
     """Write the textures of a document; what killed writers left of others of them goes."""
-    remove_leftovers(target, f"{escape(_stem(document))}-{'[0-9a-f]' * _DIGITS}")
+    remove_unfinished(target, f"{escape(_stem(document))}-{'[0-9a-f]' * _DIGITS}")
     write_atomically(target, content)
 
 

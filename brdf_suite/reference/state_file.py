@@ -16,6 +16,7 @@ from brdf_suite.documents.atomic import replacing
 from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.primaries import REC2020
+from brdf_suite.regular_files import check_regular
 
 
 def write_state(
@@ -50,6 +51,7 @@ def reading_state(
         The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
     try:
+        check_regular(path)
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()
             state = json.loads(header[attribute])
@@ -58,7 +60,7 @@ def reading_state(
         if not all(np.isfinite(plane).all() for plane in planes.values()):
             raise ValueError("it holds numbers that are not finite")
         yield state, planes
-    except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
+    except (RuntimeError, ValueError, KeyError, TypeError, OSError, MemoryError) as error:
         raise FileError(
             path, f"holds no render to resume from ({error}); remove it, or render to another file"
         ) from error

@@ -708,6 +708,10 @@
         <translation>Tasten&amp;kürzel</translation>
     </message>
     <message>
+        <source>Copy &amp;Diagnostics</source>
+        <translation>&amp;Diagnose kopieren</translation>
+    </message>
+    <message>
         <source>&amp;About BRDF Suite</source>
         <translation>&amp;Über BRDF Suite</translation>
     </message>
@@ -718,6 +722,10 @@
     <message>
         <source>Full &amp;Screen</source>
         <translation>Ganzer &amp;Bildschirm</translation>
+    </message>
+    <message>
+        <source>Versions, OpenGL, settings and the log were copied, without names and contents of files.</source>
+        <translation>Versionen, OpenGL, Einstellungen und das Protokoll wurden kopiert, ohne Namen und Inhalte von Dateien.</translation>
     </message>
     <message>
         <source>&amp;Quit</source>

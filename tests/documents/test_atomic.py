@@ -13,14 +13,11 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.atomic import documents_in, is_unfinished, remove_unfinished, replacing
 from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.errors import FileError
-from brdf_suite.fitting.basis_search.database import load_database
-from brdf_suite.pipeline.material import paints_of
-from brdf_suite.reports.contact_sheet.document import sheet_items
 
 OLD = solid_paint("old", (50.0, 0.0, 0.0))
 
@@ -84,23 +81,33 @@ def test_places_that_cannot_be_written_are_named(tmp_path: Path) -> None:
         save_paint(OLD, tmp_path)
 
 
-def test_the_next_save_removes_what_a_killed_one_left_and_nothing_else(path: Path) -> None:
-    left = path.with_name(f".{path.stem}.{'0a' * 8}{path.suffix}")
-    other = path.with_name(f".another.{'0a' * 8}{path.suffix}")
-    for one in (left, other):
-        one.write_bytes(path.read_bytes())
-    with replacing(path) as used:
-        save_paint(OLD, path)  # another writer of the same file at the same time
-        assert used.exists()
-        used.write_bytes(path.read_bytes())
+def test_what_a_killed_writer_left_goes_with_the_next_save(path: Path) -> None:
+    kill = "import os, signal\nos.fsync = lambda *a: os.kill(os.getpid(), signal.SIGKILL)\n"
+    assert run(kill, path).returncode == -signal.SIGKILL
+    other = path.with_name(".paint.brdfpaint")  # a document whose name is a hidden one
+    save_paint(OLD, other)
+    (left,) = [file for file in path.parent.iterdir() if is_unfinished(file)]
+    assert list(documents_in(path.parent, ".brdfpaint")) != []
+    assert left not in documents_in(path.parent, ".brdfpaint")
+    save_paint(OLD, path)
     assert sorted(path.parent.iterdir()) == sorted([path, other])
 
 
-def test_what_a_kill_left_is_no_document(path: Path) -> None:
-    save_paint(OLD, path.with_name(f".{path.stem}.{'0a' * 8}{path.suffix}"))
-    assert paints_of(path.parent) == (str(path),)
-    assert [item.name for item in sheet_items(path.parent)[1]] == ["old"]
-    assert len(load_database(path.parent).names) >= 1
+def test_what_another_writer_is_writing_stays(path: Path) -> None:
+    with replacing(path) as first:
+        first.write_bytes(b"half")
+        remove_unfinished(path)
+        assert first.exists()
+        save_paint(OLD, path)
+        assert first.exists()
+        first.write_bytes(path.read_bytes())
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_an_empty_one_goes_too(path: Path) -> None:
+    path.with_name(".paint.0123456789abcdef.brdfpaint").touch()
+    remove_unfinished(path)
+    assert list(path.parent.iterdir()) == [path]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sets a limit of Unix")

@@ -25,6 +25,7 @@ from brdf_qt.program.settings import state_folder
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.regular_files import read_bytes
 
 T = TypeVar("T")
 INTERVAL_MS = 700
@@ -178,7 +179,7 @@ class Recovery(QObject, Generic[T]):
     def _read_saved(self, file: Path) -> Recovered[T] | None:
         """Return a saved document with its history; None where it cannot be read: the document is in its own file."""
         try:
-            content = json.loads(file.read_text(encoding="utf-8"))
+            content = json.loads(read_bytes(file))
             rows = content["history"]
             value = self._format.from_json(rows["states"][int(rows["place"])][1], file)
             return self._recovered(content, value, file)
@@ -255,7 +256,7 @@ class Recovery(QObject, Generic[T]):
         return sorted(result, key=lambda item: item.when, reverse=True)
 
     def _read(self, file: Path) -> Recovered[T]:
-        content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(read_bytes(file))
         return self._recovered(content, self._format.from_json(content["document"], file), file)
 
     def _recovered(self, content: dict[str, Any], value: T, file: Path) -> Recovered[T]:

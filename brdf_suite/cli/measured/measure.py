@@ -16,6 +16,7 @@ from brdf_suite.appearance.texture import LIGHTS_DEG, NO_TEXTURE, TextureReading
 from brdf_suite.cli.arguments import PAINTS, add_arguments, add_json
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.command_parser import CommandParser
+from brdf_suite.foreign_text import guard_formula
 from brdf_suite.inspection.measuring import measurement_json, read_material
 from brdf_suite.pipeline.material import Material, load_material, paints_of
 from brdf_suite.reflectance.instruments.aperture import aperture
@@ -177,7 +178,7 @@ def _print_csv(measured: list[_Measured], illuminant: str) -> None:
     writer.writerow(head)
     for item, report in measured:
         texture = report.texture or NO_TEXTURE
-        row: list[str] = [item.name, item.origin]
+        row: list[str] = [guard_formula(item.name), guard_formula(item.origin)]
         row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
         if illuminant != "D65":
             colours = _under(item, report, illuminant)

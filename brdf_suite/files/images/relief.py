@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.image import read_exr
-from brdf_suite.files.images.pictures import open_regular, read_picture
+from brdf_suite.files.images.pictures import read_picture
+from brdf_suite.regular_files import open_regular, within_memory
 
 IMAGE_ENDINGS = (".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".tga", ".webp")
 
@@ -32,6 +33,7 @@ _SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}
 """What white is, by kind and size of the numbers; Pillow gives 16 bits as either of two."""
 
 
+@within_memory
 def read_normal_map(path: PathLike) -> NDArray[np.float32]:
     """Return slopes (h, w, 2) float32, dh/du and dh/dv, the first row at v = 0 (the lower edge of the image).
 
@@ -59,6 +61,7 @@ def read_normal_map(path: PathLike) -> NDArray[np.float32]:
     return reduced
 
 
+@within_memory
 def read_tangent_map(path: PathLike) -> NDArray[np.float32]:
     """Return directions in the surface (h, w, 2) float32, unit vectors over u and v, the first row at v = 0.
 
@@ -87,6 +90,7 @@ def read_tangent_map(path: PathLike) -> NDArray[np.float32]:
     return reduced
 
 
+@within_memory
 def read_mask(path: PathLike) -> NDArray[np.float32]:
     """Return the mean of the colour channels, (h, w) float32, 0…1, the first row at the lower edge of the image.
 

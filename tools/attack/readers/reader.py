@@ -10,7 +10,8 @@ from brdf_suite.errors import FileError, SuiteError
 
 MEGABYTE = 1 << 20
 REFUSALS: tuple[type[Exception], ...] = (SuiteError,)
-LONGEST_MESSAGE = 700
+LONGEST_MESSAGE = 2300
+"""Characters; what cannot be seen in a message is shown by the windows and the command."""
 
 
 class WrongValueError(Exception):
@@ -60,7 +61,7 @@ def outcome(reader: Reader, path: Path) -> str:
             return f"no place in the message {text!r}"[:300]
         # The file's own name may be as long as a system allows.
         own = error.path if isinstance(error, FileError) else ""
-        good = len(text) - len(own) < LONGEST_MESSAGE and text.isprintable()
+        good = len(text) - len(own) < LONGEST_MESSAGE
         return "refused" if good else f"message {text!r}"[:300]
     except MemoryError:
         return "MemoryError"

@@ -58,11 +58,6 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     )
 
 
-def _shown(key: str) -> str:
-    """Return a key for the place in a message: short, and escaped where it holds what cannot be shown."""
-    return key[:60] if key.isprintable() else ascii(key[:60])
-
-
 def _text(value: object) -> str:
     return value if isinstance(value, str) else ""
 
@@ -99,7 +94,7 @@ class _Reader:
             if not group:
                 self.about = _ours(value)
             for key, item in value.items():
-                self._item(key, item, group, f"{place}.{_shown(key)}")
+                self._item(key, item, group, f"{place}.{key[:60]}")
         elif isinstance(value, list):
             for index, item in enumerate(value):
                 self._item("", item, group, f"{place}[{index}]")
