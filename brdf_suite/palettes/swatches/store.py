@@ -135,7 +135,11 @@ class SwatchStore:
         while True:
             try:
                 return work(self._open())
-            except (sqlite3.Error, _OtherTableError) as error:
+            except (
+                sqlite3.Error,
+                UnicodeDecodeError,
+                _OtherTableError,
+            ) as error:  # a damaged text is no UTF-8
                 self._shut()
                 name = str(getattr(error, "sqlite_errorname", ""))
                 if name.startswith(_BUSY):
@@ -145,7 +149,7 @@ class SwatchStore:
                         continue
                     self._notice(f"The pictures in {self.path} are in use by another program; doing without.")
                     return nothing
-                spoilt = isinstance(error, _OtherTableError) or name.startswith(_DAMAGED)
+                spoilt = isinstance(error, UnicodeDecodeError | _OtherTableError) or name.startswith(_DAMAGED)
                 if renewed or not spoilt:
                     return self._give_up(str(error), nothing)
                 renewed = True

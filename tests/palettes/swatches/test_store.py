@@ -292,3 +292,15 @@ def test_a_writer_that_is_killed_leaves_what_was_there(store: SwatchStore, tmp_p
     assert same(store.get([*KEYS, "e" * 64]))
     store.put(PICTURES)
     assert store.notices == []
+
+
+def test_texts_of_the_file_that_are_no_text_are_damage(store: SwatchStore) -> None:
+    store.close()
+    for name in ("", "-wal"):
+        path = store.path.with_name(store.path.name + name)
+        if path.exists():
+            path.write_bytes(path.read_bytes().replace(b"used REAL NOT NULL", b"us\xff\xff REAL NOT NULL"))
+    assert store.get(KEYS) == {}
+    assert any("are damaged" in text for text in store.notices)
+    store.put(PICTURES)
+    assert same(store.get(KEYS))

@@ -28,6 +28,7 @@ NOT_READERS = {
     "brdf_suite/inspection": "reads values, no files",
     "brdf_suite/library": "calls the readers of all others",
     "brdf_suite/tracing": "calls the readers of all others",
+    "brdf_suite/regular_files.py": "opens files for the readers",
     "brdf_suite/output/still.py": "calls the readers of all others",
     "brdf_suite/output/compared.py": "calls the readers of all others",
     "brdf_suite/pipeline/material.py": "calls the readers of all others",
