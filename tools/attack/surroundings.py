@@ -27,8 +27,8 @@ from brdf_suite.processes import child_command
 from tools.attack.command_lines import home
 
 _PATIENCE_S = 180.0
-_UNGUARDED = re.compile(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]|(?:^|,)\"?=", re.MULTILINE)
-"""Control, bidirectional and invisible characters, and cells that a spreadsheet takes for formulas."""
+_UNGUARDED = re.compile(r"(?:^|,)\"?=", re.MULTILINE)
+"""Cells that a spreadsheet takes for formulas. What a pipe gets is data, and keeps its invisible characters."""
 _TRAPS = ("random", "json", "numpy", "PySide6", "struct", "logging", "brdf_suite", "PIL", "encodings", "site")
 _TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 _POSTSCRIPT = "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 8 8\n(ran) (w) file closefile showpage\n"

@@ -299,7 +299,7 @@ def test_texts_of_the_file_that_are_no_text_are_damage(store: SwatchStore) -> No
     for name in ("", "-wal"):
         path = store.path.with_name(store.path.name + name)
         if path.exists():
-            path.write_bytes(path.read_bytes().replace(b"used REAL NOT NULL", b"us\xff\xff REAL NOT NULL"))
+            path.write_bytes(path.read_bytes().replace(b"by_use ON pictures", b"by_use ON p\xffctures"))
     assert store.get(KEYS) == {}
     assert any("are damaged" in text for text in store.notices)
     store.put(PICTURES)
