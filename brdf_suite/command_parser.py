@@ -10,6 +10,7 @@ from itertools import takewhile
 from typing import Any, NoReturn, cast
 
 from brdf_suite.errors import did_you_mean
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.release import __version__
 
 USAGE = 2
@@ -31,8 +32,16 @@ def set_loudness(options: argparse.Namespace) -> None:
     if "verbose" in options:
         shown = logging.StreamHandler(sys.stderr)
         shown.name = _HANDLER
-        shown.setFormatter(logging.Formatter("%(name)s: %(message)s"))
+        shown.setFormatter(_VisibleLines("%(name)s: %(message)s"))
         LOG.addHandler(shown)
+
+
+class _VisibleLines(logging.Formatter):
+    """Log lines in which characters that are not seen are shown: they may hold names from files."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Return the line of a record."""
+        return make_visible(super().format(record))
 
 
 class _Rows(argparse.HelpFormatter):

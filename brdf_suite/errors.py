@@ -27,6 +27,14 @@ def did_you_mean(asked: str, names: Iterable[str]) -> str:
     return f"; did you mean {known[near[0]]}?" if near else ""
 
 
+_LONGEST_REASON, _LONGEST_PLACE = 2000, 200
+"""Characters: what is wrong may quote a file, and more is not read."""
+
+
+def _shortened(text: str, longest: int) -> str:
+    return text if len(text) <= longest else f"{text[: longest - 1]}…"
+
+
 class SuiteError(Exception):
     """Base class of all errors that are shown to a user. ``str(error)`` is a complete sentence or two.
 
@@ -61,8 +69,9 @@ class FileError(SuiteError):
 
     def __init__(self, path: PathLike, reason: str, place: str | None = None) -> None:
         self.path = os.fspath(path)
-        self.reason = reason
-        self.place = place
+        self.reason = _shortened(reason, _LONGEST_REASON)
+        self.place = place and _shortened(place, _LONGEST_PLACE)
+        reason, place = self.reason, self.place
         where = f", at {place}" if place else ""
         super().__init__(f"{self.path}{where}: {reason}" + ("" if reason.endswith("?") else "."))
 

@@ -1,7 +1,8 @@
 """Child processes: modules of the suite, started so that no Python file of the working folder is imported.
 
 ``python -m`` and ``python -c`` put the working folder first on ``sys.path``: a folder with a ``random.py`` in it would
-have that file run by every program opened there. All children are started by what stands here.
+have that file run by every program opened there. All children are started by what stands here. They ignore the
+variables ``PYTHON*`` of the environment, too, which can name more folders, another standard library or a file to run.
 """
 
 from __future__ import annotations
@@ -11,13 +12,15 @@ import runpy
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 
 OWN_PACKAGES = frozenset(
     {"brdf_suite", "brdf_qt", "brdf_designer", "brdf_viewer", "brdf_lobe_visualizer", "brdf_color_swatch"}
 )
 MODULE_OPTION = "--module"
-"""Hidden option of the command ``brdf-suite``: a frozen build has no interpreter, and runs its modules by it."""
+"""Hidden first argument of the command and the programs: a frozen build has no interpreter and runs modules by it."""
 
+_PATH = "PYTHONPATH"
 _SAFE_PATH = "PYTHONSAFEPATH"
 
 
@@ -41,7 +44,26 @@ def child_command(module: str, *arguments: str) -> list[str]:
     _check_module(module)
     if getattr(sys, "frozen", False):  # set by the tools that freeze programs, and by nothing else
         return [sys.executable, MODULE_OPTION, module, *arguments]
-    return [sys.executable, "-P", "-m", module, *arguments]
+    return [sys.executable, *_interpreter_options(), "-m", module, *arguments]
+
+
+def run_named_module(words: Sequence[str]) -> int | None:
+    """Run the module that a command line names with ``--module``; None where it does not begin with that option.
+
+    A frozen build starts its child processes so. Entry points call it before they look at anything else.
+
+    Raises
+    ------
+    SystemExit
+        The module ends with an exit status.
+    """
+    if words[:1] != [MODULE_OPTION]:
+        return None
+    if len(words) < 2 or not is_own_module(words[1]):
+        print(f"{MODULE_OPTION} takes the name of a module of the suite.", file=sys.stderr)
+        return 2
+    run_module(words[1], words[2:])
+    return 0
 
 
 def run_module(module: str, arguments: Sequence[str]) -> None:
@@ -74,6 +96,23 @@ def safe_path_inherited() -> Iterator[None]:
             os.environ.pop(_SAFE_PATH, None)
         else:
             os.environ[_SAFE_PATH] = before
+
+
+def _interpreter_options() -> list[str]:
+    """Return the options of the interpreter: no working folder and no variables, but this process's bytecode folder."""
+    options = ["-P"]
+    if not _found_by_variable():
+        options.insert(0, "-E")
+        if sys.pycache_prefix is not None:
+            options += ["-X", f"pycache_prefix={sys.pycache_prefix}"]
+    return options
+
+
+def _found_by_variable() -> bool:
+    """Whether the suite is not installed, and ``PYTHONPATH`` names its source: children need the variable, too."""
+    source = Path(__file__).resolve().parent.parent
+    entries = filter(None, os.environ.get(_PATH, "").split(os.pathsep))
+    return any(Path(entry).resolve() == source for entry in entries)
 
 
 def _check_module(module: str) -> None:

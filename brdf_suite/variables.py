@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 CACHE = "BRDF_SUITE_CACHE"
 CACHE_MB = "BRDF_SUITE_CACHE_MB"
+READ_MB = "BRDF_SUITE_READ_MB"
 LINK = "BRDF_SUITE_LINK"
 REFERENCE_KEEP = "BRDF_SUITE_REFERENCE_KEEP"
 SETTINGS = "BRDF_SUITE_SETTINGS"
@@ -14,6 +15,7 @@ LLVM = "DRJIT_LIBLLVM_PATH"
 VARIABLES: Mapping[str, str] = {
     CACHE: "folder of filtered maps, baked occlusion and pictures of paints",
     CACHE_MB: "largest size of maps and of occlusion, megabytes",
+    READ_MB: "most that is made of one file, megabytes; at least, and by default, 1 GiB",
     REFERENCE_KEEP: "folder of path-traced pictures that benchmarks keep",
     SETTINGS: "folder of the programs' settings, in place of the user's own",
     LINK: "name of the link by which open programs find each other",

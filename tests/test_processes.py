@@ -162,6 +162,33 @@ def test_a_frozen_build_runs_modules_by_the_hidden_option(
     assert done.stdout.startswith("usage: brdf-viewer")
 
 
+def test_a_program_runs_modules_by_the_hidden_option_too(hostile: Path) -> None:
+    done = run(child_command("brdf_designer", "--module", "brdf_suite.cli.main", "list", "formats"), hostile)
+    assert done.returncode == 0, done.stderr
+    assert "brdfpaint" in done.stdout
+
+
+def test_no_folder_that_a_variable_names_runs(hostile: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYTHONPATH", str(hostile))
+    monkeypatch.setenv("PYTHONWARNINGS", "error::random.Warning")
+    run([sys.executable, "-P", "-m", "brdf_suite.cli.main", "--help"], hostile.parent)
+    assert (hostile / "ran").exists()
+    (hostile / "ran").unlink()
+    done = run(child_command("brdf_suite.cli.main", "--help"), hostile.parent)
+    assert done.returncode == 0, done.stderr
+    assert not (hostile / "ran").exists()
+
+
+def test_a_source_that_a_variable_names_is_found_by_its_children(
+    hostile: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(map(str, (CHECKOUT, CHECKOUT / "apps"))))
+    assert "-E" not in child_command("brdf_suite.cli.main")
+    done = run(child_command("brdf_suite.cli.main", "--help"), hostile)
+    assert done.returncode == 0, done.stderr
+    assert not (hostile / "ran").exists()
+
+
 @pytest.mark.parametrize("words", [[], ["http.server"], ["brdf_suited"], ["os"]])
 def test_the_hidden_option_runs_modules_of_the_suite_only(
     words: list[str], capsys: pytest.CaptureFixture[str]

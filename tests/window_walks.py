@@ -30,24 +30,24 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-HOSTILE = '<img src="/nonexistent.png"><b>x</b>'
-"""A name that Qt draws as a picture and a bold letter unless stated otherwise."""
-HOSTILE_FILE = '<img src="nonexistent.png"><b>x'
+HOSTILE = '<img src="/nonexistent.png"><b>x</b>\u202egnp\u200b'
+"""A name that Qt draws as a picture and a bold letter unless stated otherwise, with marks that are not seen."""
+HOSTILE_FILE = '<img src="nonexistent.png"><b>x\u202egnp\u200b'
 """The same as a name that a file can have."""
 
 _TAG = "<img"
 
 
 def drawn_as_html() -> tuple[list[str], int]:
-    """Return each place where a hostile name is drawn as HTML, and in how many places it is there at all."""
+    """Return each place where a hostile name is drawn as HTML or with marks that are not seen; and their number."""
     wrong, seen = [], 0
     for widget in QApplication.allWidgets():
         place = f"{type(widget).__name__} {widget.objectName()!r}"
         for what, text, html in _texts(widget):
             if _TAG in text or "&lt;img" in text:
                 seen += 1
-            if html and _TAG in text.lower():
-                wrong.append(f"{place}, {what}: {text}")
+            if (html and _TAG in text.lower()) or "\u202e" in text or "\u200b" in text:
+                wrong.append(f"{place}, {what}: {text!r}")
     return wrong, seen
 
 

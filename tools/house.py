@@ -70,6 +70,64 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/tracing/turntable.py": "Mitsuba is optional, and a missing ffmpeg is reported before it",
 }
 
+# Modules that open files, start processes or reach outside in other ways than by the functions for it
+# (``brdf_suite/regular_files.py``, ``brdf_suite/documents/atomic.py``, ``brdf_suite/processes.py``), with the reason.
+_SHIPPED = "a file that is installed with the suite"
+_OWN_COPY = "a file that this process or its child has just written"
+_CHILD = "starts what child_command names"
+DIRECT_ACCESS: dict[str, str] = {
+    "apps/brdf_color_swatch/library/autosave.py": "a draft that is renamed; it has no name before",
+    "apps/brdf_designer/standard_comparison/records.py": "a draft that is renamed; it has no name before",
+    "apps/brdf_qt/documents/open_tabs.py": "a draft that is renamed; it has no name before",
+    "apps/brdf_qt/documents/recovery.py": "a draft that is renamed; it has no name before",
+    "apps/brdf_qt/gl/items.py": _SHIPPED,
+    "apps/brdf_qt/link/link.py": "the local socket of the live link",
+    "apps/brdf_qt/program/application.py": "the kernel's figures of this process, and a pair of sockets for signals",
+    "apps/brdf_qt/program/icons.py": _SHIPPED,
+    "apps/brdf_qt/program/monitor_profile.py": "the monitor's profile, from the window system",
+    "apps/brdf_qt/program/suite.py": _CHILD,
+    "apps/brdf_qt/start/gallery.py": _SHIPPED,
+    "apps/brdf_qt/window/manual.py": _SHIPPED,
+    "apps/brdf_qt/window/placement.py": "a few bytes of this process alone",
+    "apps/brdf_qt/work/command_process.py": _CHILD + ", and reads what it writes",
+    "apps/brdf_qt/work/pictures.py": _CHILD,
+    "apps/brdf_viewer/tracing/picture_slots.py": _OWN_COPY,
+    "apps/brdf_viewer/tracing/scene_files.py": _OWN_COPY,
+    "brdf_suite/acquisition/photographs/reading.py": "maps a file that is open into memory",
+    "brdf_suite/acquisition/simulator/folder.py": "photographs that it makes, in an empty folder",
+    "brdf_suite/appearance/colour/spectra.py": _SHIPPED,
+    "brdf_suite/cli/default_action.py": _CHILD,
+    "brdf_suite/cli/main.py": "the null device, in the place of an output that is closed",
+    "brdf_suite/cli/streams.py": _OWN_COPY,
+    "brdf_suite/cli/tools/bench.py": "benchmarks of a source checkout",
+    "brdf_suite/cli/tools/listing.py": _SHIPPED,
+    "brdf_suite/cli/tools/manual.py": _CHILD,
+    "brdf_suite/cli/tools/measurements.py": "figures of a source checkout, and the kernel's of the processor",
+    "brdf_suite/documents/atomic.py": "the function for writing",
+    "brdf_suite/documents/factor_textures.py": _OWN_COPY,
+    "brdf_suite/documents/project.py": "archives that are open, and parts of them",
+    "brdf_suite/files/images/pictures.py": "the function for pictures",
+    "brdf_suite/files/measured/merl.py": "a file that is open",
+    "brdf_suite/files/meshes/kinds.py": "an archive in memory",
+    "brdf_suite/files/meshes/outside/assimp.py": "an archive whose file was checked",
+    "brdf_suite/files/meshes/outside/child.py": _CHILD,
+    "brdf_suite/files/meshes/outside/worker.py": "its answer, in a folder that its parent made",
+    "brdf_suite/files/palettes/archive/zipped.py": "an archive in memory",
+    "brdf_suite/library/pictures.py": _OWN_COPY,
+    "brdf_suite/library/reference.py": _SHIPPED,
+    "brdf_suite/lighting/filter/kernels/compilation.py": _CHILD,
+    "brdf_suite/lighting/procedural/hosek_wilkie.py": _SHIPPED,
+    "brdf_suite/output/video.py": "starts ffmpeg",
+    "brdf_suite/palettes/swatches/look.py": _SHIPPED,
+    "brdf_suite/pipeline/material.py": _SHIPPED,
+    "brdf_suite/realtime/environment/look_up_table.py": _SHIPPED,
+    "brdf_suite/realtime/gl/shader_source.py": _SHIPPED,
+    "brdf_suite/reference/variant.py": _CHILD,
+    "brdf_suite/reflectance/facet_albedo.py": _SHIPPED,
+    "brdf_suite/regular_files.py": "the function for reading",
+    "brdf_suite/screen.py": "asks whether there is an X server",
+}
+
 # Words that are not used in docstrings, interface texts and documents. This file has to name them. The method
 # ``tell()`` of Python's files has its name from Python.
 _TELLING = r"told|(?<!file\.)(?<!stream\.)tell|tells|telling"
@@ -391,6 +449,52 @@ def check_attributes_by_name(house: House) -> list[Breach]:
     return found
 
 
+_OUTSIDE = {
+    *(
+        "os.open",
+        "os.system",
+        "os.popen",
+        "np.load",
+        "np.fromfile",
+        "np.memmap",
+        "mmap.mmap",
+        "Image.open",
+        "open",
+    ),
+    *("zipfile.ZipFile", "io.open", "socket.socket", "socket.socketpair", "socket.create_connection"),
+    *("ctypes.CDLL", "ctypes.WinDLL", "QProcess", "QProcess.startDetached", "QLocalServer", "QLocalSocket"),
+    *("QTcpSocket", "QUdpSocket", "QNetworkAccessManager", "urllib.request.urlopen", "subprocess.Popen"),
+    *("subprocess.run", "subprocess.call", "subprocess.check_call", "subprocess.check_output"),
+}
+_OF_A_PATH = {"read_bytes", "read_text", "write_bytes", "write_text"}
+
+
+def find_direct_accesses(modules: list[Module]) -> list[Breach]:
+    """Calls that open files, start processes or open sockets, but for the functions that the suite has for it."""
+    found = []
+    for module in modules:
+        for node in ast.walk(module.tree):
+            if not isinstance(node, ast.Call):
+                continue
+            name = ast.unparse(node.func)
+            if name.startswith("temporary."):  # what replacing() gives its block
+                continue
+            method = node.func.attr if isinstance(node.func, ast.Attribute) else ""
+            first = node.args[0] if node.args else None
+            mode = isinstance(first, ast.Constant) and re.fullmatch(r"[rwxa][bt+]*", str(first.value))
+            if name in _OUTSIDE or method in _OF_A_PATH or (method == "open" and mode):
+                found.append(Breach(f"{module.file}:{node.lineno}", f"calls {name}"))
+    return found
+
+
+def check_direct_accesses(house: House) -> list[Breach]:
+    """Files are opened, and processes and sockets made, by the functions for it."""
+    found = find_direct_accesses(house.product)
+    wrong = [breach for breach in found if breach.place.rpartition(":")[0] not in DIRECT_ACCESS]
+    unused = set(DIRECT_ACCESS) - {breach.place.rpartition(":")[0] for breach in found}
+    return wrong + [Breach(file, "is in DIRECT_ACCESS and needs it no more") for file in sorted(unused)]
+
+
 def check_private_accesses(house: House) -> list[Breach]:
     """Tests use what is public, with at most 60 exceptions."""
     found = find_private_accesses(house.tests)
@@ -412,6 +516,7 @@ RULES: dict[str, Callable[[House], list[Breach]]] = {
     "class names in several rooms": check_class_names,
     "attributes by text": check_attributes_by_name,
     "private accesses in tests": check_private_accesses,
+    "direct access": check_direct_accesses,
     "unwanted words": check_words,
 }
 

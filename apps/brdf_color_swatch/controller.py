@@ -21,6 +21,7 @@ from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.palettes.columns import Columns
 
 
@@ -240,7 +241,7 @@ class PaletteController(QObject):
         ):
             action = window.findChild(QAction, f"action_{key}")
             if action is not None:
-                action.setText(f"{word} {name}".rstrip())
+                action.setText(f"{word} {make_visible(name)}".rstrip())
                 action.setIconText(word.replace("&", ""))
                 tip = f"{action.text().replace('&', '')} ({action.shortcut().toString()})"
                 action.setToolTip(plain_tip(tip))

@@ -19,6 +19,7 @@ from brdf_color_swatch.panels.palette import PalettePanel
 from brdf_color_swatch.panels.swatch import SwatchPanel
 from brdf_color_swatch.panels.top_bar import TopBar
 from brdf_color_swatch.search.filters import FiltersPanel
+from brdf_suite.foreign_text import make_visible
 
 
 class SwatchWindow(SuiteWindow):
@@ -64,7 +65,7 @@ class SwatchWindow(SuiteWindow):
         self.restore_layout()
 
     def show_title(self, title: str, path: Path | None, *, clean: bool) -> None:
-        self.setWindowTitle(f"{title}[*]" if title else "[*]")
+        self.setWindowTitle(f"{make_visible(title)}[*]" if title else "[*]")
         self.setWindowFilePath(str(path) if path is not None else "")
         self.setWindowModified(not clean)
 

@@ -120,5 +120,5 @@ class OptionState(QObject, Generic[T]):
             kept = json.loads(str(settings().value(self._key, "{}")))
             known = {name: self._sound(name, kept[name]) for name in vars(self.plain) if name in kept}
             return replace(self.plain, **known)
-        except (ValueError, TypeError, KeyError):
+        except (ValueError, TypeError, KeyError, RecursionError):
             return self.plain  # a settings file that another version or another hand wrote

@@ -26,7 +26,7 @@ def recall(session: LobeSession, window: LobeWindow) -> None:
     """Take up incidence, options and sizes of the last time; what is no value any more is left out."""
     try:
         stored: Any = json.loads(str(settings().value(_VIEW_KEY, "{}")))
-    except ValueError:
+    except (ValueError, RecursionError):
         stored = {}
     if not isinstance(stored, dict):
         return

@@ -15,6 +15,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu
 
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.compare.section import MODE_TITLES
 from brdf_viewer.tracing.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
@@ -118,7 +119,7 @@ class ViewerCommands(QObject):
         menu = self.recent_menus[kind]
         menu.clear()
         for path in paths:
-            action = menu.addAction(path)
+            action = menu.addAction(make_visible(path).replace("&", "&&"))
             action.setToolTip(plain_tip(path))
             action.triggered.connect(lambda _=False, path=path: self.recent_requested.emit(kind, path))
         menu.setEnabled(not menu.isEmpty())
@@ -130,7 +131,7 @@ class ViewerCommands(QObject):
     def show_history(self, undo: str, redo: str) -> None:
         """Say what Undo and Redo would do; empty where there is nothing to be done."""
         for action, word, step in ((self.undo, mark("&Undo"), undo), (self.redo, mark("&Redo"), redo)):
-            action.setText(f"{tr(word)} {step}".strip())
+            action.setText(f"{tr(word)} {make_visible(step)}".strip())
             action.setEnabled(bool(step))
 
     def _add_file(self) -> None:

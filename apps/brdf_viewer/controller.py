@@ -24,6 +24,7 @@ from PySide6.QtGui import QGuiApplication
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
@@ -288,7 +289,7 @@ class ViewerController(Program):
         names = [] if state.fit is None else [state.fit.name]
         assets = (state.surface, state.environment)
         names += [title_of(asset.key) for asset in assets if asset is not None]
-        self.window.setWindowTitle(", ".join(names))
+        self.window.setWindowTitle(make_visible(", ".join(names)))
 
     def _publish_view(self) -> None:
         self.link.publish("view", view_to_json(self.state.view))

@@ -15,10 +15,10 @@ from time import perf_counter
 
 from brdf_suite.cli import default_action
 from brdf_suite.cli.output import print_error
-from brdf_suite.cli.streams import streams
-from brdf_suite.command_parser import LOG, USAGE, CommandParser, set_loudness
+from brdf_suite.cli.streams import streams, visible_streams
+from brdf_suite.command_parser import LOG, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
-from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
+from brdf_suite.processes import run_named_module
 from brdf_suite.variables import VARIABLES
 
 DONE, FAILED, CANCELLED = 0, 1, 130
@@ -168,11 +168,13 @@ def parser(wanted: Container[str] = ()) -> CommandParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command with ``arguments`` (default: the process's) and return its exit status."""
     given = list(sys.argv[1:] if arguments is None else arguments)
-    if given[:1] == [MODULE_OPTION]:
-        return _run_module(given[1:])
+    status = run_named_module(given)
+    if status is not None:
+        return status
     try:
         try:
-            status = _run(given)
+            with visible_streams():
+                status = _run(given)
         finally:
             if sys.stdout is not None:  # None where the caller closed it
                 sys.stdout.flush()  # here and not at exit, where a failure can no longer be reported
@@ -218,15 +220,6 @@ def _run(given: list[str]) -> int:
             return FAILED
         finally:
             LOG.info("%s: %.2f s", options.parser.prog, perf_counter() - started)
-
-
-def _run_module(words: Sequence[str]) -> int:
-    """Run the module that ``--module`` names, which is how a frozen build starts its child processes."""
-    if not words or not is_own_module(words[0]):
-        print(f"brdf-suite: {MODULE_OPTION} takes the name of a module of the suite.", file=sys.stderr)
-        return USAGE
-    run_module(words[0], words[1:])
-    return DONE
 
 
 def _drop_output() -> None:

@@ -18,6 +18,7 @@ from typing import Any
 
 from brdf_suite.command_parser import LOG
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.foreign_text import guard_cells, make_visible
 from brdf_suite.progress import Progress
 
 STAGE_END = " ..."
@@ -83,7 +84,8 @@ def print_csv(rows: Iterable[Mapping[str, object]]) -> None:
     writer = csv.DictWriter(sys.stdout, list(table[0]), lineterminator="\n")
     writer.writeheader()
     for row in table:
-        writer.writerow({key: f"{v:.6g}" if isinstance(v, float) else v for key, v in row.items()})
+        cells = {key: f"{v:.6g}" if isinstance(v, float) else v for key, v in row.items()}
+        writer.writerow(guard_cells(cells))
 
 
 def print_done(*lines: str) -> None:
@@ -103,7 +105,7 @@ def print_notes(notes: Iterable[str], word: str = "note") -> None:
 
 def print_error(error: SuiteError) -> None:
     """Print what went wrong, in one line also where a name that was typed has line breaks."""
-    print("brdf-suite: " + " ".join(str(error).splitlines()), file=sys.stderr)
+    print("brdf-suite: " + make_visible(" ".join(str(error).splitlines())), file=sys.stderr)
 
 
 def print_written(made: Any, line: str, *, as_json: bool, **changed: object) -> None:

@@ -9,10 +9,11 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TextIO
+from typing import Any, TextIO
 
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 
 _READ = ("PAINT", "PALETTE", "FILE")
 """An argument is read from a file, but for ``-o``, where one of these is in the word that stands for it."""
@@ -96,6 +97,56 @@ def _ending(options: argparse.Namespace) -> str:
     if getattr(options, "json", False) or getattr(options, "follow", False):
         options.parser.error("with -o - standard output is the file; leave --json and --follow out")
     return str(stream(options)) if callable(stream) else str(stream)
+
+
+@contextmanager
+def visible_streams() -> Iterator[None]:
+    """Show characters that are not seen in all that the body prints for people: on terminals, and on standard error.
+
+    Names in files could otherwise steer the terminal. What standard output gives to a file or to another program is
+    left as it is: it is data.
+    """
+    with ExitStack() as stack:
+        if sys.stdout is not None and sys.stdout.isatty():  # None where the caller closed it
+            stack.enter_context(redirect_stdout(_Visible(sys.stdout)))
+        if sys.stderr is not None:
+            stack.enter_context(redirect_stderr(_Visible(sys.stderr)))
+        yield
+
+
+class _Visible(io.TextIOBase):
+    """A stream for people: of control characters only tab, line feed and a carriage return at the start pass."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream, self._encoding = stream, stream.encoding
+
+    @property
+    def encoding(self) -> str:
+        """The encoding of the stream."""
+        return self._encoding
+
+    @property
+    def buffer(self) -> Any:
+        """The stream of bytes below, for files on standard output."""
+        return self.stream.buffer
+
+    def write(self, text: str) -> int:
+        """Write the text as it is to be seen; progress bars return to the start of their line before they write."""
+        start = "\r" if text.startswith("\r") else ""
+        self.stream.write(start + make_visible(text[len(start) :]))
+        return len(text)
+
+    def flush(self) -> None:
+        """Write what is buffered."""
+        self.stream.flush()
+
+    def fileno(self) -> int:
+        """Return the number of the file below."""
+        return self.stream.fileno()
+
+    def isatty(self) -> bool:
+        """Return whether the stream is a terminal."""
+        return self.stream.isatty()
 
 
 class _Renaming(io.TextIOBase):

@@ -9,13 +9,28 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import secrets
 import stat
+import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from glob import escape
 from pathlib import Path
+from typing import IO
 
 from brdf_suite.errors import FileError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    _LOCKS = False
+else:
+    _LOCKS = True
+
+_UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?")
+_FORGOTTEN_S = 3600.0
+"""Age from which a temporary file is taken for forgotten where there are no locks."""
 
 
 @contextmanager
@@ -37,16 +52,19 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     try:
         mode = _mode_of(target)
         unused = target.parent / f".{target.stem[:80]}.{secrets.token_hex(8)}{target.suffix}"
+        remove_unfinished(target)
         # "x" refuses a file that is already there; the user's umask applies as to any new file.
-        with unused.open("xb"):
+        with unused.open("xb") as file:
             temporary = unused
-        yield temporary
-        with temporary.open("rb+") as file:
-            os.fsync(file.fileno())
-        if mode is not None:
-            temporary.chmod(mode)
-        os.replace(temporary, target)  # noqa: PTH105 - tests interpose here as a full disk would
-        temporary = None
+            if not _lock(file):
+                file.close()  # Windows renames no open file
+            yield temporary
+            with temporary.open("rb+") as written:
+                os.fsync(written.fileno())
+            if mode is not None:
+                temporary.chmod(mode)
+            os.replace(temporary, target)  # noqa: PTH105 - tests interpose here as a full disk would
+            temporary = None
         sync_folder(target.parent)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
@@ -55,6 +73,54 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
             # Where even this fails, the first error is the one to report.
             with contextlib.suppress(OSError):
                 temporary.unlink()
+
+
+def is_unfinished(path: Path) -> bool:
+    """Return whether a name is that of a temporary file of :func:`replacing`: such a file is no document.
+
+    >>> is_unfinished(Path(".blue.0123456789abcdef.brdfpaint")), is_unfinished(Path("blue.brdfpaint"))
+    (True, False)
+    """
+    return _UNFINISHED.fullmatch(path.name) is not None
+
+
+def documents_in(folder: Path, ending: str, *, within: bool = False) -> Iterator[Path]:
+    """Yield the files of a folder, with ``within`` also of those in it, whose names have this ending."""
+    found = folder.rglob(f"*{ending}") if within else folder.glob(f"*{ending}")
+    return (path for path in found if not is_unfinished(path))
+
+
+def remove_unfinished(target: Path, stem: str | None = None) -> None:
+    """Remove what writers of the file ``target`` left that were ended by force; what one is writing now stays.
+
+    A writer holds a lock on its temporary file, which the system frees with the process. Where the file goes before
+    its lock is taken, the writer makes it again by its name. ``stem`` is a pattern of :mod:`glob` in place of the
+    target's name without its ending, where that changes with the content.
+    """
+    stem = escape(target.stem[:80]) if stem is None else stem
+    try:
+        beside = [
+            path for path in target.parent.glob(f".{stem}.*{escape(target.suffix)}") if is_unfinished(path)
+        ]
+        for path in beside:
+            with path.open("rb") as file:
+                age = time.time() - os.fstat(file.fileno()).st_mtime
+                forgotten = _lock(file) if _LOCKS else age > _FORGOTTEN_S
+            if forgotten:
+                path.unlink(missing_ok=True)
+    except OSError:
+        pass  # nothing that the task needs: the next writer tries again
+
+
+def _lock(file: IO[bytes]) -> bool:
+    """Try to lock an open file for this process, without waiting; False where another has it, or there are no locks."""
+    if not _LOCKS:
+        return False
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # another has it, or the file system knows no locks
+        return False
+    return True
 
 
 def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:

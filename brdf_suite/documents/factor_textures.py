@@ -14,15 +14,18 @@ import re
 import tempfile
 from collections.abc import Mapping
 from functools import lru_cache
+from glob import escape
 from pathlib import Path
 
 import numpy as np
 import OpenEXR
 from numpy.typing import NDArray
 
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import remove_unfinished, write_atomically
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.factored import FactoredPaint, TextureFile
 from brdf_suite.errors import DocumentError, FileError
+from brdf_suite.regular_files import read_bytes
 
 LARGEST_FILE = 256 * 1024 * 1024
 LARGEST_MAP = 2048
@@ -61,16 +64,16 @@ def write_textures(maps: Maps, beside: str | os.PathLike[str]) -> TextureFile:
         parts.append(OpenEXR.Part(header, channels, name))
     document = Path(beside)
     # The name is known only when the content is.
-    with tempfile.TemporaryDirectory() as folder:
-        made = Path(folder) / "maps.exr"
-        try:
-            OpenEXR.File(parts).write(str(made))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(beside, f"its textures cannot be written ({error})") from error
-        content = made.read_bytes()
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            made = Path(folder) / "maps.exr"
+            write_by_library(OpenEXR.File(parts), made, beside)
+            content = made.read_bytes()
+    except OSError as error:  # a temporary folder that is full, or not there
+        raise FileError(beside, f"its textures cannot be written ({error.strerror or error})") from error
     digest = hashlib.sha256(content).hexdigest()
     target = _target(document, digest)
-    write_atomically(target, content)
+    _write(target, document, content)
     return TextureFile(str(target.absolute()), digest)
 
 
@@ -87,7 +90,7 @@ def save_beside(textures: TextureFile, beside: str | os.PathLike[str]) -> Textur
         return TextureFile(source.name, textures.sha256)
     content = _checked(textures, beside)
     target = _target(document, textures.sha256)
-    write_atomically(target, content)
+    _write(target, document, content)
     return TextureFile(target.name, textures.sha256)
 
 
@@ -154,14 +157,9 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
     """Return the file's bytes, which are those that are meant."""
     path = Path(textures.path)
     try:
-        if path.stat().st_size > LARGEST_FILE:
-            raise FileError(
-                path, f"is larger than {LARGEST_FILE >> 20} MB, too large for the maps of a paint"
-            )
-        content = path.read_bytes()
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileError(path, f"the textures of the paint cannot be read: {reason}") from error
+        content = read_bytes(path, LARGEST_FILE)
+    except FileError as error:
+        raise FileError(path, f"the textures of the paint cannot be read: it {error.reason}") from error
     if hashlib.sha256(content).hexdigest() != textures.sha256:
         raise DocumentError(
             reported_path,
@@ -169,6 +167,12 @@ def _checked(textures: TextureFile, reported_path: str | os.PathLike[str]) -> by
             "textures.sha256",
         )
     return content
+
+
+def _write(target: Path, document: Path, content: bytes) -> None:
+    """Write the textures of a document; what killed writers left of others of them goes."""
+    remove_unfinished(target, f"{escape(_stem(document))}-{'[0-9a-f]' * _DIGITS}")
+    write_atomically(target, content)
 
 
 def _target(document: Path, digest: str) -> Path:

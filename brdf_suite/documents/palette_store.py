@@ -28,12 +28,14 @@ from brdf_suite.documents.reading import (
 )
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json, quick_paint
 from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
+from brdf_suite.regular_files import within_memory
 
 PALETTE_ENDING = ".brdfpalette"
 LARGEST_PALETTE = 128 << 20
 """Bytes; ten thousand paints of six readings have eight million."""
 
 
+@within_memory
 def load_palette(path: PathLike) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
     with without_collection():

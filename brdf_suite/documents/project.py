@@ -43,6 +43,7 @@ from brdf_suite.documents.studio import LightDocument, Sky, Studio, light_from_j
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError, PathLike, ValueRangeError
 from brdf_suite.progress import Progress, report
+from brdf_suite.regular_files import open_regular, within_memory
 
 PROJECT_ENDING = ".brdfproject"
 FORMAT = "brdfproject"
@@ -219,6 +220,7 @@ def save_project(
     return tuple(parts.values())
 
 
+@within_memory
 def load_project(path: PathLike, unpack_into: PathLike | None = None) -> Project:
     """Read a project; collected files of a zip file are unpacked into the folder ``unpack_into``, which is made.
 
@@ -417,11 +419,11 @@ class _Copying:
 def _blocks(file: str) -> Iterator[bytes]:
     """Yield the content of a file that is collected; what cannot be read is an error that names it."""
     try:
-        with Path(file).open("rb") as source:
+        with open_regular(file) as source:
             while block := source.read(_BLOCK):
                 yield block
-    except OSError as error:
-        raise FileError(file, f"cannot be collected: {error.strerror or error}") from error
+    except FileError as error:
+        raise FileError(file, f"cannot be collected: it {error.reason}") from error
 
 
 def _write_zip(path: PathLike, content: bytes, parts: Mapping[str, str], copying: _Copying) -> None:
@@ -456,7 +458,7 @@ def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str], copyin
 def _opened(path: PathLike) -> Iterator[zipfile.ZipFile]:
     """Open a zip file; what is wrong with it, also later, is a :class:`FileError`."""
     try:
-        with zipfile.ZipFile(path) as archive:
+        with open_regular(path) as stream, zipfile.ZipFile(stream) as archive:
             yield archive
     except FileError:
         raise

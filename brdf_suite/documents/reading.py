@@ -13,14 +13,13 @@ import functools
 import inspect
 import json
 import os
-import stat
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from brdf_suite.documents.parameter import as_whole, describe
-from brdf_suite.errors import DocumentError, FileError, ValueRangeError
+from brdf_suite.errors import DocumentError, ValueRangeError
+from brdf_suite.regular_files import open_regular, within_memory
 
 LARGEST_FILE = 16 * 1024 * 1024
 """Bytes; a document of ours is a few kilobytes, so more than this is something else."""
@@ -113,6 +112,7 @@ def _fields_of(kind: Callable[..., object]) -> tuple[str, ...]:
     return tuple(inspect.signature(kind).parameters)
 
 
+@within_memory
 def read_json(path: str | os.PathLike[str], largest: int = LARGEST_FILE) -> object:
     """Return the value in a JSON file of at most ``largest`` bytes.
 
@@ -126,7 +126,11 @@ def read_json(path: str | os.PathLike[str], largest: int = LARGEST_FILE) -> obje
     DocumentError
         It is not UTF-8, not JSON, too large or nested too deep; with line and column where they are known.
     """
-    return json_from_bytes(_read_bytes(path, largest), path)
+    with open_regular(path) as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        raise DocumentError(path, f"is larger than {largest // 2**20} MB, too large to be a document of ours")
+    return json_from_bytes(content, path)
 
 
 def json_from_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
@@ -154,21 +158,6 @@ def json_from_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
     except ValueError as error:  # an integer of more digits than Python converts
         raise DocumentError(path, f"holds a number that cannot be read ({error})") from error
     return value
-
-
-def _read_bytes(path: str | os.PathLike[str], largest: int) -> bytes:
-    try:
-        # A pipe or a device would be waited for without end.
-        if not stat.S_ISREG(Path(path).stat().st_mode):
-            raise FileError(path, "is not a plain file")
-        with Path(path).open("rb") as file:
-            content = file.read(largest + 1)
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileError(path, f"cannot be read: {reason}") from error
-    if len(content) > largest:
-        raise DocumentError(path, f"is larger than {largest // 2**20} MB, too large to be a document of ours")
-    return content
 
 
 Migration = Callable[[dict[str, object]], dict[str, object]]
@@ -271,6 +260,8 @@ def open_envelope(value: object, expected: str, path: str | os.PathLike[str]) ->
         except (LookupError, TypeError, ValueError, AttributeError) as error:
             # A migration sees fields that are not checked yet.
             raise DocumentError(
-                path, f"is of version {step} but not as that version was, so it cannot be brought up to date"
+                path,
+                f"is of version {step} but not as that version was, so it cannot be brought up to date",
+                "version",
             ) from error
     return FieldReader(fields, path)

@@ -34,6 +34,7 @@ from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envel
 from brdf_suite.documents.view import PARTS, Camera, View
 from brdf_suite.documents.view_settings import Lamp, PartMaterial, SurfaceLook
 from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
+from brdf_suite.regular_files import within_memory
 
 _FIELDS = {
     "format", "version", "kind", "name", "measurements", "gloss", "flakes", "interpolation", "near_specular",
@@ -165,6 +166,7 @@ _KINDS: dict[type, str] = {Paint: "aspecular", CookTorrancePaint: "cook_torrance
 _T = TypeVar("_T")
 
 
+@within_memory
 def load_paint(path: PathLike) -> Paint:
     """Read a ``.brdfpaint`` file that must be an aspecular paint, the kind that is designed by its readings.
 
@@ -178,6 +180,7 @@ def load_paint(path: PathLike) -> Paint:
     return paint_from_json(read_json(path), path)
 
 
+@within_memory
 def load_any_paint(path: PathLike) -> AnyPaint:
     """Read a ``.brdfpaint`` file of any kind; errors as :func:`load_paint`."""
     return any_paint_from_json(read_json(path), path)
@@ -196,6 +199,7 @@ def save_paint(paint: AnyPaint, path: PathLike) -> None:
     write_atomically(path, encode(paint_to_json(paint)))
 
 
+@within_memory
 def load_view(path: PathLike) -> View:
     """Read a ``.brdfview`` file; raise :class:`DocumentError` or :class:`FileError` with the place."""
     return view_from_json(read_json(path), path)

@@ -25,6 +25,7 @@ from brdf_suite.documents.parameter import (
 )
 from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envelope, read_json
 from brdf_suite.errors import PathLike, ValueRangeError
+from brdf_suite.regular_files import within_memory
 
 Shape = Literal["box", "strip", "ring"]
 SHAPES: tuple[str, ...] = get_args(Shape)
@@ -226,6 +227,7 @@ STUDIO_ENDING = ".brdfstudio"
 LightDocument = Studio | Sky
 
 
+@within_memory
 def load_light(path: PathLike) -> LightDocument:
     """Read a ``.brdfstudio`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
     return light_from_json(read_json(path), path)

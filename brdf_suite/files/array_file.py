@@ -36,7 +36,7 @@ import numpy as np
 from brdf_suite.arrays import AnyArray, Bytes
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.regular_files import open_regular, within_memory
 
 _SIZES = struct.Struct("<8sII")
 _START = _SIZES.size + 32
@@ -143,9 +143,15 @@ def read_arrays(layout: Layout, path: PathLike) -> tuple[dict[str, Any], dict[st
     Raises
     ------
     FileError
-        The file is missing, of another kind or version, truncated, changed, or its header is not as described above.
+        The file is missing, of another kind or version, truncated, changed, or its header is not as described above, or
+        memory does not suffice for the arrays.
     """
-    with open_plain(path, _LARGEST) as stream:
+    return _read_whole(path, layout)
+
+
+@within_memory
+def _read_whole(path: PathLike, layout: Layout) -> tuple[dict[str, Any], dict[str, AnyArray]]:
+    with open_regular(path, _LARGEST) as stream:
         size = os.fstat(stream.fileno()).st_size
         found = read_next(layout, path, stream, size)
         if (end := stream.tell()) != size:
@@ -155,7 +161,7 @@ def read_arrays(layout: Layout, path: PathLike) -> tuple[dict[str, Any], dict[st
 
 def read_header(layout: Layout, path: PathLike) -> dict[str, Any]:
     """Return the header alone, for listings; the arrays are not looked at. Errors as :func:`read_arrays`."""
-    with open_plain(path, _LARGEST) as stream:
+    with open_regular(path, _LARGEST) as stream:
         return _checked_header(layout, path, stream, os.fstat(stream.fileno()).st_size)[0]
 
 

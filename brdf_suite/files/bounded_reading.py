@@ -1,18 +1,15 @@
-"""Bounded reading of files that may be damaged or hostile, and the stamp by which a changed file is noticed."""
+"""Bounds on what is made of files that may be damaged or hostile, and the stamp by which a changed file is noticed."""
 
 from __future__ import annotations
 
 import math
 import os
-import stat
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from functools import wraps
-from io import BufferedReader
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Concatenate, ParamSpec, TypeVar
 
+from brdf_suite import variables
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.regular_files import open_regular
 
 LONGEST_LINE = 1 << 20
 """Bytes; a row of two thousand bands with twenty digits each is 40 KB."""
@@ -24,51 +21,17 @@ MOST_BANDS = 2048
 """Wavelengths of a spectrum; the finest array spectrometers have about that."""
 
 
-@contextmanager
-def open_plain(path: PathLike, largest: int | None = None) -> Iterator[BufferedReader]:
-    """Yield the open file at ``path``.
-
-    Raises
-    ------
-    FileError
-        It is missing, not readable, also within the block, not a plain file (so that no pipe can hang us), or over
-        ``largest`` bytes.
-    """
-    if "\0" in os.fspath(path):
-        raise FileError(path, "cannot be read (its name holds a NUL character)")
-    try:
-        found = Path(path).stat()
-        if not stat.S_ISREG(found.st_mode):
-            folder = " (it is a folder)" if stat.S_ISDIR(found.st_mode) else ""
-            raise FileError(path, f"is not a plain file{folder}")
-        if largest is not None and found.st_size > largest:
-            raise FileError(
-                path, f"has {found.st_size:,} bytes, more than the {largest:,} that this format can need"
-            )
-        with Path(path).open("rb") as stream:
-            yield stream
-    except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror or error})") from error
-
-
-def read_bytes(path: PathLike, largest: int | None = None) -> bytes:
-    """Return the content of a plain file of at most ``largest`` bytes, or raise :class:`FileError`."""
-    with open_plain(path, largest) as stream:
-        # As many as it has now: asking for the largest would reserve that much.
-        return stream.read(os.fstat(stream.fileno()).st_size)
-
-
 def numbered_lines(path: PathLike, largest: int) -> Iterator[tuple[int, str]]:
     """Yield (line number from 1, text without its ending) of a text file.
 
     Raises
     ------
     FileError
-        As :func:`open_plain`; a line is over :data:`LONGEST_LINE` bytes, or the file holds a NUL byte or is
+        As :func:`open_regular`; a line is over :data:`LONGEST_LINE` bytes, or the file holds a NUL byte or is
         not UTF-8 (Latin-1 in comments is let through: old instruments write it).
     """
     number = 0
-    with open_plain(path, largest) as stream:
+    with open_regular(path, largest) as stream:
         while True:
             line = stream.readline(LONGEST_LINE + 1)
             if not line:
@@ -110,11 +73,14 @@ def file_stamp(asked: object) -> tuple[int, int] | None:
     return status.st_mtime_ns, status.st_size
 
 
-_Others = ParamSpec("_Others")
-_Result = TypeVar("_Result")
-
 MOST_MADE_BYTES = 1 << 30
-"""Largest array of pixels or mesh data, in bytes, that is made of one file."""
+"""Largest array of pixels or mesh data, in bytes, that is made of one file unless ``BRDF_SUITE_READ_MB`` says more."""
+
+
+def most_made_bytes() -> int:
+    """Return how many bytes may be made of one file: 1 GiB, or ``BRDF_SUITE_READ_MB`` (10⁶ bytes) if that is more."""
+    text = os.environ.get(variables.READ_MB, "").strip()
+    return max(MOST_MADE_BYTES, int(text[:9]) * 1_000_000 if text.isdecimal() else 0)
 
 
 def check_made(path: PathLike, size: int, what: str, place: str | None = None) -> None:
@@ -122,21 +88,8 @@ def check_made(path: PathLike, size: int, what: str, place: str | None = None) -
 
     ``size`` is in bytes; ``place`` says where in the file it is announced.
     """
-    if size > MOST_MADE_BYTES:
+    allowed = most_made_bytes()
+    if size > allowed:
         taken = f"{size / 2**30:,.1f} GiB" if size < 1 << 60 else "more memory than there is"
-        raise FileError(path, f"{what} would take {taken}; {MOST_MADE_BYTES >> 30} GiB is allowed", place)
-
-
-def within_memory(
-    read: Callable[Concatenate[PathLike, _Others], _Result],
-) -> Callable[Concatenate[PathLike, _Others], _Result]:
-    """Return the reader ``read``, which takes a path first, with FileError in place of MemoryError."""
-
-    @wraps(read)
-    def reader(path: PathLike, /, *args: _Others.args, **kwargs: _Others.kwargs) -> _Result:
-        try:
-            return read(path, *args, **kwargs)
-        except MemoryError as error:
-            raise FileError(path, "there is not enough memory for what it holds") from error
-
-    return reader
+        more = f"{allowed / 2**30:,.3g} GiB is allowed ({variables.READ_MB} can allow more)"
+        raise FileError(path, f"{what} would take {taken}; {more}", place)

@@ -23,7 +23,7 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.texture import NO_TEXTURE, SCALE
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.bounded_reading import MOST_BANDS
 from brdf_suite.files.cxf_specification import (
     BrdfAngle,
     Specification,
@@ -43,6 +43,7 @@ from brdf_suite.files.samples import (
 )
 from brdf_suite.files.tables.columns import EFFECTS, angle_text, interpret
 from brdf_suite.files.tables.grid import parse_number
+from brdf_suite.regular_files import read_bytes, within_memory
 
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
 TAGS = "BRDF Suite"
@@ -71,6 +72,7 @@ def is_cxf(head: bytes) -> bool:
     return NAMESPACE.encode("ascii") in head or NAMESPACE.encode("utf-16-le") in head
 
 
+@within_memory
 def read_cxf(path: PathLike) -> SampleFile:
     """Return the multi-angle samples of a CxF3 file.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from brdf_suite.errors import PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.cxf import is_cxf, read_cxf
 from brdf_suite.files.hardened_xml import MOST_BYTES, parse_xml
 from brdf_suite.files.samples import SampleFile
@@ -11,11 +10,13 @@ from brdf_suite.files.tables.finding import check_cells, find_table
 from brdf_suite.files.tables.grid import decode, decode_head, read_rows
 from brdf_suite.files.tables.readings import read_samples
 from brdf_suite.files.tables.xml_rows import xml_rows
+from brdf_suite.regular_files import read_bytes, within_memory
 
 _HEAD = 1 << 16
 _MOST_ROWS = 200_000
 
 
+@within_memory
 def read_instrument(path: PathLike) -> SampleFile | None:
     """Return the samples of a file; None for one of any other kind.
 

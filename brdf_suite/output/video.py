@@ -90,7 +90,7 @@ def writing_video(
             *(part for name, text in described.items() for part in ("-metadata", f"{name}={text}")),
             str(temporary),
         ]
-        with subprocess.Popen(
+        with subprocess.Popen(  # noqa: S603 - ffmpeg of its package
             command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=messages
         ) as process:
             assert process.stdin is not None

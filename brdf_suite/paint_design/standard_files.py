@@ -25,6 +25,7 @@ from brdf_suite.pipeline.material import (
     material_of,
 )
 from brdf_suite.progress import Progress, report
+from brdf_suite.regular_files import open_regular
 
 _HEAD = 1 << 16
 BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
@@ -89,11 +90,8 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
     """The paints of a file that was handed over, known by its content; none where it is something else."""
     if path.suffix.lower() == PAINT_ENDING or not is_file(os.fspath(path)):
         return ()
-    try:
-        with path.open("rb") as stream:
-            head = stream.read(_HEAD)
-    except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    with open_regular(path) as stream:
+        head = stream.read(_HEAD)
     # With the readers 60 ms, which Designer's start does not wait for.
     from brdf_suite.files.exports import FORMATS
     from brdf_suite.files.instruments import read_instrument

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
+from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING
@@ -29,6 +30,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance, has_spectra
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.regular_files import open_regular, read_bytes, within_memory
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
@@ -91,9 +93,9 @@ def file_kind(path: str | os.PathLike[str]) -> FileKind:
 def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] | None:
     """Return which document of ours a file is, by its content; None for files of other programs, and for no file."""
     try:
-        with Path(path).open("rb") as stream:
+        with open_regular(path) as stream:
             head = stream.read(_HEAD)
-    except OSError:
+    except FileError:
         return None
     found = _DOCUMENT.search(head) if head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{") else None
     if found is not None:
@@ -105,6 +107,7 @@ def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] |
     return None
 
 
+@within_memory
 def load_material(
     name_or_path: str | os.PathLike[str], *, observer_deg: int = 10, solved_through: Aperture | None = None
 ) -> Material:
@@ -231,7 +234,7 @@ def paints_of(name_or_path: str | os.PathLike[str]) -> tuple[str, ...]:
     if packaged_name(text, [*paint_names(), *TABLE_1]) is not None:
         return (text,)
     if Path(text).is_dir():
-        found = tuple(sorted(map(str, Path(text).glob(f"*{PAINT_ENDING}")), key=str.casefold))
+        found = tuple(sorted(map(str, documents_in(Path(text), PAINT_ENDING)), key=str.casefold))
         if not found:
             raise FileError(text, f"holds no {PAINT_ENDING} file")
         return found
@@ -302,9 +305,8 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
         measured.sniff(path)
     except FileError as no_measurement:
         try:
-            palettes.sniff(Path(path).read_bytes(), path)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+            content = read_bytes(path, palettes.LARGEST_PALETTE)
+            palettes.sniff(content, path)
         except FileError:
             reason = (
                 "is neither a paint nor a palette nor measured data of a format that is known here (the pages "

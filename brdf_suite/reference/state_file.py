@@ -13,8 +13,10 @@ import OpenEXR
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.primaries import REC2020
+from brdf_suite.regular_files import check_regular
 
 
 def write_state(
@@ -34,10 +36,7 @@ def write_state(
     }
     channels = {name: np.ascontiguousarray(plane, np.float32) for name, plane in planes.items()}
     with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(path, f"cannot be written ({error})") from error
+        write_by_library(OpenEXR.File(header, channels), temporary, path)
 
 
 @contextmanager
@@ -52,12 +51,16 @@ def reading_state(
         The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
     try:
+        check_regular(path)
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()
             state = json.loads(header[attribute])
-            planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
+            with np.errstate(invalid="ignore"):  # of numbers that are none
+                planes = {name: np.asarray(channel.pixels, np.float64) for name, channel in channels.items()}
+        if not all(np.isfinite(plane).all() for plane in planes.values()):
+            raise ValueError("it holds numbers that are not finite")
         yield state, planes
-    except (RuntimeError, ValueError, KeyError, TypeError, OSError) as error:
+    except (RuntimeError, ValueError, KeyError, TypeError, OSError, MemoryError) as error:
         raise FileError(
             path, f"holds no render to resume from ({error}); remove it, or render to another file"
         ) from error

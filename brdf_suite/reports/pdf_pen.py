@@ -15,6 +15,7 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFError, TTFont
 
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.reports.paint_report.plots import INK, Mark, PlotLine
 from brdf_suite.reports.sheet_text import font_for
 
@@ -103,7 +104,7 @@ class Pen:
         """Yield stretches of a text and the font that has all their letters."""
         plain = "Helvetica-Bold" if bold else "Helvetica-Oblique" if italic else "Helvetica"
         run, font = "", plain
-        for letter in text:
+        for letter in make_visible(text):
             found = self._font_of(letter, plain)
             if found != font and run:
                 yield run, font

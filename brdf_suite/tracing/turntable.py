@@ -28,6 +28,7 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET
+from brdf_suite.regular_files import read_bytes
 
 if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.table_split import TableSplit
@@ -177,13 +178,13 @@ def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:
     """Return how many frames are there from before, and their exposure; the folder is made, or emptied."""
     try:
         if folder.is_dir() and not fresh:
-            state = json.loads((folder / _STATE).read_text())
+            state = json.loads(read_bytes(folder / _STATE))
             if state["key"] == key:
                 done = 0
                 while _frame(folder, done).exists():
                     done += 1
                 return done, float(state["exposure_ev"])
-    except (OSError, ValueError, KeyError, TypeError):
+    except (FileError, ValueError, KeyError, TypeError):
         pass  # a folder that was begun and holds no frame yet: it is begun anew
     try:
         if folder.exists():

@@ -708,6 +708,10 @@
         <translation>Tasten&amp;kürzel</translation>
     </message>
     <message>
+        <source>Copy &amp;Diagnostics</source>
+        <translation>&amp;Diagnose kopieren</translation>
+    </message>
+    <message>
         <source>&amp;About BRDF Suite</source>
         <translation>&amp;Über BRDF Suite</translation>
     </message>
@@ -718,6 +722,10 @@
     <message>
         <source>Full &amp;Screen</source>
         <translation>Ganzer &amp;Bildschirm</translation>
+    </message>
+    <message>
+        <source>Versions, OpenGL, settings and the log were copied, without names and contents of files.</source>
+        <translation>Versionen, OpenGL, Einstellungen und das Protokoll wurden kopiert, ohne Namen und Inhalte von Dateien.</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -10888,16 +10896,8 @@ h {hue}°</translation>
         <translation>verwendet ein Filter {0}, das es nicht gibt; es ist beschädigt</translation>
     </message>
     <message>
-        <source>is not a plain file</source>
-        <translation>ist keine einfache Datei</translation>
-    </message>
-    <message>
         <source>is empty; it was not copied whole</source>
         <translation>ist leer; es wurde nicht ganz kopiert</translation>
-    </message>
-    <message>
-        <source>is larger than {0} GB</source>
-        <translation>ist größer als {0} GB</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -12172,14 +12172,6 @@ h {hue}°</translation>
         <translation>enthält keine Karten, die sich entschlüsseln lassen</translation>
     </message>
     <message>
-        <source>is larger than {0} MB, too large for the maps of a paint</source>
-        <translation>ist größer als {0} MB, zu groß für die Karten eines Lacks</translation>
-    </message>
-    <message>
-        <source>the textures of the paint cannot be read: {0}</source>
-        <translation>die Texturen des Lacks sind nicht lesbar: {0}</translation>
-    </message>
-    <message>
         <source>the maps in {0} are not those that the paint was saved with; factor it again, or bring them back</source>
         <translation>die Karten in {0} sind nicht die, mit denen der Lack gespeichert wurde; faktorisieren Sie ihn neu, oder bringen Sie sie zurück</translation>
     </message>
@@ -12606,10 +12598,6 @@ h {hue}°</translation>
     <message>
         <source>is named in the project and is not there; it cannot be collected</source>
         <translation>ist im Projekt genannt und nicht da; es lässt sich nicht einsammeln</translation>
-    </message>
-    <message>
-        <source>cannot be collected: {0}</source>
-        <translation>lässt sich nicht einsammeln: {0}</translation>
     </message>
     <message>
         <source>is not empty and holds no project; name another folder</source>
@@ -13044,10 +13032,6 @@ h {hue}°</translation>
         <translation>mehr Speicher, als es gibt</translation>
     </message>
     <message>
-        <source>{0} would take {1}; {2} GiB is allowed</source>
-        <translation>{0} würde {1} einnehmen; erlaubt sind {2} GiB</translation>
-    </message>
-    <message>
         <source>there is not enough memory for what it holds</source>
         <translation>für den Inhalt reicht der Speicher nicht</translation>
     </message>
@@ -13328,10 +13312,6 @@ h {hue}°</translation>
         <translation>Nur was die virtuellen Messgeräte ablesen, wird übernommen: L*a*b* bei {0} Winkeln und Glanz. Wie er dazwischen und darüber hinaus reflektiert, entfällt.</translation>
     </message>
     <message>
-        <source>The model is fitted to the designed paint that has the same readings, not to the paint itself.</source>
-        <translation>Das Modell wird an den entworfenen Lack mit denselben Messwerten angepasst, nicht an den Lack selbst.</translation>
-    </message>
-    <message>
         <source>glTF in a renderer with multiple scattering (Blender)</source>
         <translation>glTF in einem Renderer mit Mehrfachstreuung (Blender)</translation>
     </message>
@@ -13454,10 +13434,6 @@ h {hue}°</translation>
     <message>
         <source>{0}; dE00 {1} on a sphere, at its readings {2}</source>
         <translation>{0}; dE00 {1} auf einer Kugel, an den Messwerten {2}</translation>
-    </message>
-    <message>
-        <source>One base colour, metalness and roughness under a clearcoat, fitted on a sphere.</source>
-        <translation>Eine Grundfarbe, Metallanteil und Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
     </message>
     <message>
         <source>has {0} bytes, more than the {1} allowed</source>
@@ -14696,14 +14672,6 @@ h {hue}°</translation>
         <translation>verweist auf {0}, das nicht in seinem Ordner liegt</translation>
     </message>
     <message>
-        <source>needs {0}, which is not a plain file</source>
-        <translation>braucht {0}, das keine einfache Datei ist</translation>
-    </message>
-    <message>
-        <source>needs {0}, which is larger than 1 GiB</source>
-        <translation>braucht {0}, das größer als 1 GiB ist</translation>
-    </message>
-    <message>
         <source>a Blender file</source>
         <translation>eine Blender-Datei</translation>
     </message>
@@ -14876,16 +14844,8 @@ h {hue}°</translation>
         <translation>kein glTF:</translation>
     </message>
     <message>
-        <source>not a file</source>
-        <translation>keine Datei</translation>
-    </message>
-    <message>
         <source>the file is empty</source>
         <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>{0} GiB; meshes of up to 1 GiB can be read</source>
-        <translation>{0} GiB; lesbar sind Netze bis 1 GiB</translation>
     </message>
     <message>
         <source>holds no triangles (points or lines alone cannot be drawn)</source>
@@ -16602,6 +16562,134 @@ h {hue}°</translation>
     <message>
         <source>expected 1 to {0}, not {1}</source>
         <translation>erwartet wurde 1 bis {0}, nicht {1}</translation>
+    </message>
+    <message>
+        <source>holds no file that a batch can work on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: cannot be read: {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another batch is running in this folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a Parquet table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>batch {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>starting the workers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing the results</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the process that worked on it ended ({0})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The workers are lost; what they finished is kept, and the same batch goes on where it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} of {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {0} a second, {1} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, {0} with a problem</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker on {0} has BRDF Suite {1}, the batch is of {2}; install the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker on {0} does not see {1}; results go to a folder that all workers share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a batch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is no amount of memory; write it as 2GB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scheduler answers at {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a batch on a job system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1}; see dask-jobqueue&apos;s configuration file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no worker is there after {1} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written whole; the disk is full, or refuses it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the textures of the paint cannot be read: it {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be collected: it {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow (pyarrow)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} GiB is allowed ({1} can allow more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} would take {1}; {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The clearcoat is that of a designed paint with the same gloss.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a curve with the exponent {0}, which is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds numbers over {0}, which are neither shares nor directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>needs {0} beside it, which {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no material library in the folder of the mesh</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>expected {0} to {1} texels, not {2}</source>
@@ -19154,6 +19242,10 @@ h {hue}°</translation>
     <message>
         <source>this material was measured in RGB, it has no spectra</source>
         <translation>dieses Material wurde in RGB gemessen, es hat keine Spektren</translation>
+    </message>
+    <message>
+        <source>it is a link to a file that is not there</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>holds {0} paints; a sheet takes {1}</source>

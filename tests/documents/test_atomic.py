@@ -5,10 +5,16 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
+import numpy as np
+import OpenEXR
 import pytest
 
+from brdf_suite.documents.atomic import documents_in, is_unfinished, remove_unfinished, replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_paint, save_paint
 from brdf_suite.errors import FileError
@@ -73,3 +79,81 @@ def test_places_that_cannot_be_written_are_named(tmp_path: Path) -> None:
         save_paint(OLD, tmp_path / "none" / "a.brdfpaint")
     with pytest.raises(FileError, match="not a plain file"):
         save_paint(OLD, tmp_path)
+
+
+def test_what_a_killed_writer_left_goes_with_the_next_save(path: Path) -> None:
+    kill = "import os, signal\nos.fsync = lambda *a: os.kill(os.getpid(), signal.SIGKILL)\n"
+    assert run(kill, path).returncode == -signal.SIGKILL
+    other = path.with_name(".paint.brdfpaint")  # a document whose name is a hidden one
+    save_paint(OLD, other)
+    (left,) = [file for file in path.parent.iterdir() if is_unfinished(file)]
+    assert list(documents_in(path.parent, ".brdfpaint")) != []
+    assert left not in documents_in(path.parent, ".brdfpaint")
+    save_paint(OLD, path)
+    assert sorted(path.parent.iterdir()) == sorted([path, other])
+
+
+def test_what_another_writer_is_writing_stays(path: Path) -> None:
+    with replacing(path) as first:
+        first.write_bytes(b"half")
+        remove_unfinished(path)
+        assert first.exists()
+        save_paint(OLD, path)
+        assert first.exists()
+        first.write_bytes(path.read_bytes())
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_an_empty_one_goes_too(path: Path) -> None:
+    path.with_name(".paint.0123456789abcdef.brdfpaint").touch()
+    remove_unfinished(path)
+    assert list(path.parent.iterdir()) == [path]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="sets a limit of Unix")
+@pytest.mark.parametrize("size", [0, 1, 100, 900])
+def test_small_maps_on_a_full_disk_are_an_error(tmp_path: Path, size: int) -> None:
+    script = (
+        "import resource, signal, sys\n"
+        "import numpy as np\n"
+        "from brdf_suite.documents.factor_textures import write_textures\n"
+        "from brdf_suite.errors import FileError\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        f"resource.setrlimit(resource.RLIMIT_FSIZE, ({size}, {size}))\n"
+        "try:\n"
+        "    write_textures({name: np.full((16, 16, 3), 0.5, np.float32) for name in 'pq'}, sys.argv[1])\n"
+        "except FileError as error:\n"
+        "    print(error)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(tmp_path / "a.brdfpaint")],
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    assert "cannot be written" in done.stdout, done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def write_content(content: bytes, name: str) -> None:
+    Path(name).write_bytes(content)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (5, 3), (40, 7), (300, 2)])
+@pytest.mark.parametrize("parts", [1, 3])
+def test_whole_files_of_any_height_are_whole_and_none_that_is_cut_off(
+    tmp_path: Path, shape: tuple[int, int], parts: int
+) -> None:
+    rng = np.random.default_rng(1)
+    planes = {name: rng.random(shape).astype(np.float32) for name in "RGB"}
+    path = tmp_path / "a.exr"
+    for compression in (OpenEXR.ZIP_COMPRESSION, OpenEXR.PIZ_COMPRESSION, OpenEXR.DWAB_COMPRESSION):
+        header = {"compression": compression, "type": OpenEXR.scanlineimage}
+        made = [OpenEXR.Part({**header, "name": f"p{k}"}, dict(planes), f"p{k}") for k in range(parts)]
+        write_by_library(OpenEXR.File(made) if parts > 1 else OpenEXR.File(header, planes), path, path)
+        content = path.read_bytes()
+        for size in (0, 7, 60, len(content) // 2, len(content) - 1):
+            cut = SimpleNamespace(write=partial(write_content, content[:size]))
+            with pytest.raises(FileError, match="cannot be written"):
+                write_by_library(cut, path, path)

@@ -15,6 +15,8 @@ from filelock import FileLock
 from brdf_suite.cli.main import main
 from brdf_suite.files.images.environments import write_exr
 
+_CHECKOUT = Path(__file__).resolve().parents[2]
+_SOURCE = (_CHECKOUT, _CHECKOUT / "apps")
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
 _spec = importlib.util.spec_from_file_location("xvfb", _FILE)
 xvfb = importlib.util.module_from_spec(_spec)
@@ -55,7 +57,8 @@ def without_extras(shared_cache: Path, tmp_path: Path) -> dict[str, str]:
     """Variables of a process in which no optional package is installed, with settings of its own."""
     return {
         **os.environ,
-        "PYTHONPATH": str(Path(__file__).parent / "blocked"),
+        # With the source, too, so that child processes keep the variable.
+        "PYTHONPATH": os.pathsep.join(map(str, (Path(__file__).parent / "blocked", *_SOURCE))),
         "PYTHONWARNINGS": "default",
         "BRDF_SUITE_SETTINGS": str(tmp_path / "settings"),
         "BRDF_SUITE_LINK": f"test-{uuid.uuid4().hex[:12]}",

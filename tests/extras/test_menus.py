@@ -43,5 +43,5 @@ def test_no_command_of_a_menu_ends_in_a_fault(
         for words in said:
             assert "which is not installed; `" in words
             assert "` installs it" in words
-    logs = [file.read_text() for file in (folder / "settings").rglob("log.txt")]
+    logs = [file.read_text() for file in (folder / "settings").rglob("*.log")]
     assert not [line for log in logs for line in log.splitlines() if " ERROR " in line or "Traceback" in line]

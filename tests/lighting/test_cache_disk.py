@@ -1,7 +1,6 @@
-"""The cache on real disks that are full or read-only, and under programs that are killed while they write."""
+"""The cache on real disks that are full or read-only."""
 
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -76,31 +75,3 @@ def test_a_disk_that_takes_no_more_costs_only_time(state: str, tmp_path: Path) -
     )
     assert answer["unfinished"] == 0
     assert answer["sound"]
-
-
-def kill_writers(*more: str) -> tuple[int, dict[str, object]]:
-    """Kill writers that stand still in the middle of a write: nothing depends on the moment."""
-    script = Path(__file__).parents[2] / "tools" / "attack" / "kill_cache_writers.py"
-    done = subprocess.run(
-        [sys.executable, script, "--stepped", "--json", "--size", "192", *more],
-        capture_output=True,
-        text=True,
-        timeout=200,
-        check=False,
-        env=dict(os.environ),
-    )
-    return done.returncode, json.loads(done.stdout)
-
-
-def test_writers_killed_while_they_write_leave_a_sound_cache() -> None:
-    status, figures = kill_writers("--kills", "6")
-    assert figures["kills_in_a_write"] == 6
-    assert figures["unfinished_at_least"] == 1  # every kill cut a file off
-    assert figures["unfinished_at_most"] == 2  # some while the other writer was in a write of its own
-    assert status == 0, figures
-
-
-def test_the_kills_would_show_a_cache_without_care() -> None:
-    status, figures = kill_writers("--kills", "3", "--careless")
-    assert status == 1
-    assert figures["damaged_after_kills"] != 0

@@ -17,7 +17,7 @@ ANSWER = re.compile(r"^\| (Where .+\?) \| `([^`]+)` \|$", re.MULTILINE)
 
 
 def pages(checkout: Path) -> list[Path]:
-    top = [checkout / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")]
+    top = [checkout / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CHANGELOG.md")]
     return [*top, *sorted((checkout / "docs").rglob("*.md"))]
 
 

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import tempfile
+from pathlib import Path
+
 import pytest
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
+from brdf_qt.program.settings import state_folder
 from brdf_qt.window.main_window import SuiteWindow
+
+from brdf_suite import variables
 
 
 class Recorder(Feature):
@@ -72,3 +78,17 @@ def test_scripts_set_options_and_trigger_commands(program, log) -> None:
     assert not program.do("do_it")
     assert not program.do("nothing")
     assert log == ["b = 1=2", "done"]
+
+
+def test_without_a_place_for_settings_states_are_kept_in_the_temporary_folder(
+    qapp, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv(variables.SETTINGS, str(tmp_path / "file"))
+    folders = {kind: state_folder(kind, "Designer") for kind in ("autosave", "log")}
+    assert all(folder.is_dir() for folder in folders.values())
+    assert all(Path(tempfile.gettempdir()) in folder.parents for folder in folders.values())
+    assert len({folder.parent for folder in folders.values()}) == 1
+    (said,) = caplog.messages
+    assert "Settings cannot be kept in" in said
+    assert str(folders["log"].parents[1]) in said

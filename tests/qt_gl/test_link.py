@@ -280,6 +280,73 @@ def test_a_program_that_never_reads_holds_up_no_one(start: Callable[..., Program
     assert int(resident) * os.sysconf("SC_PAGE_SIZE") < 200e6
 
 
+@pytest.mark.parametrize("seq", [2**48, 2**48 - 1, 10**12])
+def test_a_number_from_the_future_switches_nothing_off(start: Callable[..., Program], seq: int) -> None:
+    hub, viewer = start("designer"), start("viewer")
+    viewer.wait_peers(1)
+    with raw_socket() as stranger:
+        stranger.sendall(encode("paint", {"n": 1}, "stranger", seq).line)
+        stranger.sendall(encode("view", {"n": 2}, "stranger", 1).line)
+        hub.wait_n(2, "view")  # so that the first one has been looked at
+    for n in range(3, 6):
+        hub.publish(n)
+        viewer.wait_n(n)
+        viewer.publish(n + 10)
+        hub.wait_n(n + 10)
+    hub.wait_log("ahead of the time")
+    assert not any(e["event"] == "received" and e["value"]["n"] == 1 for e in viewer.events + hub.events)
+
+
+def test_a_newcomer_is_served_while_others_flood_the_link(start: Callable[..., Program]) -> None:
+    hub = start("designer")
+    hub.publish(7, "view")
+    ended = threading.Event()
+
+    def flood() -> None:
+        filling, n = "x" * 2000, 0
+        with raw_socket() as stranger:
+            while not ended.is_set():
+                n += 1
+                stranger.sendall(encode("paint", {"n": n, "filling": filling}, "flood", n).line)
+
+    flooding = [threading.Thread(target=flood) for _ in range(2)]
+    for thread in flooding:
+        thread.start()
+    try:
+        hub.wait(lambda e: e["event"] == "received" and e["topic"] == "paint")
+        newcomer = start("viewer")
+        newcomer.wait_n(7, "view")
+        hub.publish(8, "view")
+        newcomer.wait_n(8, "view")
+        assert all(thread.is_alive() for thread in flooding)
+    finally:
+        ended.set()
+        for thread in flooding:
+            thread.join()
+
+
+def test_values_are_checked_on_another_thread_than_the_windows(qtbot, monkeypatch) -> None:
+    from brdf_qt.link.link import LiveLink
+
+    monkeypatch.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
+    threads: list[threading.Thread] = []
+    links = [
+        LiveLink(role, checks={"paint": lambda _: threads.append(threading.current_thread())})
+        for role in ("designer", "viewer")
+    ]
+    for link in links:
+        link.start()
+    qtbot.waitUntil(lambda: len(links[0].peers) == 1)
+    with qtbot.waitSignal(links[1].received) as received:
+        links[0].publish("paint", {"n": 1})
+    for link in links:
+        link.close()
+    assert received.args == ["paint", {"n": 1}]
+    assert threads
+    assert threading.main_thread() not in threads
+    assert not any(thread.is_alive() for thread in threads)
+
+
 def test_the_socket_is_for_this_user_alone(start: Callable[..., Program]) -> None:
     start("designer")
     assert stat.S_IMODE(private_folder().stat().st_mode) == 0o700

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from brdf_suite.errors import ExtraError, MissingExtraError, ReferenceUnavailableError
+from brdf_suite.reference import variant
 from brdf_suite.reference.variant import (
     ProbeResult,
     Variant,
@@ -65,13 +66,21 @@ def test_without_the_extra_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     choose_variant.cache_clear()
 
 
+def run_with_packages(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    """Let the trial find packages in ``folder``, which child processes of the suite never do."""
+    monkeypatch.setenv("PYTHONPATH", str(folder))
+    monkeypatch.setattr(
+        variant, "child_command", lambda module, *words: [sys.executable, "-P", "-m", module, *words]
+    )
+
+
 def test_a_mitsuba_that_cannot_be_loaded_is_not_taken_for_a_missing_llvm(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     package = tmp_path / "mitsuba"
     package.mkdir()
     (package / "__init__.py").write_text("raise ImportError('libmitsuba.so: undefined symbol: nothing')\n")
-    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    run_with_packages(monkeypatch, tmp_path)
     with pytest.raises(ExtraError, match=r"cannot be loaded \(libmitsuba.so: undefined symbol: nothing\)"):
         probe("llvm_ad_rgb", NEW)
 
@@ -82,7 +91,7 @@ def test_a_trial_that_dies_takes_nothing_along(monkeypatch: pytest.MonkeyPatch, 
     package.mkdir()
     (package / "__init__.py").write_text("import os; os.abort()\n")
     (tmp_path / "drjit.py").write_text("")
-    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    run_with_packages(monkeypatch, tmp_path)
     found = probe("llvm_ad_rgb", NEW)
     assert not found.ran
     assert "signal 6" in found.words

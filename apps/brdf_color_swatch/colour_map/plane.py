@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygo
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.colour_map.points import LassoLine, MapPoints, inside, nearest
+from brdf_suite.foreign_text import make_visible
 
 _AXES = {
     "flop": (mark("Lightness L* at 45°"), mark("Flop index")),
@@ -281,7 +282,9 @@ def outline_colour(palette: QPalette) -> QColor:
 def draw_name(painter: QPainter, at: QPointF, name: str, room: QRectF, palette: QPalette) -> None:
     """Draw the name of a point beside it, within ``room``, and a ring around the point."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    text = painter.fontMetrics().elidedText(name[:120], Qt.TextElideMode.ElideMiddle, int(room.width()) - 16)
+    text = painter.fontMetrics().elidedText(
+        make_visible(name[:120]), Qt.TextElideMode.ElideMiddle, int(room.width()) - 16
+    )
     width, height = painter.fontMetrics().horizontalAdvance(text) + 12, painter.fontMetrics().height() + 6
     reach = 0.5 * _SIDE_CHOSEN + 3.0
     right = at.x() + reach + width <= room.right()

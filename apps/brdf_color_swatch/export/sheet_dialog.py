@@ -331,6 +331,6 @@ def _recall() -> dict[str, object]:
     """Return the choices of the last sheet; none where there are none, or they are damaged."""
     try:
         found = json.loads(str(settings().value(_KEY, "{}")))
-    except ValueError:
+    except (ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}

@@ -43,6 +43,7 @@ from brdf_color_swatch.grid.layout import GAP, GridLayout
 from brdf_color_swatch.grid.model import SwatchModel
 from brdf_color_swatch.grid.tile import Look, Tile, TilePainter
 from brdf_color_swatch.grid.view_state import SIZES
+from brdf_suite.foreign_text import make_visible
 
 DEFAULT_SIZE = 96
 
@@ -253,7 +254,7 @@ class SwatchGrid(QAbstractItemView):
         painter.setFont(font)
         painter.setPen(self.palette().color(self.palette().ColorRole.WindowText))
         text = painter.fontMetrics().elidedText(
-            shown.title[:300], Qt.TextElideMode.ElideMiddle, max(40, width - 80)
+            make_visible(shown.title[:300]), Qt.TextElideMode.ElideMiddle, max(40, width - 80)
         )
         box = QRect(left, y, width, height)
         painter.drawText(box, Qt.AlignmentFlag.AlignVCenter, text)

@@ -21,6 +21,7 @@ from PySide6.QtCore import (
 from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
 from brdf_suite.documents.palette import Entry
+from brdf_suite.foreign_text import make_visible
 
 ID_ROLE = Qt.ItemDataRole.UserRole + 1
 _READINGS = tuple(f"{axis}_{angle:g}" for angle in ANGLES_DEG for axis in ("L", "a", "b"))
@@ -128,7 +129,9 @@ class SwatchModel(QAbstractTableModel):
             return None
         place = self.shown.places[index.row()]
         rows, key = self.shown.rows, SORT_KEYS[index.column()]
-        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
+        if role == Qt.ItemDataRole.DisplayRole:
+            return make_visible(rows.text(place, key))
+        if role == Qt.ItemDataRole.EditRole:
             return rows.text(place, key)
         if role == Qt.ItemDataRole.TextAlignmentRole and key not in ("name", "code", "tags", "date"):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -145,7 +148,7 @@ class SwatchModel(QAbstractTableModel):
     ) -> bool:
         key = SORT_KEYS[index.column()]
         text = str(value).strip()
-        if role != Qt.ItemDataRole.EditRole or text == self.data(index):
+        if role != Qt.ItemDataRole.EditRole or text == self.data(index, role):
             return False
         self.renamed.emit(self.id_at(index.row()), key, text)
         return True

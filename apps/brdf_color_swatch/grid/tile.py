@@ -21,6 +21,8 @@ from PySide6.QtGui import (
     QRadialGradient,
 )
 
+from brdf_suite.foreign_text import make_visible
+
 FORMS = ("sphere", "panel", "flop_strip", "chips")
 _PAD = 4
 _GROUND = grey(50.0)
@@ -108,7 +110,7 @@ class TilePainter:
             if len(self._texts) > 4000:
                 self._texts.clear()
             # A name may have a million characters; what does not fit is not measured.
-            cut = self._metrics.elidedText(text[:200], Qt.TextElideMode.ElideRight, width)
+            cut = self._metrics.elidedText(make_visible(text[:200]), Qt.TextElideMode.ElideRight, width)
             self._texts[text] = cut
         return cut
 

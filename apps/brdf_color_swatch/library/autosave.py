@@ -30,6 +30,7 @@ from brdf_suite.documents.palette_store import (
 )
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import read_bytes
 
 _MANY = 300
 """Fewer swatches are written within a frame or two."""
@@ -80,8 +81,8 @@ class PaletteRecovery(Recovery[Palette]):
         """Return the history in an autosave; None where there is none that ends at ``value``: the work counts."""
         try:
             with without_collection():
-                found = _kept(json.loads(file.read_text(encoding="utf-8"))["history"], file)
-        except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
+                found = _kept(json.loads(read_bytes(file))["history"], file)
+        except (ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
             return None
         return found if found.history.states[found.history.place][1] == value else None
 
@@ -92,9 +93,9 @@ class PaletteRecovery(Recovery[Palette]):
             if not self._has_ended(file):
                 continue
             try:
-                content = json.loads(file.read_text(encoding="utf-8"))
+                content = json.loads(read_bytes(file))
                 path, when = Path(content["path"]), str(content["time"])
-            except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            except (FileError, ValueError, KeyError, TypeError, RecursionError):
                 file.unlink(missing_ok=True)
                 continue
             older = found.get(path)

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, Q
 from brdf_color_swatch.editing.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.library import Item
+from brdf_suite.foreign_text import make_visible
 
 _SCOPE = Qt.ItemDataRole.UserRole
 _TAGS = Scope("", (), "\0tags")
@@ -118,7 +119,7 @@ class LibraryTree(QTreeWidget):
             self.editItem(item)
 
     def _build_item(self, line: _Line) -> QTreeWidgetItem:
-        item = QTreeWidgetItem([line.text])
+        item = QTreeWidgetItem([make_visible(line.text)])
         item.setData(0, _SCOPE, line.scope)
         item.setToolTip(0, plain_tip(line.tip))
         item.setIcon(0, _dot(line.colour) if line.colour else icon(line.sign))
@@ -168,9 +169,9 @@ class LibraryTree(QTreeWidget):
         before = next((line.text for line in _flat(self._lines) if line.scope == scope), "")
         name = _name_of(scope, before)
         self._quiet = True
-        item.setText(0, before)
+        item.setText(0, make_visible(before))
         self._quiet = False
-        if text and text not in (before, name):
+        if text and text not in (before, name, make_visible(before), make_visible(name)):
             self.renamed.emit(scope, text)
 
     def _ask_menu(self, point: QPoint) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 
 from brdf_designer.session.state import TabState
+from brdf_suite.foreign_text import make_visible
 
 MARK = "•"
 """Before the title of a paint that is not saved."""
@@ -81,7 +82,7 @@ class DocumentTabs(QTabBar):
         self.setTabButton(place, QTabBar.ButtonPosition.RightSide, close)
 
     def _fill(self, place: int, tab: TabState) -> None:
-        title = tab.title.replace("&", "&&")
+        title = make_visible(tab.title).replace("&", "&&")
         self.setTabText(place, title if tab.clean else f"{MARK} {title}")
         where = str(tab.path) if tab.path else tr("No file yet")
         state = "" if tab.clean else tr("Not saved")

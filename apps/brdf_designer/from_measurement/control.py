@@ -26,6 +26,7 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.paint_design.measured_start import START_SET, MeasuredStart, load_start
 from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import open_regular
 
 if TYPE_CHECKING:
     from brdf_suite.files.exports.format import ImportedPaints
@@ -185,9 +186,9 @@ def _handed_over(path: Path) -> ImportedPaints | None:
     from brdf_suite.files.exports.format import ImportedPaints
 
     try:
-        with path.open("rb") as stream:
+        with open_regular(path) as stream:
             head = stream.read(_HEAD)
-    except OSError:  # opening it as a paint says what is wrong
+    except FileError:  # opening it as a paint says what is wrong
         return None
     for known in FORMATS:
         if known.sniff is not None and known.read is not None and known.sniff(head):

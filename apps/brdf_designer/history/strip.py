@@ -30,6 +30,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.paint import Paint
+from brdf_suite.foreign_text import make_visible
 
 PICTURE, SMALL_PICTURE = 48, 32
 _WIDTH, _PAD, _NAME_LINES, _BEHIND_OPACITY = 92, 4, 2, 0.45
@@ -85,7 +86,7 @@ class HistoryModel(QAbstractListModel):
             return None
         state = self.states[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return state.step or tr("Opened")
+            return make_visible(state.step or tr("Opened"))
         if role == Qt.ItemDataRole.ToolTipRole:
             return plain_tip(self._description(index.row(), state))
         if role == Qt.ItemDataRole.AccessibleTextRole:
@@ -106,7 +107,7 @@ class HistoryModel(QAbstractListModel):
 def name_lines(name: str, metrics: QFontMetrics, width: int) -> list[str]:
     """Return a step's name in as many lines as there is room for; omissions are marked by an ellipsis."""
     lines: list[str] = []
-    for word in name.split():
+    for word in make_visible(name).split():
         longer = f"{lines[-1]} {word}" if lines else word
         # The last line takes all that is left, and is cut.
         if lines and (len(lines) == _NAME_LINES or metrics.horizontalAdvance(longer) <= width):

@@ -39,5 +39,5 @@ def recall() -> View | None:
     """Return the view of the last time; None where there is none, or a damaged one."""
     try:
         return view_from_json(json.loads(str(settings().value(_KEY, ""))))
-    except (SuiteError, ValueError):
+    except (SuiteError, ValueError, RecursionError):
         return None

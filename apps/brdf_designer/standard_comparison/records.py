@@ -17,8 +17,9 @@ from brdf_qt.program.settings import state_folder
 
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.store import paint_from_json, paint_to_json
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.paint_design.standard import Standard
+from brdf_suite.regular_files import read_bytes
 
 MOST_RECORDS = 500
 _FOLDER = "standards"
@@ -68,7 +69,7 @@ def record_from_json(plain: Any) -> Record | None:
             gloss = None if plain["gloss"] is None else Gloss(**plain["gloss"])
             standard = Standard(name, origin, tuple(map(_reading, plain["readings"])), gloss, notices=notices)
         return Record(standard, str(plain["source"]), int(plain["chosen"]))
-    except (KeyError, TypeError, ValueError, SuiteError):
+    except (ArithmeticError, KeyError, TypeError, ValueError, SuiteError):
         # Another version's, or damaged: then the paint has no standard, as if none had been kept.
         return None
 
@@ -96,8 +97,8 @@ def keep(path: Path, record: Record | None) -> None:
 def kept(path: Path) -> Record | None:
     """Return the record of the paint in file ``path``; ``None`` where there is none."""
     try:
-        plain = json.loads(_file(path).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        plain = json.loads(read_bytes(_file(path)))
+    except (FileError, ValueError, RecursionError):
         # Most paints have none; a damaged one is as good as none.
         return None
     return record_from_json(plain)

@@ -19,6 +19,7 @@ from brdf_designer.standard_comparison.settings import ToleranceSettings
 from brdf_designer.standard_comparison.state import StandardState
 from brdf_designer.standard_comparison.tables import BatchTable, ResultTable, ToleranceTable
 from brdf_designer.window.widgets import button, combo, make_row, set_font, wrapped
+from brdf_suite.foreign_text import make_visible
 
 OWN_CMC = "cmc"
 FORMULAS = (
@@ -110,7 +111,7 @@ class StandardSection(QWidget):
         if tabs:
             menu.addSection(tr("Open tabs"))
         for key, title in tabs:
-            menu.addAction(title.replace("&", "&&"), partial(self.known_requested.emit, key))
+            menu.addAction(make_visible(title).replace("&", "&&"), partial(self.known_requested.emit, key))
         inside = menu.addMenu(tr("&Sample Paint"))
         for key, title in shipped:
             inside.addAction(title, partial(self.known_requested.emit, key))
@@ -118,9 +119,10 @@ class StandardSection(QWidget):
     def show_choices(self, names: Sequence[str], chosen: int) -> None:
         """Show the standards of the file that was loaded; a chooser only where there are several."""
         with QSignalBlocker(self.choices):
-            if [self.choices.itemText(k) for k in range(self.choices.count())] != list(names):
+            shown = [make_visible(name) for name in names]
+            if [self.choices.itemText(k) for k in range(self.choices.count())] != shown:
                 self.choices.clear()
-                self.choices.addItems(list(names))
+                self.choices.addItems(shown)
             self.choices.setCurrentIndex(chosen)
         self.choices.setVisible(len(names) > 1)
         self.name.setVisible(len(names) <= 1)

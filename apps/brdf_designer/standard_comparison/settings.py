@@ -67,7 +67,7 @@ def load() -> ToleranceSettings:
             bool(plain["ellipsoid"]),
         )
         found.tolerances()
-    except (ValueError, KeyError, TypeError, AttributeError, SuiteError):
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError, SuiteError):
         # Another version's, or edited by hand: the usual ones are as good a start as any.
         return ToleranceSettings()
     return found

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 
 from brdf_designer.standard_comparison.settings import PARTS, ToleranceSettings
 from brdf_designer.standard_comparison.state import LIMIT_NAMES, ResultRow
+from brdf_suite.foreign_text import make_visible
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _MARK = Qt.ItemDataRole.UserRole
@@ -68,6 +69,7 @@ class WholeTable(QTableWidget):
         item = self.item(row, column)
         if item is None:
             return
+        text = make_visible(text)
         if item.text() != text:
             item.setText(text)
         if item.data(_MARK) != (mark and mark.name):

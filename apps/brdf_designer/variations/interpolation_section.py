@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_designer.variations.section import PictureButton
 from brdf_designer.window.widgets import combo, wrapped
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.paint_design.mix import LEAST_SHARE, MOST_SHARE
 
 STOPS = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -53,7 +54,7 @@ class InterpolationSection(QWidget):
             self.others.setPlaceholderText(tr("Interpolate to…"))
             for key, title in entries:
                 if title:
-                    self.others.addItem(title, key)
+                    self.others.addItem(make_visible(title), key)
                 else:
                     self.others.insertSeparator(self.others.count())
             self.others.setCurrentIndex(self.others.findData(chosen) if chosen else -1)

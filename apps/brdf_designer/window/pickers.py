@@ -17,6 +17,7 @@ from brdf_designer.session.edits import MakeSolid, PickColour
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
+from brdf_suite.foreign_text import make_visible
 
 
 class ColourPickers(QObject):
@@ -91,7 +92,7 @@ class ReadingMenus(QObject):
 
 def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:
     """Let Undo or Redo say what it would do."""
-    action.setText(f"{word} {name}".rstrip())
+    action.setText(f"{word} {make_visible(name)}".rstrip())
     action.setIconText(word.replace("&", ""))
     action.setToolTip(plain_tip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})"))
     action.setEnabled(can)

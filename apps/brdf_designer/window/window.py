@@ -36,6 +36,7 @@ from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
 from brdf_suite.documents.paint import Lab, Paint
+from brdf_suite.foreign_text import make_visible
 
 TABS = standard_tabs(
     paint=mark("Colours, gloss and flakes of the paint"),
@@ -197,7 +198,7 @@ class DesignerWindow(SuiteWindow):
         """Show which documents are open, whether they are saved, and which one is in front."""
         self.tabs.show_tabs(tabs, front)
         shown = tabs[front]
-        self.setWindowTitle(f"{shown.title}[*]")
+        self.setWindowTitle(f"{make_visible(shown.title)}[*]")
         self.setWindowFilePath(str(shown.path) if shown.path else "")
         self.setWindowModified(not shown.clean)
         for action in self._step_actions:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +15,7 @@ from brdf_lobe_visualizer.cuts.lines import Kind, Lines
 from brdf_lobe_visualizer.cuts.pens import colour_of
 from brdf_lobe_visualizer.subjects.subjects import Srgb
 from brdf_lobe_visualizer.words import number
+from brdf_suite.foreign_text import escape_html
 
 _MOST_ROWS = 12
 _MARGIN = 6
@@ -64,15 +64,15 @@ class Readout(QLabel):
             value = number(row.value) + (" " + tr("(filled in)") if row.filled else "")
             kind = {"fit": " · " + tr("fit"), "difference": " · " + tr("difference"), "target": ""}[row.kind]
             title = row.title if len(row.title) <= 28 else row.title[:27] + "…"
-            name = html.escape(title + kind)
+            name = escape_html(title + kind)
             cells.append(
-                f"<tr><td>{mark}&nbsp;{name}&nbsp;&nbsp;</td><td align='right'>{html.escape(value)}</td></tr>"
+                f"<tr><td>{mark}&nbsp;{name}&nbsp;&nbsp;</td><td align='right'>{escape_html(value)}</td></tr>"
             )
         if len(rows) > len(shown):
             more = tr("and {count} more").format(count=len(rows) - len(shown))
-            cells.append(f"<tr><td>{html.escape(more)}</td><td></td></tr>")
+            cells.append(f"<tr><td>{escape_html(more)}</td><td></td></tr>")
         self.setText(
-            f"<b>{html.escape(head)}</b>&nbsp;&nbsp;<span>{html.escape(unit)}</span><table>{''.join(cells)}</table>"
+            f"<b>{escape_html(head)}</b>&nbsp;&nbsp;<span>{escape_html(unit)}</span><table>{''.join(cells)}</table>"
         )
         self.adjustSize()
         parent = self.parentWidget()

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QWidget
 from brdf_lobe_visualizer.cuts.image_layout import BAR, GAP, Layout, Room, best_layout
 from brdf_lobe_visualizer.cuts.pens import hatching_brush
 from brdf_suite.arrays import Bools, Bytes, Floats
+from brdf_suite.foreign_text import make_visible
 
 _POINT, _DOT = 3.0, 1.2
 _MANY = 60
@@ -200,7 +201,7 @@ class ImageGrid(QWidget):
         above, beside = (self.grid.rows, self.grid.columns) if turned else (self.grid.columns, self.grid.rows)
         for number, title in enumerate(above):
             place = self.place_of(number, 0) if turned else self.place_of(0, number)
-            shown = metrics.elidedText(title, Qt.TextElideMode.ElideRight, place.width() + GAP)
+            shown = metrics.elidedText(make_visible(title), Qt.TextElideMode.ElideRight, place.width() + GAP)
             area = QRectF(place.left() - GAP, place.top() - line - 2.0, place.width() + 2.0 * GAP, line)
             painter.drawText(area, _CENTRE, shown)
         reach = self._y_ticks(metrics) + (line if self.grid.axes.y else 0.0)
@@ -304,7 +305,7 @@ def _upwards(painter: QPainter, metrics: QFontMetricsF, x: float, beside: QRectF
     painter.save()
     painter.translate(x, beside.center().y())
     painter.rotate(-90.0)
-    shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, long)
+    shown = metrics.elidedText(make_visible(text), Qt.TextElideMode.ElideRight, long)
     painter.drawText(QRectF(-0.5 * long, -0.5 * line, long, line), _CENTRE, shown)
     painter.restore()
 

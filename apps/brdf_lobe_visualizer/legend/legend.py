@@ -27,6 +27,7 @@ from brdf_lobe_visualizer.cuts.pens import LINE_SIZE, line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 from brdf_lobe_visualizer.verdict import words_of
+from brdf_suite.foreign_text import make_visible
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
@@ -308,7 +309,7 @@ class Legend(QWidget):
 def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio: float) -> None:
     item.setFlags(_FLAGS)
     item.setData(0, _KEY, row.key)
-    item.setText(TITLE, row.title)
+    item.setText(TITLE, make_visible(row.title))
     item.setToolTip(TITLE, plain_tip(row.tip))
     for column, on in ((TITLE, row.shown), (SOLO, row.solo), (REFERENCE, row.reference)):
         item.setCheckState(column, Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)

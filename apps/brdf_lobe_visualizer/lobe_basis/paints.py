@@ -13,6 +13,7 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QFileSystemWatcher, QObject, Signal
 
 from brdf_lobe_visualizer.session import LobeSession
+from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
@@ -44,7 +45,7 @@ def paints_in(request: tuple[Path, PaintsIn | None], progress: Progress | None =
 
     folder, before = request
     stamps = []
-    for path in folder.rglob(f"*{PAINT_ENDING}"):
+    for path in documents_in(folder, PAINT_ENDING, within=True):
         report(progress, 0.0, "looking for paints")
         try:
             status = path.stat()

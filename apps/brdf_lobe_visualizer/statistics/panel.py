@@ -37,6 +37,7 @@ from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ class FiguresModel(QAbstractTableModel):
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         row = self._rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return self.text(index.row(), index.column())
+            return make_visible(self.text(index.row(), index.column()))
         if role == Qt.ItemDataRole.DecorationRole and index.column() > 0:
             value = row.values[index.column() - 1]
             if value is None or not row.name.startswith("ΔE00"):
@@ -109,7 +110,7 @@ class FiguresModel(QAbstractTableModel):
             return tr("Figure") if role == Qt.ItemDataRole.DisplayRole else None
         column = self._columns[section - 1]
         if role == Qt.ItemDataRole.DisplayRole:
-            return f"({column.title})" if column.stale else column.title
+            return make_visible(f"({column.title})" if column.stale else column.title)
         if role == Qt.ItemDataRole.DecorationRole:
             return column.line
         if role == Qt.ItemDataRole.ToolTipRole:

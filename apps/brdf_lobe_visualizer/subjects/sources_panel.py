@@ -22,6 +22,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_suite.foreign_text import make_visible
+
 _ORIGIN = Qt.ItemDataRole.UserRole
 PICTURE = 40
 """Width and height of a picture in the list, points."""
@@ -121,10 +123,10 @@ class SourcesPanel(QWidget):
         super().keyPressEvent(event)
 
     def _add_group(self, title: str, names: Sequence[tuple[str, str]]) -> None:
-        group = QTreeWidgetItem([title])
+        group = QTreeWidgetItem([make_visible(title)])
         group.setFlags(Qt.ItemFlag.ItemIsEnabled)
         for name, origin in names:
-            item = QTreeWidgetItem([name])
+            item = QTreeWidgetItem([make_visible(name)])
             item.setData(0, _ORIGIN, origin)
             item.setToolTip(0, plain_tip(origin))
             group.addChild(item)

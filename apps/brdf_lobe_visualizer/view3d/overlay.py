@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
 
 from brdf_lobe_visualizer.view3d.frame import Bar, Label, Panel
+from brdf_suite.foreign_text import make_visible
 
 Project = Callable[[tuple[float, float, float]], QPointF | None]
 _HALO = 3.0
@@ -85,7 +86,7 @@ class Overlay:
             line.setRight(min([line.right(), *beside]))
             if line.width() < 24.0 or line.bottom() > inner.bottom():
                 return False
-            shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, line.width())
+            shown = metrics.elidedText(make_visible(text), Qt.TextElideMode.ElideRight, line.width())
             line.setWidth(min(line.width(), metrics.horizontalAdvance(shown) + 2.0))
             found.append(Words(line, shown, font))
             return True
@@ -114,7 +115,7 @@ class Overlay:
         if wide < 48.0 or room < 1:
             return []
         lines: list[str] = []
-        for paragraph in text.splitlines():
+        for paragraph in make_visible(text).splitlines():
             lines.append("")
             for word in paragraph.split():
                 longer = f"{lines[-1]} {word}".strip()

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from html import escape
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +19,7 @@ from PySide6.QtCore import QRectF, QSize
 from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import Bar, Frame, Label, Layer, Panel, Scene
 from brdf_suite.arrays import Floats
+from brdf_suite.foreign_text import escape_html
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
 
 _ROW_STEP, _COLUMN_STEP = 2, 4
@@ -43,7 +43,7 @@ def svg_of(
     parts = [
         f"<svg xmlns='http://www.w3.org/2000/svg' width='{size.width()}' height='{size.height()}' "
         f"viewBox='0 0 {size.width()} {size.height()}'>",
-        f"<title>{escape(scene.quantity)}</title>",
+        f"<title>{escape_html(scene.quantity)}</title>",
         f"<rect width='100%' height='100%' fill='{look.paper}'/>",
     ]
     for number, (panel, room) in enumerate(zip(scene.panels, rooms, strict=False)):
@@ -213,7 +213,7 @@ def _text(
     return (
         f"<text x='{x:.1f}' y='{y:.1f}' {_FONT} font-size='{look.text_px:.1f}' font-weight='{weight}' "
         f"text-anchor='{anchor}' fill='{look.ink}' stroke='{look.paper}' stroke-width='2.5' "
-        f"stroke-linejoin='round' paint-order='stroke'>{escape(text)}</text>"
+        f"stroke-linejoin='round' paint-order='stroke'>{escape_html(text)}</text>"
     )
 
 

@@ -21,6 +21,7 @@ from brdf_qt.choosing.drag import MIME, carry_paint
 from brdf_qt.choosing.thumbnails import Thumbnails
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.settings import settings
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.palettes.swatches.look import Content
 
 Index = QModelIndex | QPersistentModelIndex
@@ -125,7 +126,7 @@ class SourceModel(QAbstractListModel):
             return None
         source = self._sources[index.row()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            return source.title
+            return make_visible(source.title)
         if role == KEY_ROLE:
             return source.key
         if role == Qt.ItemDataRole.ToolTipRole:

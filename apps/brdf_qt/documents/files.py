@@ -19,6 +19,7 @@ from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
+from brdf_suite.documents.atomic import remove_unfinished
 from brdf_suite.errors import SuiteError
 
 T = TypeVar("T")
@@ -92,6 +93,7 @@ class DocumentFiles(QObject, Generic[T]):
         """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` reports."""
         # Before the content is read: a change in between is then asked about once too often, never lost.
         stamp = stamp_of(path)
+        remove_unfinished(path)
         try:
             value = self.format.load(path)
         except SuiteError as error:

@@ -19,6 +19,8 @@ from PySide6.QtCore import QObject
 from brdf_qt.documents.recovery import lock_of
 from brdf_qt.program.settings import state_folder
 from brdf_qt.work.timer import make_timer
+from brdf_suite.errors import FileError
+from brdf_suite.regular_files import read_bytes
 
 _ENDING = ".tabs.json"
 _SOON_MS = 300
@@ -127,7 +129,7 @@ class TabsRecord(QObject):
 
 def _read_record(file: Path) -> TabsLeft | None:
     try:
-        content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(read_bytes(file))
         tabs = [
             OpenTab(
                 None if row["path"] is None else Path(str(row["path"])),
@@ -137,5 +139,5 @@ def _read_record(file: Path) -> TabsLeft | None:
             for row in content["tabs"][:_MOST_TABS]
         ]
         return TabsLeft(tuple(tabs), int(content["front"]), file)
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (FileError, ArithmeticError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None

@@ -25,6 +25,7 @@ from brdf_qt.program.settings import state_folder
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.regular_files import read_bytes
 
 T = TypeVar("T")
 INTERVAL_MS = 700
@@ -178,11 +179,11 @@ class Recovery(QObject, Generic[T]):
     def _read_saved(self, file: Path) -> Recovered[T] | None:
         """Return a saved document with its history; None where it cannot be read: the document is in its own file."""
         try:
-            content = json.loads(file.read_text(encoding="utf-8"))
+            content = json.loads(read_bytes(file))
             rows = content["history"]
             value = self._format.from_json(rows["states"][int(rows["place"])][1], file)
             return self._recovered(content, value, file)
-        except (OSError, ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
+        except (OSError, ArithmeticError, ValueError, TypeError, LookupError, RecursionError, SuiteError):
             return None
 
     def _has_ended(self, file: Path) -> bool:
@@ -220,21 +221,42 @@ class Recovery(QObject, Generic[T]):
         saved = saved - first if first <= saved < first + len(kept) else -1
         return f'{{"place": {place - first}, "saved": {saved}, "states": [{", ".join(rows)}]}}'
 
+    def _sweep_unfinished(self) -> None:
+        """Remove what a kill left of an autosave that was being written, and locks of runs without one."""
+        for lock in self.folder.glob("*.lock"):
+            autosave = lock.with_suffix(".json")
+            if not any(
+                lock_of(autosave).getLockInfo()
+            ):  # its run was killed while it made it; Qt takes it for held
+                lock.unlink(missing_ok=True)
+            if self._has_ended(autosave):
+                autosave.with_suffix(".tmp").unlink(missing_ok=True)
+                _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
+
     def found(self) -> list[Recovered[T]]:
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
+        self._sweep_unfinished()
         result = []
         for file in self.folder.glob(f"*{_ENDING}"):
             if not self._has_ended(file):
                 continue
             try:
                 result.append(self._read(file))
-            except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
+            except (
+                OSError,
+                ValueError,
+                LookupError,
+                TypeError,
+                AttributeError,
+                RecursionError,
+                SuiteError,
+            ) as error:
                 text = tr("unsaved work of an earlier run cannot be read ({reason})").format(reason=error)
                 self._failed(FileError(_aside(file), text))
         return sorted(result, key=lambda item: item.when, reverse=True)
 
     def _read(self, file: Path) -> Recovered[T]:
-        content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        content: dict[str, Any] = json.loads(read_bytes(file))
         return self._recovered(content, self._format.from_json(content["document"], file), file)
 
     def _recovered(self, content: dict[str, Any], value: T, file: Path) -> Recovered[T]:
@@ -257,7 +279,7 @@ class Recovery(QObject, Generic[T]):
             rows = content["states"][:MOST_STATES]
             states = tuple((str(name), self._format.from_json(row, file)) for name, row in rows)
             place, saved = int(content["place"]), int(content["saved"])
-        except (KeyError, TypeError, ValueError, SuiteError):
+        except (KeyError, TypeError, ValueError, OverflowError, SuiteError):
             return None
         if not 0 <= place < len(states) or states[place][1] != value or not -1 <= saved < len(states):
             return None
@@ -309,8 +331,12 @@ def _saved_file(autosave: Path) -> Path:
 def _replace(file: Path, text: str) -> None:
     # No fsync: what a killed process has written stays in the system, and this runs between two frames.
     draft = file.with_suffix(".tmp")
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(file)
+    try:
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(file)
+    except OSError:
+        draft.unlink(missing_ok=True)
+        raise
 
 
 def _aside(file: Path) -> Path:

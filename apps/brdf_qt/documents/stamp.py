@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import hashlib
-import stat
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
+
+from brdf_suite.errors import FileError
+from brdf_suite.regular_files import open_regular
 
 
 @dataclass(frozen=True)
@@ -42,11 +44,9 @@ def stamp_of(path: Path) -> FileStamp | None:
         found = path.stat()
     except OSError:  # Not there, or not to be looked at: writing will report what is wrong with it.
         return None
-    digest = ""
-    if stat.S_ISREG(found.st_mode):  # A pipe or a device would wait for a writer, or never end.
-        try:
-            with path.open("rb") as stream:
-                digest = hashlib.file_digest(stream, "sha256").hexdigest()
-        except OSError:  # It may still be replaced as a whole; size and time then have to do.
-            digest = ""
+    try:
+        with open_regular(path) as stream:
+            digest = hashlib.file_digest(stream, "sha256").hexdigest()
+    except FileError:  # It may still be replaced as a whole; size and time then have to do.
+        digest = ""
     return FileStamp(found.st_size, found.st_mtime_ns, digest)

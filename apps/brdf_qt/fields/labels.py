@@ -2,12 +2,12 @@
 
 Qt draws what looks like HTML as such, in labels and in tips: ``<img src=…>`` in the name of a paint would have a file
 read. Labels of the programs are :class:`PlainLabel`, and tips with words from elsewhere go through :func:`plain_tip`.
+Both, and with :func:`~brdf_suite.foreign_text.make_visible` all other texts, show characters that are not seen.
 """
 
 from __future__ import annotations
 
 import re
-from html import escape
 from typing import Any
 
 from PySide6 import QtGui
@@ -16,6 +16,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 
 from brdf_qt.fields.marks import SIZE, Mark, draw_mark
+from brdf_suite.foreign_text import escape_html, make_visible
 
 _WIDTHS = 16
 """Of so many widths at most a label knows its heights, and of so many texts the widths."""
@@ -32,9 +33,10 @@ def plain_tip(text: str) -> str:
     >>> plain_tip("Blue, 15°"), plain_tip("<b>Blue</b>")
     ('Blue, 15°', '<p>&lt;b&gt;Blue&lt;/b&gt;</p>')
     """
+    text = make_visible(text)
     if not QtGui.Qt.mightBeRichText(text):
         return text
-    return f"<p>{escape(text).replace(chr(10), '<br>')}</p>"
+    return f"<p>{escape_html(text).replace(chr(10), '<br>')}</p>"
 
 
 def set_bold(widget: QWidget, bold: bool) -> None:
@@ -60,6 +62,9 @@ class PlainLabel(QLabel):
         super().__init__(parent, **options)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setText(text)
+
+    def setText(self, text: str) -> None:
+        super().setText(make_visible(text))
 
     @property
     def mark(self) -> Mark | None:
@@ -132,6 +137,7 @@ class DrawnLabel(PlainLabel):
         return self._text
 
     def setText(self, text: str) -> None:
+        text = make_visible(text)
         before = self._text
         if text == before:
             return
@@ -189,7 +195,7 @@ class ElidedLabel(DrawnLabel):
         self.setText(text)
 
     def setText(self, text: str) -> None:
-        if text != self.text():
+        if make_visible(text) != self.text():
             super().setText(text)
             self.setToolTip(plain_tip(text))
 

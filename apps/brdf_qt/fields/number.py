@@ -14,6 +14,7 @@ limited(text)
 
 from __future__ import annotations
 
+import math
 import re
 
 from PySide6.QtCore import QEvent, QLocale, QObject, QPointF, QSignalBlocker, Qt, Signal
@@ -38,6 +39,8 @@ from brdf_suite.documents.parameter import Parameter
 
 _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 _UNFINISHED = re.compile(r"^\s*[-+−]?[.,]?\s*$")
+LONGEST = 64
+"""Characters of a number that are looked at: with a million of them a field would be busy for seconds."""
 DRAG_START_PX = 4
 PX_PER_STEP = 4
 _TIP_MS = 6000
@@ -49,8 +52,9 @@ def parse_number(text: str) -> float | None:
     >>> parse_number("12,5 GU")
     12.5
     """
-    found = _NUMBER.search(text)
-    return float(found.group().replace(",", ".").replace("−", "-")) if found else None
+    found = _NUMBER.search(text[:LONGEST])
+    number = float(found.group().replace(",", ".").replace("−", "-")) if found else math.nan
+    return number if math.isfinite(number) else None
 
 
 def reach_of(parameter: Parameter, step: float, decimals: int) -> tuple[str, float, float, float, int, float]:
@@ -109,6 +113,7 @@ class NumberField(QDoubleSpinBox):
         self.editingFinished.connect(self._report_limit)
         self.lineEdit().installEventFilter(self)
         self.lineEdit().setCursor(Qt.CursorShape.SizeHorCursor)
+        self.lineEdit().setMaxLength(LONGEST)
 
     def set_reach(
         self,
@@ -190,6 +195,8 @@ class NumberField(QDoubleSpinBox):
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
         body = text.removesuffix(self.suffix()).strip()
+        if len(text) > LONGEST + len(self.suffix()):
+            return QValidator.State.Invalid, text[:LONGEST], position
         if _NUMBER.fullmatch(body) or (self.unit and _NUMBER.fullmatch(body.removesuffix(self.unit).strip())):
             return QValidator.State.Acceptable, text, position
         if not body or _UNFINISHED.match(body):

@@ -6,6 +6,8 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
+from brdf_suite.foreign_text import make_visible
+
 PAPER, INK = QColor(0, 0, 0, 168), QColor(255, 255, 255)
 """Neutral, like all of the interface, and readable on any picture."""
 PADDING = 6.0
@@ -37,7 +39,7 @@ def draw_chip(painter: QPainter, corner: QPointF, lines: tuple[str, ...], room: 
     """Write lines on a rounded paper whose upper left is at ``corner``, at most ``room`` wide; return its box."""
     metrics = QFontMetricsF(painter.font())
     inside = room - 2 * PADDING
-    shown = [metrics.elidedText(line, Qt.TextElideMode.ElideRight, inside) for line in lines]
+    shown = [metrics.elidedText(make_visible(line), Qt.TextElideMode.ElideRight, inside) for line in lines]
     wide = max(metrics.horizontalAdvance(line) for line in shown) + 2 * PADDING
     box = QRectF(corner.x(), corner.y(), wide, len(shown) * metrics.height() + 2 * PADDING)
     draw_paper(painter, box)

@@ -4,8 +4,8 @@ The first program is the hub: it listens on a local socket, the others connect t
 they say. When the hub ends, another takes its place after a short random wait. No program ever waits for
 another; each works alone as well.
 
-Delivered is only the newest value of each topic, at most once per turn of the event loop, and only after it
-has passed the reader of its document. A newcomer receives the newest value of each topic.
+Delivered is only the newest value of each topic of what has come, and only after it has passed the reader of its
+document, on a thread of its own (:mod:`.parsing`). A newcomer receives the newest value of each topic.
 
 What waits to be written to a program is kept per topic, and a newer message of a topic takes the place of an older
 one. So a program that reads slowly, or has stopped reading, costs the others one message per topic and no more.
@@ -28,17 +28,15 @@ from brdf_qt.link.messages import (
     HELLO,
     MAX_BYTES,
     PEERS,
-    BadMessageError,
     Check,
     Message,
-    decode,
     document_checks,
     encode,
     next_seq,
 )
+from brdf_qt.link.parsing import MessageParser, Parsed
 from brdf_qt.program.feature import Feature
 from brdf_qt.work.timer import make_timer
-from brdf_suite.errors import SuiteError
 
 log = logging.getLogger(__name__)
 
@@ -47,6 +45,8 @@ _MAX_RETRY_MS = 2000
 _MAX_PEERS = 32
 _MAX_BAD_LINES = 20
 _READ_BYTES = 256 * 1024
+_MOST_WAITING = 8 * MAX_BYTES
+"""Bytes that may wait to be parsed before no more is read."""
 
 
 @dataclass(eq=False)
@@ -100,11 +100,10 @@ class LiveLink(Feature, QObject):
         self.peers: tuple[str, ...] = ()
         """The roles of the other programs on the link, sorted."""
         self._latest: dict[str, Message] = {}
-        self._inbox: dict[tuple[str, str], tuple[Message, _Peer]] = {}
+        self._parser: MessageParser | None = None
         self._running = False
         self._failures = 0
         self._retry = make_timer(self, self._join)
-        self._delivery = make_timer(self, self._deliver)
 
     @property
     def is_hub(self) -> bool:
@@ -122,6 +121,9 @@ class LiveLink(Feature, QObject):
             return
         if self._checks is None:
             self._checks = document_checks()
+        self._parser = MessageParser(self._checks, self)
+        self._parser.newest.update({topic: message.order for topic, message in self._latest.items()})
+        self._parser.parsed.connect(self._take)
         self._running = True
         self._join()
 
@@ -129,11 +131,13 @@ class LiveLink(Feature, QObject):
         """Leave the link; the others go on."""
         self._running = False
         self._retry.stop()
-        self._delivery.stop()
         if self._socket is not None:
             self._socket.abort()
         for peer in tuple(self._peers):
             self._end(peer)
+        if self._parser is not None:
+            self._parser.close()
+            self._parser = None
         if self._server is not None and self._address is not None:
             self._server.close()
             self._server.deleteLater()
@@ -148,11 +152,9 @@ class LiveLink(Feature, QObject):
         BadMessageError
             The value is not plain JSON, or longer than a message may be.
         """
-        seen = [message.seq for message, _ in self._inbox.values() if message.topic == topic]
-        if topic in self._latest:
-            seen.append(self._latest[topic].seq)
-        message = encode(topic, value, self._id, next_seq(max(seen, default=None)))
-        self._latest[topic] = message
+        known = self._latest.get(topic)
+        message = encode(topic, value, self._id, next_seq(None if known is None else known.seq))
+        self._keep(message)
         for peer in self._peers:
             self._send(peer, message)
 
@@ -205,7 +207,7 @@ class LiveLink(Feature, QObject):
 
     def _join_later(self) -> None:
         if self._running:
-            wait = random.uniform(*_RETRY_MS) * 1.5 ** min(self._failures, 12)
+            wait = random.uniform(*_RETRY_MS) * 1.5 ** min(self._failures, 12)  # noqa: S311 - a wait
             self._retry.start(int(min(wait, _MAX_RETRY_MS)))
 
     def _accept(self) -> None:
@@ -234,7 +236,7 @@ class LiveLink(Feature, QObject):
         return peer
 
     def _end_disconnected(self, *_: object) -> None:
-        self._read()  # what the other side wrote before it ended
+        self._read(everything=True)  # what the other side wrote before it ended
         for peer in tuple(self._peers):
             if peer.socket.state() != QLocalSocket.LocalSocketState.ConnectedState:
                 self._end(peer)
@@ -269,30 +271,23 @@ class LiveLink(Feature, QObject):
                 peer.socket.write(peer.waiting.pop(topic))
                 peer.socket.flush()
 
-    def _read(self) -> None:
+    def _read(self, *, everything: bool = False) -> None:
+        """Read what has come, unless much of it is not parsed yet; ``everything``: of a side that has ended."""
+        parser = self._parser
         for peer in tuple(self._peers):
-            while peer.open and peer.socket.bytesAvailable() > 0:
+            while peer.open and parser is not None and peer.socket.bytesAvailable() > 0:
+                if parser.waiting > _MOST_WAITING and not everything:
+                    return  # the rest stays in the sockets, which slows down who sends it
                 received = peer.incoming + bytes(peer.socket.read(_READ_BYTES).data())
                 *lines, peer.incoming = received.split(b"\n")
                 for line in lines:
-                    self._take_line(peer, line)
+                    if line.strip():
+                        parser.put(peer, line)
                 if len(peer.incoming) > MAX_BYTES:
                     log.warning(
                         "live link: a message is longer than %d bytes, closing its connection", MAX_BYTES
                     )
                     self._end(peer)
-
-    def _take_line(self, peer: _Peer, line: bytes) -> None:
-        if not peer.open or not line.strip():
-            return
-        try:
-            if len(line) >= MAX_BYTES:
-                raise BadMessageError(f"longer than {MAX_BYTES} bytes")
-            message = decode(line)
-        except BadMessageError as error:
-            self._complain(peer, str(error))
-            return
-        self._arrived(peer, message)
 
     def _complain(self, peer: _Peer, reason: str) -> None:
         """Log a bad message; a connection that keeps sending them is closed."""
@@ -304,41 +299,36 @@ class LiveLink(Feature, QObject):
 
     # Messages.
 
-    def _arrived(self, peer: _Peer, message: Message) -> None:
-        if message.topic == HELLO:
-            self._hello(peer, message.value)
-        elif message.topic == PEERS:
-            if not self.is_hub:
-                self._take_peers(peer, message.value)
-        elif self._checks is None or message.topic not in self._checks:
-            self._complain(peer, f"unknown topic {message.topic!r}")
-        elif self._is_news(message):
-            key = (message.topic, message.sender)
-            waiting = self._inbox.get(key)
-            if waiting is None or message.order > waiting[0].order:
-                self._inbox[key] = (message, peer)
-                self._delivery.start()
+    def _take(self, found: list[Parsed]) -> None:
+        """Hand out, and as the hub pass on, what is news in a batch of messages."""
+        for one in found:
+            message, peer = one.message, one.source
+            if message is None:
+                if one.invalid:
+                    log.warning("live link: dropped %s", one.problem)
+                elif peer.open:
+                    self._complain(peer, one.problem)
+            elif message.topic == HELLO:
+                self._hello(peer, message.value)
+            elif message.topic == PEERS:
+                if not self.is_hub:
+                    self._take_peers(peer, message.value)
+            elif self._is_news(message):
+                self._keep(message)
+                for other in tuple(self._peers):
+                    if other is not peer:
+                        self._send(other, message)
+                self.received.emit(message.topic, message.value)
+        self._read()
 
     def _is_news(self, message: Message) -> bool:
         known = self._latest.get(message.topic)
         return known is None or message.order > known.order
 
-    def _deliver(self) -> None:
-        """Hand out, and as the hub pass on, the newest valid message of each topic that came in this turn."""
-        inbox, self._inbox = self._inbox, {}
-        for message, source in sorted(inbox.values(), key=lambda item: item[0].order, reverse=True):
-            if not self._is_news(message):
-                continue
-            try:
-                (self._checks or {})[message.topic](message.value)
-            except (SuiteError, ValueError, TypeError, KeyError, RecursionError) as error:
-                log.warning("live link: dropped a %s that is not valid: %s", message.topic, error)
-                continue
-            self._latest[message.topic] = message
-            for peer in self._peers:
-                if peer is not source:
-                    self._send(peer, message)
-            self.received.emit(message.topic, message.value)
+    def _keep(self, message: Message) -> None:
+        self._latest[message.topic] = message
+        if self._parser is not None:
+            self._parser.newest[message.topic] = message.order
 
     def _hello(self, peer: _Peer, value: dict[str, Any]) -> None:
         role = value.get("role")

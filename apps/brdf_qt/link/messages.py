@@ -4,11 +4,12 @@ One message is one line of JSON in UTF-8, ended by a newline and at most :data:`
 
     {"v": 1, "topic": "paint", "value": {...}, "from": "b3f1…", "seq": 17}
 
-``seq`` is a hybrid logical clock: the time of publishing in milliseconds, and at least one more than the
-largest number of that topic that the publisher has seen. ``(seq, from)`` therefore orders all messages of a
-topic in the same way in every program, whichever program relays them and in whichever order they arrive; a
-message that comes again is recognised, and what was published later wins also between programs that had not
-met before.
+``seq`` is a hybrid logical clock: the time of publishing in milliseconds since the machine was started, and at least
+one more than the largest number of that topic that the publisher has seen. That time is the same in all programs, and
+setting the clock does not change it. A number that is far ahead of it is refused: it would outlive all later edits.
+``(seq, from)`` therefore orders all messages of a topic in the same way in every program, whichever program relays
+them and in whichever order they arrive; a message that comes again is recognised, and what was published later wins
+also between programs that had not met before.
 
 Two further topics are for the link itself: ``hello`` (a program says what it is) and ``peers`` (the relay
 says who is there).
@@ -22,6 +23,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.store import paint_from_json, view_from_json
 
 VERSION = 1
@@ -33,6 +35,8 @@ OFFER = "offer"
 OFFER_LASTS_S = 120.0
 """A program that is started for an offer finds it; one that is started later is not to open it."""
 _MAX_SEQ = 2**48
+AHEAD_MS = 60_000
+"""How far a number may be ahead of the time, milliseconds: a program that publishes in bursts runs ahead of it."""
 _MAX_NAME = 64
 _KEYS = {"v", "topic", "value", "from", "seq"}
 
@@ -85,22 +89,32 @@ def decode(line: bytes) -> Message:
     try:
         data = json.loads(line, parse_constant=_no_constants)
     except (ValueError, RecursionError) as error:
-        raise BadMessageError(f"not JSON ({error})") from error
+        raise BadMessageError(f"not JSON ({error})"[:200]) from error
     if not isinstance(data, dict) or set(data) != _KEYS:
         raise BadMessageError("not an envelope with exactly v, topic, value, from and seq")
     if data["v"] != VERSION:
-        raise BadMessageError(f"version {data['v']!r}, this program knows {VERSION}")
+        raise BadMessageError(f"version {describe(data['v'])}, this program knows {VERSION}")
     topic, value, sender, seq = data["topic"], data["value"], data["from"], data["seq"]
     if not _is_name(topic) or not _is_name(sender) or not isinstance(value, dict):
         raise BadMessageError("topic, from or value has the wrong type")
     if isinstance(seq, bool) or not isinstance(seq, int) or not 0 <= seq <= _MAX_SEQ:
-        raise BadMessageError(f"seq {seq!r} is not a whole number from 0 to {_MAX_SEQ}")
+        raise BadMessageError(f"seq {describe(seq)} is not a whole number from 0 to {_MAX_SEQ}")
     return Message(topic, value, sender, seq, line.rstrip(b"\r\n") + b"\n")
 
 
 def next_seq(seen: int | None) -> int:
     """Return the number of a message published now, ``seen`` being the largest of its topic so far."""
-    return max(time.time_ns() // 1_000_000, -1 if seen is None else seen + 1)
+    return max(_now_ms(), -1 if seen is None else seen + 1)
+
+
+def check_order(seq: int, seen: int | None) -> None:
+    """Raise :class:`BadMessageError` where a number is far ahead of the time, and of ``seen``, the largest so far."""
+    if seq > max(_now_ms() + AHEAD_MS, -1 if seen is None else seen + 1):
+        raise BadMessageError(f"seq {seq} is more than {AHEAD_MS // 1000} s ahead of the time")
+
+
+def _now_ms() -> int:
+    return time.monotonic_ns() // 1_000_000
 
 
 def document_checks() -> Mapping[str, Check]:

@@ -13,7 +13,6 @@ import socket
 import sys
 import time
 from functools import cache
-from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
 
@@ -31,10 +30,12 @@ from PySide6.QtGui import QFont, QGuiApplication, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
-from brdf_qt.program.settings import ORGANISATION, state_folder
+from brdf_qt.program.diagnostics import start_log
+from brdf_qt.program.settings import ORGANISATION
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import Cancelled
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.resources import resource
 from brdf_suite.screen import screen_missing
 
@@ -99,7 +100,7 @@ def create_application(
     theme.apply(app, theme_name or theme.current(), remember=False)
     theme.follow_changes(app)
     translation.install(app, language)
-    _start_log()
+    start_log(name)
     sys.excepthook = _unhandled
     qInstallMessageHandler(_qt_message)
     _quit_on_signals(app)
@@ -113,15 +114,6 @@ def process_age_s() -> float:
         ticks = int(stat.read_text().rpartition(")")[2].split()[19])
         return time.clock_gettime(time.CLOCK_BOOTTIME) - ticks / os.sysconf("SC_CLK_TCK")
     return time.monotonic() - _STARTED
-
-
-def _start_log() -> None:
-    file = state_folder("log") / "log.txt"
-    handler = RotatingFileHandler(file, maxBytes=1_000_000, backupCount=2, delay=True)
-    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
-    root = logging.getLogger()
-    root.addHandler(handler)
-    root.setLevel(logging.INFO)
 
 
 def _unhandled(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
@@ -144,7 +136,7 @@ _LEVELS = {
 def _qt_message(kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
     logging.getLogger("qt").log(_LEVELS[kind], "%s: %s", context.category or "default", text)
     if kind in (QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg):
-        sys.stderr.write(f"{text}\n")
+        sys.stderr.write(f"{make_visible(text)}\n")
 
 
 def _quit_on_signals(app: QApplication) -> None:

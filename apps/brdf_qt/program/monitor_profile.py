@@ -9,7 +9,6 @@ that is said.
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import logging
 import sys
 from dataclasses import dataclass
@@ -65,11 +64,9 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
 
 def _x11_profile(screen: QScreen | None) -> bytes | None:
     """Read the property by a connection of our own: Qt's own one is not to be waited on behind its back."""
-    name = ctypes.util.find_library("X11")
-    if name is None:
-        return None
     try:
-        x11 = ctypes.CDLL(name)
+        # By its own name, as Qt's plug-in has loaded it: looking for it would start the compiler of the search path.
+        x11 = ctypes.CDLL("libX11.so.6")
     except OSError:
         return None
     x11.XOpenDisplay.restype = ctypes.c_void_p

@@ -23,6 +23,8 @@ from brdf_qt.start.page import is_wanted
 from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
+from brdf_suite.processes import run_named_module
 
 _LARGEST = 20_000
 _LOOK_EVERY_MS = 50
@@ -123,7 +125,11 @@ def run_program(
     ``loads`` is the module that takes long to import; the start page is shown before it, unless ``is_asked`` says that
     the options name what is to be opened.
     """
-    options = parser.parse_args(argv)
+    words = list(sys.argv[1:] if argv is None else argv)
+    status = run_named_module(words)
+    if status is not None:
+        return status
+    options = parser.parse_args(words)
     set_loudness(options)
     app = create_application(name, theme_name=options.theme, language=options.language)
     role = next(role for role, member in MEMBERS.items() if member.name == name)
@@ -137,7 +143,7 @@ def run_program(
     try:
         program = make(options) if launch is None else launch.load(loads, partial(make, options))
     except SuiteError as error:
-        print(f"{parser.prog}: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {make_visible(str(error))}", file=sys.stderr)
         return 1
     if program is None:
         return 0
@@ -252,7 +258,7 @@ class _Run(QObject):
 
     def _end(self, status: int, problem: str = "") -> None:
         if problem:
-            print(f"{self._command}: {problem}", file=sys.stderr)
+            print(f"{self._command}: {make_visible(problem)}", file=sys.stderr)
         self._app.exit(status)
 
     def _when_idle(self, then: Callable[[], None]) -> None:

@@ -6,7 +6,12 @@ what a user has set.
 
 from __future__ import annotations
 
+import atexit
+import logging
 import os
+import shutil
+import tempfile
+from functools import cache
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QSettings
@@ -14,6 +19,7 @@ from PySide6.QtCore import QCoreApplication, QSettings
 from brdf_suite import variables
 
 ORGANISATION = "BRDF Suite"
+_log = logging.getLogger(__name__)
 SHARED = "shared"
 """The settings that all programs have in common."""
 
@@ -28,8 +34,23 @@ def settings(program: str = "") -> QSettings:
 
 
 def state_folder(kind: str, program: str = "") -> Path:
-    """Return, and make, the folder ``kind`` (``autosave``, ``log``) beside the settings file of a program."""
+    """Return, and make, the folder ``kind`` (``autosave``, ``log``) beside the settings file of a program.
+
+    Where it cannot be made, as without a home folder, it is one in the system's temporary folder, for this run.
+    """
     file = Path(settings(program).fileName())
     folder = file.with_suffix("") / kind
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        folder = _temporary_state(file.parent, error.strerror or str(error)) / file.stem / kind
+        folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@cache
+def _temporary_state(wanted: Path, reason: str) -> Path:
+    folder = Path(tempfile.mkdtemp(prefix="brdf-suite-state-"))
+    _log.warning("Settings cannot be kept in %s (%s); unsaved work is kept in %s.", wanted, reason, folder)
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)  # not after a crash: the work would be gone
     return folder

@@ -33,6 +33,7 @@ from brdf_qt.program.settings import SHARED, settings
 from brdf_qt.program.translation import SYSTEM, language_in_use, language_names, tr
 from brdf_qt.start.gallery import Gallery
 from brdf_qt.window.shortcuts import SHORTCUTS
+from brdf_suite.foreign_text import make_visible
 
 _SHOW = "start/show"
 _SIZE = QSize(1140, 752)
@@ -129,7 +130,7 @@ class StartWindow(QWidget):
         """Show recent work and choices as they are now."""
         self.recent.clear()
         for path in recent_work():
-            item = QListWidgetItem(path.name)
+            item = QListWidgetItem(make_visible(path.name))
             item.setToolTip(plain_tip(str(path)))
             item.setData(_PATH, str(path))
             self.recent.addItem(item)

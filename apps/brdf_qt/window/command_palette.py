@@ -12,6 +12,7 @@ from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.translation import tr
 from brdf_qt.window.command_search import search
+from brdf_suite.foreign_text import make_visible
 
 _ACTION = Qt.ItemDataRole.UserRole
 _MOST_ROWS = 12
@@ -87,7 +88,7 @@ class CommandPalette(QFrame):
         self.found.clear()
         for text, action in kept:
             keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
-            item = QListWidgetItem(text)
+            item = QListWidgetItem(make_visible(text))
             item.setData(_ACTION, action)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{text} {keys}")
             self.found.addItem(item)

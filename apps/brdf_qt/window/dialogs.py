@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QM
 from brdf_qt.fields.quiet import quieten
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
+from brdf_suite.foreign_text import make_visible
 
 _ICON = 32
 """Size of the sign in a question, pixels; our own signs, because those of the style have colour."""
@@ -78,9 +79,9 @@ class QtDialogs:
     def _box(self, sign: str, title: str, text: str, more: str) -> QMessageBox:
         box = QMessageBox(self._window)
         box.setIconPixmap(icon(sign).pixmap(_ICON, _ICON))
-        box.setWindowTitle(title)
-        box.setText(text)
-        box.setInformativeText(more)
+        box.setWindowTitle(make_visible(title))
+        box.setText(make_visible(text))
+        box.setInformativeText(make_visible(more))
         # Both drawn as they are: they hold names of files. The box's own text format is that of its first text alone.
         for label in box.findChildren(QLabel):
             label.setTextFormat(Qt.TextFormat.PlainText)

@@ -23,6 +23,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.basis import MOST_LOBES, read_basis, shipped_basis
 from brdf_suite.fitting.lobes.program import Weighting
 from brdf_suite.fitting.lobes.settings import Diffuse, FitSettings
+from brdf_suite.foreign_text import make_visible
 
 _STORED, _MESSAGE = "fit/choice", "lobe fit"
 _WEIGHTINGS: dict[Weighting, str] = {
@@ -71,7 +72,7 @@ def stored_choice() -> FitChoice:
         kept = json.loads(str(settings(SHARED).value(_STORED, "{}")))
         known = vars(FitChoice())
         return FitChoice(**{name: type(known[name])(kept[name]) for name in known if name in kept})
-    except (ValueError, TypeError):
+    except (ValueError, TypeError, RecursionError):
         return FitChoice()  # a settings file that another version wrote
 
 
@@ -137,7 +138,7 @@ class FitDialog(QDialog):
     def add_file(self, file: str) -> None:
         """Offer the basis in a file, and choose it; nothing where there is none."""
         if file:
-            self.basis.addItem(Path(file).name, file)
+            self.basis.addItem(make_visible(Path(file).name), file)
             self.basis.setCurrentIndex(self.basis.count() - 1)
 
     def _browse(self) -> None:

@@ -15,6 +15,7 @@ from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
+    QGuiApplication,
     QKeyEvent,
     QKeySequence,
     QPaintEvent,
@@ -25,6 +26,7 @@ from PySide6.QtWidgets import QAbstractButton, QDockWidget, QMainWindow, QMenu, 
 from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.application import error_relay
+from brdf_qt.program.diagnostics import diagnostics
 from brdf_qt.program.icons import icon as icon_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.suite import MEMBERS, start_member
@@ -43,6 +45,7 @@ from brdf_qt.window.settings_window import SettingsWindow
 from brdf_qt.window.shortcuts import give_keys, sequences
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.window.tab_panel import Page, Tab, TabPanel
+from brdf_suite.foreign_text import make_visible
 
 LAYOUT_VERSION = 1
 _SIGNS = {"qt_dockwidget_floatbutton": "arrow-square-out", "qt_dockwidget_closebutton": "x"}
@@ -320,7 +323,9 @@ class SuiteWindow(QMainWindow):
     def show_recent(self, paths: Sequence[Path]) -> None:
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
-            action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
+            action = self.recent_menu.addAction(
+                f"&{number % 10} {make_visible(path.name).replace('&', '&&')}"
+            )
             action.setToolTip(plain_tip(str(path)))
             action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
         self.recent_menu.addSeparator()
@@ -416,9 +421,17 @@ class SuiteWindow(QMainWindow):
         add(menu, mark("&Tour"), self.start.start_tour, icon="map-trifold").setObjectName("action_tour")
         add(menu, mark("Find a &Command…"), palette.open, "find_command", "magnifying-glass")
         add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "shortcuts", "keyboard")
+        add(menu, mark("Copy &Diagnostics"), self._copy_diagnostics, icon="clipboard-text").setObjectName(
+            "action_copy_diagnostics"
+        )
         add(menu, mark("&About BRDF Suite"), lambda: AboutWindow(self, self._program).show(), icon="info")
         add(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
         add(self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "full_screen", "corners-out")
+
+    def _copy_diagnostics(self) -> None:
+        QGuiApplication.clipboard().setText(diagnostics(self._program))
+        text = tr("Versions, OpenGL, settings and the log were copied, without names and contents of files.")
+        self.show_message(Message("diagnostics", text))
 
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""

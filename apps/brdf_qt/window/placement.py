@@ -12,6 +12,8 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_qt.program.settings import SHARED, state_folder
 from brdf_qt.work.timer import make_timer
+from brdf_suite.errors import FileError
+from brdf_suite.regular_files import read_bytes
 
 _ENDING = ".window.json"
 _REST_MS = 100
@@ -84,8 +86,8 @@ class WindowPlaces(QObject):
                 lock.unlock()
                 continue
             try:
-                found.append(QRect(*json.loads(file.read_text("utf-8"))))
-            except (OSError, ValueError, TypeError):
+                found.append(QRect(*json.loads(read_bytes(file))))
+            except (FileError, ValueError, TypeError):
                 continue  # it is being written, or its program has just ended
         return found
 

@@ -168,7 +168,7 @@ def run_command(arguments: Sequence[str], progress: Progress) -> str:
         output, errors = Path(folder) / "output", Path(folder) / "errors"
         with output.open("wb") as out, errors.open("wb") as err, output.open("rb") as written:
             command = child_command(_COMMAND, *arguments, "--follow")
-            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=out, stderr=err)
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=out, stderr=err)  # noqa: S603 - a module of ours
             assert process.stdin is not None
             try:
                 text = _follow(process, written, progress)

@@ -13,6 +13,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.project import NamedView, Project
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.scene.control import SceneControl
@@ -81,7 +82,7 @@ class ViewerProject:
     def _list(self, opened: OpenedProject) -> None:
         self._menu.clear()
         for named in opened.project.views:
-            action = self._menu.addAction(named.name.replace("&", "&&"))
+            action = self._menu.addAction(make_visible(named.name).replace("&", "&&"))
             action.setObjectName(f"project_view_{named.name}")
             action.triggered.connect(partial(self._show_view, named.name))
         self._menu.addSeparator()

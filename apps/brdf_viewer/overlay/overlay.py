@@ -14,6 +14,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, 
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
+from brdf_suite.foreign_text import make_visible
 
 _MARGIN = 12.0
 _HANDLE = 9.0
@@ -132,7 +133,7 @@ def _scale(painter: QPainter, metrics: QFontMetricsF, area: QRectF, scale: Scale
     box = QRectF(area.left() + _MARGIN, area.bottom() - _MARGIN - tall, width + 2 * PADDING, tall)
     draw_paper(painter, box)
     inner = box.adjusted(PADDING, PADDING, -PADDING, -PADDING)
-    title = metrics.elidedText(f"ΔE00 {scale.of}", Qt.TextElideMode.ElideRight, inner.width())
+    title = metrics.elidedText(make_visible(f"ΔE00 {scale.of}"), Qt.TextElideMode.ElideRight, inner.width())
     painter.drawText(QPointF(inner.left(), inner.top() + metrics.ascent()), title)
     bar = QRectF(inner.left(), inner.top() + metrics.height() + 0.5 * PADDING, inner.width(), _SCALE_HEIGHT)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QMenu
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import MATERIALS, SECOND_PAINT
+from brdf_suite.foreign_text import make_visible
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.overlay.part_layer import PartLayer
 from brdf_viewer.overlay.seen_parts import SeenParts
@@ -112,7 +113,7 @@ class PartControl(ViewerFeature):
         menu = QMenu(self._window.picture)
         menu.setObjectName("part_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        title = menu.addAction(_words(names))
+        title = menu.addAction(make_visible(_words(names)))
         title.setEnabled(False)
         menu.addSeparator()
         given = self._surface.materials_of(names)

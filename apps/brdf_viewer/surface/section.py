@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_suite.documents.view_settings import MATERIALS, PARAMETERS, SurfaceLook
+from brdf_suite.foreign_text import make_visible
 
 MATERIAL_TITLES = {
     "paint": mark("Paint"),
@@ -40,6 +41,7 @@ MATERIAL_TITLES = {
     "neutral": mark("Neutral grey"),
 }
 _OWN = ""
+_NAME = Qt.ItemDataRole.UserRole
 _ROWS_SHOWN = 7
 
 
@@ -84,7 +86,7 @@ class SurfaceParts(QWidget):
         self._own = dict(parts)
         with QSignalBlocker(self.list):
             self.list.clear()
-            self.list.addTopLevelItems([QTreeWidgetItem([name, ""]) for name in self._own])
+            self.list.addTopLevelItems([_item(name) for name in self._own])
         rows = min(max(len(self._own), 1), _ROWS_SHOWN)
         height = self.list.sizeHintForRow(0) if self._own else self.list.fontMetrics().height() + 4
         self.list.setFixedHeight(self.list.header().sizeHint().height() + rows * height + 4)
@@ -97,11 +99,12 @@ class SurfaceParts(QWidget):
             self._show_all()
 
     def picked(self) -> list[str]:
-        return [item.text(0) for item in self.list.selectedItems()]
+        return [str(item.data(0, _NAME)) for item in self.list.selectedItems()]
 
     def pick(self, name: str, *, add: bool = False) -> None:
         """Pick a part, beside those picked already where ``add``."""
-        for item in self.list.findItems(name, Qt.MatchFlag.MatchExactly, 0):
+        rows = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
+        for item in [row for row in rows if row is not None and row.data(0, _NAME) == name]:
             flag = QItemSelectionModel.SelectionFlag
             self.list.setCurrentItem(item, 0, flag.Toggle if add else flag.ClearAndSelect)
             self.list.scrollToItem(item)
@@ -111,7 +114,7 @@ class SurfaceParts(QWidget):
             item = self.list.topLevelItem(row)
             if item is None:
                 continue
-            name = item.text(0)
+            name = str(item.data(0, _NAME))
             chosen = self._chosen.get(name)
             item.setText(1, tr(MATERIAL_TITLES[chosen or self._own[name]]))
             font = item.font(1)
@@ -138,6 +141,12 @@ UNIT_TITLES = {
 }
 UP_TITLES = {"file": mark("From file"), "y": mark("Y up"), "z": mark("Z up")}
 NORMALS_TITLES = {"file": mark("From file"), "smooth": mark("Smooth, edges above 40°"), "flat": mark("Flat")}
+
+
+def _item(name: str) -> QTreeWidgetItem:
+    item = QTreeWidgetItem([make_visible(name), ""])
+    item.setData(0, _NAME, name)
+    return item
 
 
 class SurfaceSection(Section):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import mmap
 import os
-import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -23,9 +22,9 @@ from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts
 from brdf_suite.acquisition.photographs.tiff import first_page, read_exposure, tiff_facts, tiff_pixels
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
-from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
+from brdf_suite.regular_files import open_regular, within_memory
 
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
 
@@ -105,22 +104,13 @@ def read_photograph(path: PathLike) -> Photograph:
 @contextmanager
 def _opened(path: PathLike) -> Iterator[Content]:
     """Yield a file's content; of what is not asked for, nothing is read."""
-    try:
-        found = Path(path).stat()
-        # A pipe or a device would be waited for without end.
-        if not stat.S_ISREG(found.st_mode):
-            raise FileError(path, "is not a plain file")
-        if found.st_size == 0:
+    if "\0" not in os.fspath(path) and not os.path.lexists(path):
+        raise FileError(path, "is missing")
+    with open_regular(path, LARGEST_FILE) as file:
+        if os.fstat(file.fileno()).st_size == 0:
             raise FileError(path, "is empty; it was not copied whole")
-        if found.st_size > LARGEST_FILE:
-            raise FileError(path, f"is larger than {LARGEST_FILE >> 30} GB")
-        with Path(path).open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
             yield content
-    except FileNotFoundError as error:
-        raise FileError(path, "is missing") from error
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise FileError(path, f"cannot be read ({reason})") from error
 
 
 def _facts(content: Content, path: PathLike) -> PhotographFacts:

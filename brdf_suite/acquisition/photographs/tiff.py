@@ -14,7 +14,6 @@ import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,6 +23,7 @@ from tifffile import TiffFile, TiffPage
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
 from brdf_suite.files.bounded_reading import check_made
+from brdf_suite.regular_files import read_bytes
 
 MOST_PIXELS = 1 << 28
 _MOST_CHANNELS = 5
@@ -152,7 +152,7 @@ def _by_opencv(path: PathLike) -> NDArray[Any]:
     # OpenCV would report damage on the standard error as well; it is reported once, below.
     level = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
     try:
-        packed = np.frombuffer(Path(path).read_bytes(), np.uint8)
+        packed = np.frombuffer(read_bytes(path), np.uint8)
         pixels = cv2.imdecode(packed, cv2.IMREAD_UNCHANGED)
     except cv2.error as error:
         raise FileError(path, "is a TIFF that OpenCV cannot unpack; write it without compression") from error

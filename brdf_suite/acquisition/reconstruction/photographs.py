@@ -34,6 +34,7 @@ from brdf_suite.acquisition.session.store import session_to_json
 from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import AcquisitionError, FileError, ValueRangeError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import open_regular
 
 _PIECE = 1 << 20
 
@@ -119,10 +120,10 @@ class FolderSource:
         for name in names:
             found.update(f"\0{name}\0".encode())
             try:
-                with (self.folder / name).open("rb") as stream:
+                with open_regular(self.folder / name) as stream:
                     while piece := stream.read(_PIECE):
                         found.update(piece)
-            except OSError:
+            except FileError:
                 # A file that is missing now and there later changes the hash, which is all that is asked here.
                 found.update(b"missing")
         return found.hexdigest()

@@ -58,8 +58,11 @@ class WorkFile:
             while end < size:
                 stream.seek(end)
                 header, _ = read_next(LAYOUT, path, stream, size)
+                tag, values = header.get("tag"), header.get("values")
+                if not isinstance(tag, str) or not isinstance(values, dict):
+                    break
                 length = stream.tell() - end
-                self.records.append(WorkRecord(header["tag"], header["values"], end, length))
+                self.records.append(WorkRecord(tag, values, end, length))
                 end += length
         stream.truncate(end)
 

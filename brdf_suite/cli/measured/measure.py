@@ -15,6 +15,7 @@ from brdf_suite.appearance.texture import NO_TEXTURE, TextureReadings
 from brdf_suite.cli.arguments import PAINTS, add_arguments, add_json
 from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.command_parser import CommandParser
+from brdf_suite.foreign_text import guard_formula
 from brdf_suite.inspection.measuring import measured_row, measurement_json, read_material
 from brdf_suite.pipeline.material import Material, load_material, paints_of
 from brdf_suite.reflectance.instruments.aperture import aperture
@@ -162,4 +163,5 @@ def _print_csv(measured: list[_Measured], illuminant: str) -> None:
     rows = [measured_row(one.item, one.report, illuminant) for one in measured]
     writer = csv.DictWriter(sys.stdout, list(rows[0]), lineterminator="\n")
     writer.writeheader()
-    writer.writerows(rows)
+    for row in rows:
+        writer.writerow({key: guard_formula(v) if isinstance(v, str) else v for key, v in row.items()})

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl, usd_preview
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
 from brdf_suite.plugins import Call, Registry
+from brdf_suite.regular_files import open_regular, within_memory
 
 _BUILT_IN = (
     cxf3.FORMAT,
@@ -48,6 +48,7 @@ _HEAD = 1 << 16
 _LARGEST = 64 << 20
 
 
+@within_memory
 def read_paints(path: PathLike, formats: Sequence[ExportFormat] = FORMATS) -> ImportedPaints:
     """Return the paints in a file of any format that is read back, known by its content.
 
@@ -56,7 +57,7 @@ def read_paints(path: PathLike, formats: Sequence[ExportFormat] = FORMATS) -> Im
     FileError
         It cannot be read, is of no such format, or is damaged; with the place. Nothing is partly read.
     """
-    with open_plain(path, _LARGEST) as stream:
+    with open_regular(path, _LARGEST) as stream:
         head = stream.read(_HEAD)
     for known in formats:
         if known.sniff is not None and known.read is not None and known.sniff(head):

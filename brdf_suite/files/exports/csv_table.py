@@ -24,11 +24,12 @@ from functools import cache
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint, solid_paint
 from brdf_suite.errors import DocumentError, FileError, PathLike, SuiteError
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, readings_loss
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.files.tables.grid import decode, decode_head
+from brdf_suite.foreign_text import guard_formula, unguard_formula
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import read_bytes
 
 _LARGEST = 64 << 20
 _MOST_ROWS = 100_000
@@ -36,7 +37,6 @@ _USUAL_LIGHT_DEG = 45.0
 COLUMN = re.compile(r"L_(-?\d+(?:\.\d+)?)(?:_i(\d+(?:\.\d+)?))?")
 _TEXTS = ("name", "source", "notes")
 _FIRST = ("name", "illuminant", "observer_deg")
-_FORMULA = ("=", "+", "-", "@")
 DELIMITERS = (",", ";", "\t")
 
 
@@ -96,20 +96,6 @@ def parse_angles(column: str) -> tuple[float, float]:
     assert found is not None  # only such columns are asked about
     light = _USUAL_LIGHT_DEG if found[2] is None else float(found[2])
     return (-1.0 if light == _USUAL_LIGHT_DEG else light, float(found[1]))
-
-
-def guard_formula(text: str) -> str:
-    """Return a text that no spreadsheet takes for a formula; :func:`unguard_formula` is the way back."""
-    return "'" + text if text.startswith(_FORMULA) or _has_guard(text) else text
-
-
-def _has_guard(text: str) -> bool:
-    return text.lstrip("'").startswith(_FORMULA) and text.startswith("'")
-
-
-def unguard_formula(text: str) -> str:
-    """Return the text that :func:`guard_formula` was given."""
-    return text[1:] if _has_guard(text) else text
 
 
 def is_table(head: bytes) -> bool:

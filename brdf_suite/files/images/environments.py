@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain, within_memory
 from brdf_suite.files.images.exr.image import read_exr, write_exr, write_exr_strips
 from brdf_suite.files.images.png import write_png, write_png_strips
 from brdf_suite.files.images.primaries import REC2020, rgb_to_working
 from brdf_suite.files.images.radiance import read_radiance
+from brdf_suite.regular_files import open_regular, within_memory
 
 MAX_RADIANCE = 1e15
 """Largest radiance that is kept: a million times the sun in cd/m², and safe to square in float32."""
@@ -139,7 +139,7 @@ def read_environment_image(path: PathLike) -> ImageData:
     FileError
         The file is missing, damaged, too large or too small, or of another kind; the message says which.
     """
-    with open_plain(path) as stream:
+    with open_regular(path) as stream:
         start = stream.read(12)
     layout = None
     if start.startswith(b"\x76\x2f\x31\x01"):

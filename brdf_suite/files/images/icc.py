@@ -170,6 +170,10 @@ def _curve(content: bytes, name: str, tag: bytes) -> Floats:
         if kind >= len(_PARAMETER_COUNTS) or len(content) < 12 + 4 * _PARAMETER_COUNTS[kind]:
             raise FileError(name, f"has a curve of a kind ({kind}) that is not known, or cut off", place)
         values = np.frombuffer(content, ">i4", _PARAMETER_COUNTS[kind], 12).astype(float) / 65536.0
+        if values[0] <= 0.0:
+            raise FileError(
+                name, f"has a curve with the exponent {values[0]:g}, which is not positive", place
+            )
         light = _parametric(codes, kind, values)
     else:
         raise FileError(name, "has a curve of a kind that is not known", place)

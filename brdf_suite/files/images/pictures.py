@@ -7,17 +7,16 @@ would take more memory than a picture of the suite needs.
 
 from __future__ import annotations
 
-import stat
 import warnings
 from collections.abc import Sequence
 from io import BytesIO
-from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.regular_files import open_regular, within_memory
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -34,6 +33,7 @@ _PIXEL_BYTES = {"1": 1, "L": 1, "P": 1, "I;16": 2, "I;16L": 2, "I;16B": 2, "I;16
 _STRIP_BYTES = 1 << 24
 
 
+@within_memory
 def read_picture(path: PathLike, formats: Sequence[str] = PICTURE_FORMATS) -> NDArray[Any]:
     """Return pixels (h, w, 3) in colour or (h, w, 1) in grey, the first row at the top; alpha is dropped.
 
@@ -72,23 +72,21 @@ def _read(
     from PIL import Image, UnidentifiedImageError
 
     kind = f"{formats[0]} picture" if len(formats) == 1 else f"picture ({', '.join(formats)})"
-    try:
-        with (
-            open_regular(path) if content is None else BytesIO(content) as stream,
-            warnings.catch_warnings(),
-        ):
-            # The size is checked below. No other warning is left out: other threads give theirs.
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            with Image.open(stream, formats=tuple(formats)) as image:
-                return _pixels(path, image, mode, most_bytes)
-    except UnidentifiedImageError as error:
-        raise FileError(path, f"is no {kind} that can be read") from error
-    except FileError:
-        raise
-    except (Image.DecompressionBombError, MemoryError) as error:
-        raise FileError(path, "has too many pixels to be read") from error
-    except Exception as error:  # Pillow's readers raise whatever a damaged file runs them into
-        raise FileError(path, f"is damaged, or no {kind} that can be read: {error}") from error
+    with open_regular(path) if content is None else BytesIO(content) as stream:
+        try:
+            with warnings.catch_warnings():
+                # The size is checked below. No other warning is left out: other threads give theirs.
+                warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+                with Image.open(stream, formats=tuple(formats)) as image:
+                    return _pixels(path, image, mode, most_bytes)
+        except UnidentifiedImageError as error:
+            raise FileError(path, f"is no {kind} that can be read") from error
+        except FileError:
+            raise
+        except (Image.DecompressionBombError, MemoryError) as error:
+            raise FileError(path, "has too many pixels to be read") from error
+        except Exception as error:  # Pillow's readers raise whatever a damaged file runs them into
+            raise FileError(path, f"is damaged, or no {kind} that can be read: {error}") from error
 
 
 def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: int) -> NDArray[Any]:
@@ -116,14 +114,3 @@ def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: in
         pixels[top : top + rows] = part.reshape(*part.shape[:2], channels)
     assert pixels is not None  # Pillow refuses a picture without rows
     return pixels
-
-
-def open_regular(path: PathLike) -> IO[bytes]:
-    """Open a plain file; a pipe or a device would be waited for without end."""
-    try:
-        if not stat.S_ISREG(Path(path).stat().st_mode):
-            raise FileError(path, "is not a plain file")
-        return Path(path).open("rb")
-    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
-        reason = error.strerror if isinstance(error, OSError) else None
-        raise FileError(path, f"cannot be read ({reason or error})") from error

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.header import MAX_PIXELS
 from brdf_suite.files.images.primaries import REC709, Chromaticities, rgb_to_xyz
+from brdf_suite.regular_files import read_bytes
 
 _SIZE = re.compile(rb"([-+])([XY]) +(\d{1,9}) +([-+])([XY]) +(\d{1,9})\s*$")
 _MAX_HEADER = 65536

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.image import read_exr
-from brdf_suite.files.images.pictures import open_regular, read_picture
+from brdf_suite.files.images.pictures import read_picture
+from brdf_suite.regular_files import open_regular, within_memory
 
 IMAGE_ENDINGS = (".png", ".exr", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".tga", ".webp")
 
@@ -25,11 +26,14 @@ LARGEST_SIDE = 4096
 _STRIP_PIXELS = 1 << 16
 """Pixels that are worked on at once: as numbers, all of a large map would take gigabytes, and few stay in the cache."""
 _STEEPEST = 20.0
+_LARGEST_NUMBER = 1e6
+"""In an EXR file; the squares of larger ones would overflow."""
 _EXR = b"\x76\x2f\x31\x01"
 _SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}
 """What white is, by kind and size of the numbers; Pillow gives 16 bits as either of two."""
 
 
+@within_memory
 def read_normal_map(path: PathLike) -> NDArray[np.float32]:
     """Return slopes (h, w, 2) float32, dh/du and dh/dv, the first row at v = 0 (the lower edge of the image).
 
@@ -57,6 +61,7 @@ def read_normal_map(path: PathLike) -> NDArray[np.float32]:
     return reduced
 
 
+@within_memory
 def read_tangent_map(path: PathLike) -> NDArray[np.float32]:
     """Return directions in the surface (h, w, 2) float32, unit vectors over u and v, the first row at v = 0.
 
@@ -85,6 +90,7 @@ def read_tangent_map(path: PathLike) -> NDArray[np.float32]:
     return reduced
 
 
+@within_memory
 def read_mask(path: PathLike) -> NDArray[np.float32]:
     """Return the mean of the colour channels, (h, w) float32, 0…1, the first row at the lower edge of the image.
 
@@ -109,6 +115,10 @@ def _read(path: PathLike) -> tuple[NDArray[Any], bool]:
     pixels = read_exr(path).pixels
     if not np.isfinite(pixels).all():
         raise FileError(path, "holds numbers that are not finite")
+    if np.abs(pixels).max() > _LARGEST_NUMBER:
+        raise FileError(
+            path, f"holds numbers over {_LARGEST_NUMBER:g}, which are neither shares nor directions"
+        )
     return pixels, bool((pixels < 0.0).any())
 
 

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.measured import (
     alta,
     astm,
@@ -33,6 +32,7 @@ from brdf_suite.files.measured.format import (
 )
 from brdf_suite.plugins import Call, Plugin, Registry
 from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
+from brdf_suite.regular_files import open_regular, within_memory
 
 _BUILT_IN = (
     rgl.FORMAT,
@@ -90,7 +90,7 @@ def sniff(path: PathLike) -> MeasuredFormat:
 
     Raises :class:`FileError`: it cannot be read, is empty, or is of no known format.
     """
-    with open_plain(path, _LARGEST) as stream:
+    with open_regular(path, _LARGEST) as stream:
         head = stream.read(_HEAD)
         size = stream.seek(0, 2)
     if not head:
@@ -106,6 +106,7 @@ def sniff(path: PathLike) -> MeasuredFormat:
     raise FileError(path, f"is of no measured format that is known here ({titles})", "byte 0")
 
 
+@within_memory
 def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> MeasuredReflectance:
     """Return the reflectance in a measured file of any known format.
 

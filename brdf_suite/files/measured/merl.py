@@ -21,12 +21,12 @@ from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.measured.format import MeasuredFormat, tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.regular_files import open_regular
 
 SCALE = np.array([1.0, 1.15, 1.66]) / 1500.0
 """f_r of a stored 1, per channel."""
@@ -161,7 +161,7 @@ def stored_albedo(planes: Floats, grid: HalfAngleGrid) -> float:
 
 def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Floats, list[str]]:
     """Return the bins, the stored values (3, bins), and notes."""
-    with open_plain(path, _LARGEST) as stream:
+    with open_regular(path, _LARGEST) as stream:
         size = os.fstat(stream.fileno()).st_size
         head = stream.read(_HEADER.size)
         grid, notes = _grid_of(path, head, size)

@@ -20,11 +20,12 @@ import numpy.typing as npt
 from brdf_suite.arrays import Singles
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.bounded_reading import MOST_BANDS
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
+from brdf_suite.regular_files import read_bytes
 
 MAGIC = b"tensor_file\0"
 _VERSION = (1, 0)

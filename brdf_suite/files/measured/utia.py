@@ -16,10 +16,10 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
+from brdf_suite.regular_files import read_bytes
 
 _POLAR, _AZIMUTHS = 6, 48
 _SIZE = 8 * 3 * (_POLAR * _AZIMUTHS) ** 2

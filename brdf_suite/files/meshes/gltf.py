@@ -19,9 +19,10 @@ from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
+from brdf_suite.files.bounded_reading import check_made, most_made_bytes
 from brdf_suite.files.meshes.meshopt import decode_view
 from brdf_suite.files.meshes.outside.child import OutsidePart, decode_draco
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.surface.repair import ForeignLook, RawPart
 
 _MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
@@ -377,11 +378,12 @@ class _Primitives:
         file = (folder / unquote(uri)).resolve()
         if not file.is_relative_to(folder):
             raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
-        if file.exists() and not file.is_file():
-            raise FileError(self._path, f"needs {file.name}, which is not a plain file", place)
-        if file.exists() and file.stat().st_size > MOST_MADE_BYTES:
-            raise FileError(self._path, f"needs {file.name}, which is larger than 1 GiB", place)
-        return memoryview(file.read_bytes())
+        try:
+            return memoryview(read_bytes(file, most_made_bytes()))
+        except FileError as error:
+            raise FileError(
+                self._path, f"needs {file.name} beside it, which {error.reason}", place
+            ) from error
 
 
 def _fractions(values: Floats, kind: np.dtype[Any], accessor: dict[str, Any]) -> Floats:

@@ -13,7 +13,7 @@ import math
 import os
 import struct
 from dataclasses import replace
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Any
 
 import numpy as np
@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view_settings import PARAMETERS
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.meshes.glb import is_own, parse_json, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.kinds import MESH_ENDINGS, OUTSIDE, kind_of
 from brdf_suite.files.meshes.outside.child import OutsideMesh, read_outside
+from brdf_suite.regular_files import check_regular, read_bytes, within_memory
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.part_materials import guess_materials
 from brdf_suite.surface.repair import ForeignLook, RawPart, raised, repair
@@ -33,6 +33,7 @@ from brdf_suite.surface.standing import guess_up
 
 _STL_HEADER, _STL_TRIANGLE = 84, 50
 _MOST_OBJECTS = 256
+_LARGEST_LIBRARY = 16 << 20
 _LARGEST = float(np.finfo(np.float32).max)
 
 
@@ -63,8 +64,11 @@ def read_parts(path: PathLike, kind: str, data: bytes) -> list[RawPart]:
     # Imported here: it takes a third of a second, and only meshes of others need it.
     import trimesh
 
+    check_regular(path)
     try:
-        scene = trimesh.load_scene(os.fspath(path), process=False, file_type=kind, **_divided(kind, data))
+        scene = trimesh.load_scene(
+            os.fspath(path), process=False, file_type=kind, resolver=_Beside(path), **_divided(kind, data)
+        )
         names = scene.graph.nodes_geometry
         faces: dict[str, Any] = {
             node: getattr(scene.geometry[scene.graph[node][1]], "faces", None) for node in names
@@ -76,6 +80,27 @@ def read_parts(path: PathLike, kind: str, data: bytes) -> list[RawPart]:
         raise
     except Exception as error:  # its readers raise whatever a damaged file runs them into
         raise FileError(path, _in_words(error)) from error
+
+
+class _Beside:
+    """What an OBJ file may name beside it, as ``trimesh`` asks for it: a material library, and no picture.
+
+    Pictures have no use here, and Pillow would open whatever format they have.
+    """
+
+    def __init__(self, path: PathLike) -> None:
+        self._folder = Path(path).resolve().parent
+
+    def get(self, name: str) -> bytes:
+        """Return the content of a file in the folder; FileError where it is no library that can be read."""
+        named = PureWindowsPath(name.strip())  # also Windows' own way of naming other places, on any system
+        file = (self._folder / named.as_posix()).resolve()
+        if named.suffix.lower() != ".mtl" or named.anchor or not file.is_relative_to(self._folder):
+            raise FileError(name, "is no material library in the folder of the mesh")
+        return read_bytes(file, _LARGEST_LIBRARY)
+
+    def __getitem__(self, name: str) -> bytes:
+        return self.get(name)
 
 
 def _divided(kind: str, data: bytes) -> dict[str, bool]:
@@ -230,17 +255,10 @@ def read_mesh(
 
 
 def _content(file: Path) -> bytes:
-    try:
-        size = file.stat().st_size
-        if not file.is_file():
-            raise FileError(file, "not a file")
-        if size == 0:
-            raise FileError(file, "the file is empty")
-        if size > _LARGEST_FILE:
-            raise FileError(file, f"{size / 2**30:.1f} GiB; meshes of up to 1 GiB can be read")
-        return file.read_bytes()
-    except OSError as error:
-        raise FileError(file, f"cannot be read ({error.strerror or error})") from error
+    content = read_bytes(file, _LARGEST_FILE)
+    if not content:
+        raise FileError(file, "the file is empty")
+    return content
 
 
 def _repaired(path: PathLike, found: OutsideMesh, kind: str, unit: str, up: str) -> Mesh:

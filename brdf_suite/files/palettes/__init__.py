@@ -12,7 +12,6 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import LARGEST_PALETTE, without_collection
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes.archive import kpl, sbz
 from brdf_suite.files.palettes.binary import acb, aco, act, apple_clr, ase, cpl, riff_pal
 from brdf_suite.files.palettes.cmyk_profile import profile_note, read_profile, seen_through
@@ -32,6 +31,7 @@ from brdf_suite.files.palettes.text import (
 )
 from brdf_suite.files.palettes.xml import autocad, corel, cxf3, instrument, scribus, soc
 from brdf_suite.plugins import Call, Registry
+from brdf_suite.regular_files import read_bytes, within_memory
 
 _BUILT_IN = (
     OWN,
@@ -132,6 +132,7 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
     raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
 
 
+@within_memory
 def read_palette(path: PathLike, *, cmyk_profile: PathLike | None = None) -> ReadPalette:
     """Return the palette in a file of any known format, whatever its name.
 

@@ -17,7 +17,7 @@ from brdf_suite.appearance.colour.flat_colours import measured_look
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
+from brdf_suite.regular_files import read_bytes, within_memory
 
 LARGEST_PROFILE = 16 << 20
 _DEVICE = slice(16, 20)
@@ -25,6 +25,7 @@ _SIGNATURE = slice(36, 40)
 _MOST_OTHERS = 16
 
 
+@within_memory
 def read_profile(path: PathLike) -> bytes:
     """Return the content of a CMYK profile; raise :class:`FileError` where it is none, or cannot be read."""
     profile = read_bytes(path, LARGEST_PROFILE)

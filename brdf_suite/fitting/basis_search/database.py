@@ -29,6 +29,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
 from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableError
@@ -37,6 +38,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
+from brdf_suite.regular_files import read_bytes
 
 #: Aspecular angles at which colours are compared, degrees. Beyond 90° only KD is left of a fit.
 BETWEEN_DEG = (
@@ -188,7 +190,8 @@ def database_sha256(folder: Path) -> str:
 
 
 def _paint_files(folder: Path) -> list[Path]:
-    files = sorted(folder.rglob(f"*{PAINT_ENDING}"), key=lambda path: path.relative_to(folder).as_posix())
+    found = documents_in(folder, PAINT_ENDING, within=True)
+    files = sorted(found, key=lambda path: path.relative_to(folder).as_posix())
     if not files:
         raise FileError(folder, f"there is no paint ({PAINT_ENDING}) in this folder")
     return files
@@ -204,7 +207,7 @@ def _hash_of(folder: Path, files: list[Path]) -> str:
 
 def _content(path: Path) -> bytes:
     """Return what a paint's file says of its mean: without flakes and targets of texture, and without the version."""
-    raw = path.read_bytes()
+    raw = read_bytes(path)
     try:
         record = json.loads(raw)
     except ValueError:  # reported when it is read; here it only differs from what was searched

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
 from brdf_suite.fitting.basis_search.database import Database
@@ -210,5 +211,5 @@ def load_search(path: Path) -> StoredSearch:
     if any(a.count >= b.count for a, b in itertools.pairwise(results)):
         reader.fail("the counts do not rise", "results")
     if default is not None and default not in {result.count for result in results}:
-        reader.fail(f"there is no basis of {default!r} lobes", "default_count")
+        reader.fail(f"there is no basis of {describe(default)} lobes", "default_count")
     return StoredSearch(tuple(names), results, str(sha256 or ""), default, str(date or ""))

@@ -42,6 +42,7 @@ from brdf_suite.fitting.cook_torrance.uncertainty import (
     widened,
 )
 from brdf_suite.progress import Progress, report
+from brdf_suite.regular_files import read_bytes
 
 VERSION = 1
 """Of the search; kept starts of another one are of no use."""
@@ -324,14 +325,10 @@ class StartsFile:
             A file of this name holds something other than starts; it is left unchanged.
         """
         try:
-            if self._path.stat().st_size > _LARGEST:
-                raise ValueError("too large")
-            value = json.loads(self._path.read_text("utf-8"))
-        except FileNotFoundError:
-            return {}
-        except OSError as error:
-            raise FileError(self._path, f"cannot be read: {error.strerror or error}") from error
-        except ValueError as error:  # of the size, the encoding or the form
+            if not self._path.is_symlink() and not self._path.exists():
+                return {}
+            value = json.loads(read_bytes(self._path, _LARGEST))
+        except (ValueError, RecursionError) as error:  # of the size, the encoding or the form
             raise FileError(self._path, "is no file of kept starts; name another one") from error
         if not isinstance(value, dict) or value.get("format") != STARTS_FORMAT:
             raise FileError(self._path, "is no file of kept starts; name another one", "format")

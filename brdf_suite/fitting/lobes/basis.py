@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import as_whole
+from brdf_suite.documents.parameter import as_whole, describe
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
 from brdf_suite.resources import resource
@@ -109,7 +109,7 @@ def stored_bases(path: Path) -> tuple[dict[int, LobeBasis], int]:
         bases[basis.count] = basis
     count = as_whole(reader.take("default_count"))
     if not isinstance(count, int) or isinstance(count, bool) or count not in bases:
-        reader.fail(f"there is no basis of {count!r} lobes", "default_count")
+        reader.fail(f"there is no basis of {describe(count)} lobes", "default_count")
     return bases, count
 
 

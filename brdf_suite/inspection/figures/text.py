@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.foreign_text import guard_formula
 
 if TYPE_CHECKING:  # the windows write figures, and only then measure
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
@@ -84,7 +85,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
 
 def figures_text(named: Sequence[Named], groups: Sequence[Group] = GROUPS) -> str:
     """Return the table, or some groups of it, as lines with tabs between the columns, so that sheets take it."""
-    lines = [["", "unit", *(name for name, _ in named)]]
+    lines = [["", "unit", *(guard_formula(name) for name, _ in named)]]
     lines += [
         [row.name, row.unit, *map(_number, row.values)] for row in figure_rows(named) if row.group in groups
     ]
@@ -95,7 +96,7 @@ def figures_csv(named: Sequence[Named]) -> str:
     """Return the table as CSV (RFC 4180): a line of titles, then a line per figure."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(["figure", "unit", *(name for name, _ in named)])
+    writer.writerow(["figure", "unit", *(guard_formula(name) for name, _ in named)])
     for row in figure_rows(named):
         writer.writerow([row.name, row.unit, *map(_number, row.values)])
     return out.getvalue()

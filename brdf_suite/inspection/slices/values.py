@@ -21,6 +21,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Bools, Floats
+from brdf_suite.foreign_text import guard_formula
 from brdf_suite.geometry.directions import half_angle_coordinates
 from brdf_suite.inspection.slices.cuts import Slice
 
@@ -144,7 +145,7 @@ def slices_csv(angle: str, angle_deg: Floats, columns: Sequence[tuple[str, Float
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([angle, *(name for name, _ in columns)])
+    writer.writerow([angle, *(guard_formula(name) for name, _ in columns)])
     out.write("# " + " ".join(comment.split()) + "\n")
     for row, place in enumerate(angle_deg.tolist()):
         values = [float(value[row]) for _, value in columns]

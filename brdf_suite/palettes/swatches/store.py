@@ -25,7 +25,7 @@ from brdf_suite import variables
 from brdf_suite.arrays import Bytes
 from brdf_suite.files.cache.disk_cache import default_limit, default_root
 
-_VERSION = 1
+_VERSION = 2
 _PATIENCE_S = 5.0
 _PAUSE_S = 0.01
 _AGES_S = 3600.0
@@ -135,7 +135,11 @@ class SwatchStore:
         while True:
             try:
                 return work(self._open())
-            except (sqlite3.Error, _OtherTableError) as error:
+            except (
+                sqlite3.Error,
+                UnicodeDecodeError,
+                _OtherTableError,
+            ) as error:  # a damaged text is no UTF-8
                 self._shut()
                 name = str(getattr(error, "sqlite_errorname", ""))
                 if name.startswith(_BUSY):
@@ -145,7 +149,7 @@ class SwatchStore:
                         continue
                     self._notice(f"The pictures in {self.path} are in use by another program; doing without.")
                     return nothing
-                spoilt = isinstance(error, _OtherTableError) or name.startswith(_DAMAGED)
+                spoilt = isinstance(error, UnicodeDecodeError | _OtherTableError) or name.startswith(_DAMAGED)
                 if renewed or not spoilt:
                     return self._give_up(str(error), nothing)
                 renewed = True
@@ -168,6 +172,9 @@ class SwatchStore:
     def _open(self) -> sqlite3.Connection:
         if self._connection is None:
             self.folder.mkdir(parents=True, exist_ok=True)
+            for ending in ("", "-wal", "-shm"):  # of the version before, whose checksums left the key out
+                with contextlib.suppress(OSError):
+                    (self.folder / f"pictures.v1.sqlite{ending}").unlink(missing_ok=True)
             connection = sqlite3.connect(
                 self.path, timeout=_PATIENCE_S, isolation_level=None, check_same_thread=False
             )
@@ -193,11 +200,11 @@ class SwatchStore:
             asked = keys[start : start + _MOST_ASKED]
             marks = ",".join("?" * len(asked))
             rows = connection.execute(
-                f"SELECT key, height, width, checksum, used, pixels FROM pictures WHERE key IN ({marks})",
+                f"SELECT key, height, width, checksum, used, pixels FROM pictures WHERE key IN ({marks})",  # noqa: S608 - the marks are "?,?"
                 asked,
             )
             for key, height, width, checksum, used, blob in rows:
-                pixels = _pixels(height, width, checksum, blob)
+                pixels = _pixels(key, height, width, checksum, blob)
                 if pixels is None:
                     damaged.append(key)
                     continue
@@ -251,12 +258,17 @@ def _row(key: str, pixels: Bytes) -> tuple[object, ...]:
     steps = rows.copy()
     steps[1:] -= rows[:-1]
     blob = zlib.compress(steps.tobytes(), 1)
-    return key, height, width, zlib.crc32(blob), time.time(), len(blob), blob
+    return key, height, width, _checksum(key, height, width, blob), time.time(), len(blob), blob
 
 
-def _pixels(height: object, width: object, checksum: object, blob: object) -> Bytes | None:
+def _checksum(key: object, height: object, width: object, blob: bytes) -> int:
+    """The checksum of a row; the key is in it, so that no picture is taken for another paint's."""
+    return zlib.crc32(blob, zlib.crc32(f"{key}\0{height}\0{width}\0".encode("utf-8", "replace")))
+
+
+def _pixels(key: object, height: object, width: object, checksum: object, blob: object) -> Bytes | None:
     """The picture of a row, None where it is damaged."""
-    if not isinstance(blob, bytes) or zlib.crc32(blob) != checksum:
+    if not isinstance(blob, bytes) or _checksum(key, height, width, blob) != checksum:
         return None
     if not isinstance(height, int) or not isinstance(width, int) or not 0 < height * width <= 1 << 20:
         return None
@@ -291,7 +303,7 @@ def _verified(connection: sqlite3.Connection, remove: bool) -> tuple[int, int]:
         for key, height, width, checksum, blob in connection.execute(
             "SELECT key, height, width, checksum, pixels FROM pictures"
         )
-        if _pixels(height, width, checksum, blob) is None
+        if _pixels(key, height, width, checksum, blob) is None
     ]
     count, _ = _counted(connection)
     if remove:

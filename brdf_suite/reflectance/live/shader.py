@@ -110,7 +110,7 @@ class ShaderProcess:
             return self.process
         self.end()
         try:
-            process = subprocess.Popen(
+            process = subprocess.Popen(  # noqa: S603 - a module of the suite
                 child_command(WORKER),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,

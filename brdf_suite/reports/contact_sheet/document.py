@@ -12,7 +12,7 @@ from pathlib import Path
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import documents_in, write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.documents.view import View
@@ -41,7 +41,7 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
     Raises :class:`FileError`: there is no such file or folder, or nothing in it.
     """
     if source.is_dir():
-        files = sorted(source.glob(f"*{PAINT_ENDING}"), key=lambda path: path.name.casefold())
+        files = sorted(documents_in(source, PAINT_ENDING), key=lambda path: path.name.casefold())
         if not files:
             raise FileError(source, f"holds no {PAINT_ENDING} file")
         if len(files) > MOST_PAINTS:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import partial
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.reports.paint_report import html
 from brdf_suite.reports.paint_report.document import Report, ReportOptions, report_losses, write_report
 

@@ -8,13 +8,13 @@ from __future__ import annotations
 import base64
 import json
 from functools import partial
-from html import escape
 
 from brdf_suite.appearance.texture import SCALE
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.foreign_text import escape_html
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.release import __version__
 from brdf_suite.reports.paint_report.document import (
     Report,
@@ -85,17 +85,17 @@ def page(made: Report) -> str:
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
         f'<meta name="generator" content="BRDF Suite {__version__}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(made.title)}</title>\n<style>{_STYLE}</style>\n{_OPEN}{data}{_CLOSE}\n</head><body><main>\n"
-        f"<header><h1>{escape(made.title)}</h1>"
+        f"<title>{escape_html(made.title)}</title>\n<style>{_STYLE}</style>\n{_OPEN}{data}{_CLOSE}\n</head><body><main>\n"
+        f"<header><h1>{escape_html(made.title)}</h1>"
         f'<time datetime="{made.when.isoformat(timespec="minutes")}">{made.when:%d %B %Y}</time></header>\n'
         + _pictures(made)
         + _patches(made)
-        + (f'<p class="verdict">{escape(made.verdict)}</p>\n' if made.verdict else "")
+        + (f'<p class="verdict">{escape_html(made.verdict)}</p>\n' if made.verdict else "")
         + _table(made)
         + _plots(made)
         + _figures(made)
-        + "".join(f"<p>{escape(text)}</p>\n" for text in made.remarks)
-        + f"<footer>{escape(conventions(made))}</footer>\n</main></body></html>\n"
+        + "".join(f"<p>{escape_html(text)}</p>\n" for text in made.remarks)
+        + f"<footer>{escape_html(conventions(made))}</footer>\n</main></body></html>\n"
     )
 
 
@@ -114,9 +114,9 @@ def _pictures(made: Report) -> str:
         return ""
     figures = "".join(
         f'<figure><img width="{picture.width}" height="{picture.height}" '
-        f'alt="{escape(made.title)} on {escape(picture.title)}" '
+        f'alt="{escape_html(made.title)} on {escape_html(picture.title)}" '
         f'src="data:image/png;base64,{base64.b64encode(picture.png).decode("ascii")}">'
-        f"<figcaption>{escape(picture.title)}</figcaption></figure>"
+        f"<figcaption>{escape_html(picture.title)}</figcaption></figure>"
         for picture in made.pictures
     )
     return f'<div class="pictures">{figures}</div>\n'
@@ -197,7 +197,7 @@ def _table(made: Report) -> str:
 
 def _plots(made: Report) -> str:
     plots = "".join(
-        f'<svg viewBox="0 0 {plot.width:g} {plot.height:g}" role="img" aria-label="{escape(plot.title)}">'
+        f'<svg viewBox="0 0 {plot.width:g} {plot.height:g}" role="img" aria-label="{escape_html(plot.title)}">'
         f"{''.join(map(stroke_svg, plot.strokes))}</svg>"
         for plot in plots_of(made, 200.0, 140.0)
     )
@@ -231,15 +231,17 @@ def stroke_svg(stroke: Stroke) -> str:
     weight = ' font-weight="650"' if stroke.bold else ""
     return (
         f'<text x="{stroke.x:.2f}" y="{stroke.y:.2f}" font-size="{stroke.size:g}" text-anchor="{stroke.anchor}" '
-        f'fill="{stroke.colour}"{weight}>{escape(stroke.text)}</text>'
+        f'fill="{stroke.colour}"{weight}>{escape_html(stroke.text)}</text>'
     )
 
 
 def _figures(made: Report) -> str:
     groups = []
     for title, figures in made.figures:
-        rows = "".join(f"<tr><td>{escape(name)}</td><td>{escape(value)}</td></tr>" for name, value in figures)
-        groups.append(f"<section><h2>{escape(title)}</h2><table>{rows}</table></section>")
+        rows = "".join(
+            f"<tr><td>{escape_html(name)}</td><td>{escape_html(value)}</td></tr>" for name, value in figures
+        )
+        groups.append(f"<section><h2>{escape_html(title)}</h2><table>{rows}</table></section>")
     return f'<div class="figures">{"".join(groups)}</div>\n'
 
 

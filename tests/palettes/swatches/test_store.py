@@ -118,6 +118,18 @@ def test_a_damaged_file_is_made_anew_and_reported(store: SwatchStore, damage: st
     assert (damage == "empty") == (store.notices == [])
 
 
+def test_a_picture_that_was_moved_to_another_key_is_not_given(store: SwatchStore) -> None:
+    with sqlite3.connect(store.path) as file:
+        file.execute("DELETE FROM pictures WHERE key = ?", (KEYS[1],))
+        file.execute("UPDATE pictures SET key = ? WHERE key = ?", (KEYS[1], KEYS[0]))
+        file.execute(
+            "UPDATE pictures SET height = width, width = height, bytes = 1 WHERE key = ?", (KEYS[2],)
+        )
+    file.close()
+    assert set(store.get(KEYS)) == set(KEYS[3:])
+    assert store.verify() == (len(KEYS) - 3, 0), "what is damaged goes when it is read"
+
+
 def test_the_pictures_unused_for_longest_go(tmp_path: Path) -> None:
     one = {KEYS[0]: PICTURES[KEYS[0]]}
     store = SwatchStore(tmp_path)
@@ -280,3 +292,15 @@ def test_a_writer_that_is_killed_leaves_what_was_there(store: SwatchStore, tmp_p
     assert same(store.get([*KEYS, "e" * 64]))
     store.put(PICTURES)
     assert store.notices == []
+
+
+def test_texts_of_the_file_that_are_no_text_are_damage(store: SwatchStore) -> None:
+    store.close()
+    for name in ("", "-wal"):
+        path = store.path.with_name(store.path.name + name)
+        if path.exists():
+            path.write_bytes(path.read_bytes().replace(b"by_use ON pictures", b"by_use ON p\xffctures"))
+    assert store.get(KEYS) == {}
+    assert any("are damaged" in text for text in store.notices)
+    store.put(PICTURES)
+    assert same(store.get(KEYS))

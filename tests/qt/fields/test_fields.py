@@ -79,6 +79,33 @@ def test_a_typed_value_beyond_the_range_goes_to_its_end_and_says_so(field, text,
     QToolTip.hideText()
 
 
+def test_a_million_digits_are_bounded(field):
+    heard = Heard(field)
+    QGuiApplication.clipboard().setText("1" * 1_000_000)
+    field.setFocus()
+    QTest.keySequence(field, "Ctrl+V")
+    assert field.value() == 200.0
+    field.lineEdit().selectAll()
+    field.lineEdit().insert("2" * 1_000_000)
+    assert len(field.lineEdit().text()) <= 64
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert field.value() == 200.0
+    assert heard.values == [200.0]
+
+
+@pytest.mark.parametrize("text", ["1e400", "-1e400", "nan", "inf", "1e", ""])
+def test_what_is_no_finite_number_changes_nothing(field, text):
+    assert parse_number(text) in (None, 1.0)
+    QGuiApplication.clipboard().setText(text)
+    field.setFocus()
+    if text != "1e":
+        QTest.keySequence(field, "Ctrl+V")
+        field.lineEdit().selectAll()
+        field.lineEdit().insert(text)
+        QTest.keyClick(field, Qt.Key.Key_Return)
+        assert field.value() == 90.0
+
+
 def test_a_pasted_value_beyond_the_range_says_so_too(field):
     heard = []
     field.limited.connect(heard.append)

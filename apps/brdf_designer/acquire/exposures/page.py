@@ -18,6 +18,7 @@ from brdf_designer.acquire.states import Series, Shot
 from brdf_designer.acquire.step_page import Facts, PositionPage
 from brdf_designer.standard_comparison.tables import WholeTable
 from brdf_designer.window.widgets import split, wrapped
+from brdf_suite.foreign_text import make_visible
 
 THUMB = 84
 _HARDLY = 0.02
@@ -121,7 +122,7 @@ class ExposuresPage(PositionPage):
                 sign = QIcon(small)
                 # The style tints what is chosen; a photograph keeps its colours.
                 sign.addPixmap(small, QIcon.Mode.Selected)
-                item = QListWidgetItem(sign, text)
+                item = QListWidgetItem(sign, make_visible(text))
                 item.setToolTip(plain_tip(shot.file))
                 item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
                 self.strip.addItem(item)

@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QImage, QPainter, QPen, QPolygonF, QTransform
 
+from brdf_suite.foreign_text import make_visible
+
 Shape = Literal["cross", "ring", "dot"]
 INK, CASING, PAPER = QColor(255, 255, 255), QColor(0, 0, 0, 190), QColor(0, 0, 0, 168)
 _SHAPE, _DOT = 5.0, 1.2
@@ -95,7 +97,7 @@ def draw_legend(painter: QPainter, marks: list[Mark], area: QRectF) -> None:
         _draw_sample(painter, mark, QRectF(left, middle - 6.0, _SAMPLE, 12.0))
         painter.setPen(INK)
         room = QRectF(left + _SAMPLE + 6.0, middle - 0.5 * line, box.right() - left - _SAMPLE - 10.0, line)
-        text = metrics.elidedText(mark.name, Qt.TextElideMode.ElideRight, room.width())
+        text = metrics.elidedText(make_visible(mark.name), Qt.TextElideMode.ElideRight, room.width())
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
 
 

@@ -19,11 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, open_plain
+from brdf_suite.files.bounded_reading import MOST_MADE_BYTES
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.header import ExrHeader, ExrLight, choose_light, parse_headers, to_rgb
 from brdf_suite.files.images.primaries import REC709, REC2020, Chromaticities
+from brdf_suite.regular_files import open_regular
 
 MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
@@ -51,7 +53,7 @@ def read_exr(path: PathLike) -> ExrImage:
 
     Raises :class:`FileError`: the file is damaged or of a kind that is not read.
     """
-    with open_plain(path) as stream:
+    with open_regular(path) as stream:
         headers = parse_headers(path, stream)
     light = choose_light(path, headers)
     header, notes = light.header, list(light.notes)
@@ -202,10 +204,7 @@ def write_exr(
         "chromaticities": chromaticities,
     } | ({"dwaCompressionLevel": float(dwa_level)} if dwa_level else {})
     with replacing(path) as temporary:
-        try:
-            OpenEXR.File(header, channels).write(str(temporary))
-        except (RuntimeError, ValueError) as error:
-            raise FileError(path, f"cannot be written ({error})") from error
+        write_by_library(OpenEXR.File(header, channels), temporary, path)
 
 
 _LINES = 16

@@ -17,6 +17,7 @@ import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused, named
+from brdf_suite.regular_files import read_bytes
 
 assimp_py = import_library("assimp")
 
@@ -107,7 +108,7 @@ def _names(file: Path, kind: str) -> dict[str, str]:
     """Return what a Collada or 3MF file calls the things that its library names by their identity alone."""
     if kind not in ("dae", "3mf"):
         return {}
-    text = file.read_bytes() if kind == "dae" else _3mf_model(file)
+    text = read_bytes(file) if kind == "dae" else _3mf_model(file)
     before = "" if kind == "dae" else "Object_"
     names = {}
     for tag in _NAMED.findall(text):

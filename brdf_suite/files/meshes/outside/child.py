@@ -22,8 +22,9 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import check_extra, import_extra
-from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
+from brdf_suite.files.bounded_reading import check_made
 from brdf_suite.processes import child_command
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.surface.repair import ForeignLook, RawPart
 
 WORKER = "brdf_suite.files.meshes.outside.worker"
@@ -141,7 +142,7 @@ def _run(
         answer = Path(folder) / "answer"
         command = child_command(WORKER, library, file, str(answer), json.dumps(options))
         try:
-            done = subprocess.run(
+            done = subprocess.run(  # noqa: S603 - a module of ours
                 command,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
@@ -158,9 +159,8 @@ def _run(
             raise FileError(path, f"no process could be started to read it ({error.strerror})") from error
         if done.returncode != 0 or not answer.is_file():
             raise FileError(path, "damaged, or too large: the library that reads it broke down")
-        if answer.stat().st_size > MOST_MADE_BYTES:
-            check_made(path, answer.stat().st_size, "its triangles")
-        content = answer.read_bytes()
+        check_made(path, answer.stat().st_size, "its triangles")
+        content = read_bytes(answer)
     return _unpacked(path, content)
 
 

@@ -9,13 +9,14 @@ import numpy as np
 
 from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused
+from brdf_suite.regular_files import read_bytes
 
 DracoPy = import_library("draco")
 
 
 def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return a part for each chunk: its faces, and each attribute by the number that glTF refers to."""
-    content, at, parts = file.read_bytes(), 0, []
+    content, at, parts = read_bytes(file), 0, []
     for length in options["lengths"]:
         try:
             mesh = DracoPy.decode(content[at : at + length])

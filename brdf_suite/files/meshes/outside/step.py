@@ -16,6 +16,7 @@ from brdf_suite.files.meshes.glb import split_glb
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused
+from brdf_suite.regular_files import read_bytes
 
 cascadio = import_library("step")
 
@@ -26,7 +27,7 @@ _ANGLE = 0.35
 def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the parts; ``tessellation_mm`` is the largest distance of a triangle from its surface."""
     converted = cascadio.load(
-        file.read_bytes(),
+        read_bytes(file),
         file_type=options["kind"],
         tol_linear=options["tessellation_mm"],
         tol_angular=_ANGLE,

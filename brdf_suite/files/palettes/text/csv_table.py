@@ -23,15 +23,14 @@ from brdf_suite.files.exports.csv_table import (
     DELIMITERS,
     Table,
     format_row,
-    guard_formula,
     is_table,
     known_settings,
     table_text,
-    unguard_formula,
 )
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import as_readings
 from brdf_suite.files.palettes.format import PaletteFormat
+from brdf_suite.foreign_text import FORMULA, guard_formula, unguard_formula
 
 _FIRST = ("name", "group", "code", "tags", "usage", "date", "entry_notes")
 _FLAT = ("model", "values", "space", "illuminant", "observer_deg", "wavelengths")
@@ -201,7 +200,7 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
 def _joined(parts: tuple[str, ...], mark: str) -> str:
     """Return several texts as one cell: joined by a separator, or as JSON where one contains it or would be lost."""
     plain = mark.join(parts)
-    lossless = tuple(_parts(plain, mark)) == parts and not plain.startswith(("=", "+", "-", "@", "'"))
+    lossless = tuple(_parts(plain, mark)) == parts and not plain.startswith((*FORMULA, "'"))
     return plain if lossless else json.dumps(list(parts), ensure_ascii=False)
 
 

@@ -1,0 +1,74 @@
+"""Texts from files where they leave the suite: in windows, in reports, on terminals and in tables for spreadsheets.
+
+A name can hold characters that are not seen and change what is: controls, among them the escape that steers a terminal;
+marks that turn the direction of writing, by which ``fdp.exe`` reads ``exe.pdf``; and characters without width, by which
+two names look alike. They are shown by their number in Unicode. Only what is shown is changed, never what is kept. In
+a table a text could be taken for a formula.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Mapping
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""What begins a formula in a cell; tab and carriage return are dropped by spreadsheets, and what follows begins it."""
+
+# Controls but for tab and line feed; half surrogate pairs; separators of lines and paragraphs; the marks, embeddings,
+# overrides and isolates of bidirectional text (Unicode Standard Annex 9); soft hyphen, joiners and fillers without
+# width; and tags. Variation selectors stay: they choose between glyphs that are seen.
+_UNSEEN = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\u2028\u2029\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
+    "\u00ad\u034f\u115f\u1160\u17b4\u17b5\u180e\u200b-\u200d\u2060-\u2065\u206a-\u206f\u3164\ufeff\uffa0\ufff9-\ufffb"
+    "\U000e0000-\U000e007f]"
+)
+
+
+def make_visible(text: str) -> str:
+    """Return the text with each character that is not seen, but for tab and line feed, as ``[U+202E]``.
+
+    >>> make_visible("Blue\\u202e 15°")
+    'Blue[U+202E] 15°'
+    """
+    return _UNSEEN.sub(lambda found: f"[U+{ord(found[0]):04X}]", text)
+
+
+def escape_html(text: str) -> str:
+    """Return the text as HTML and SVG show it, in an element or in an attribute between quotes.
+
+    >>> escape_html('<b>"Blue"</b>')
+    '&lt;b&gt;&quot;Blue&quot;&lt;/b&gt;'
+    """
+    return html.escape(make_visible(text))
+
+
+def guard_formula(text: str) -> str:
+    """Return a text that no spreadsheet takes for a formula; :func:`unguard_formula` is the way back.
+
+    >>> guard_formula("=1+1"), guard_formula("Blue"), unguard_formula("'=1+1")
+    ("'=1+1", 'Blue', '=1+1')
+    """
+    return "'" + text if text.startswith(FORMULA) or _has_guard(text) else text
+
+
+def unguard_formula(text: str) -> str:
+    """Return the text that :func:`guard_formula` was given."""
+    return text[1:] if _has_guard(text) else text
+
+
+def guard_cells(row: Mapping[str, object]) -> dict[str, object]:
+    """Return a row whose texts are no formulas to a spreadsheet; numbers, also those in texts, stay as they are."""
+    return {name: _guard_text(value) if isinstance(value, str) else value for name, value in row.items()}
+
+
+def _guard_text(text: str) -> str:
+    try:
+        float(text)
+    except ValueError:
+        return guard_formula(text)
+    return text
+
+
+def _has_guard(text: str) -> bool:
+    return text.lstrip("'").startswith(FORMULA) and text.startswith("'")

@@ -1,0 +1,84 @@
+"""Texts from files are formulas to no spreadsheet, whichever part of the suite writes the table."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from brdf_suite.cli.main import main
+from brdf_suite.cli.output import print_csv
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.store import save_paint
+from brdf_suite.files.palettes import read_palette, write_palette
+from brdf_suite.foreign_text import guard_cells, guard_formula, unguard_formula
+from brdf_suite.inspection.figures.text import figures_csv
+from brdf_suite.inspection.slices.values import slices_csv
+from brdf_suite.pipeline.material import load_shipped_paint
+
+BEGINNINGS = ("=", "+", "-", "@", "\t", "\r")
+LINK = '=HYPERLINK("http://example.org")'
+
+
+def cells(text: str) -> list[str]:
+    return [cell for row in csv.reader(io.StringIO(text)) for cell in row]
+
+
+@given(st.text(alphabet="=+-@'\t\rab1", max_size=8) | st.text(max_size=20))
+def test_a_guarded_text_is_no_formula_and_comes_back(text: str) -> None:
+    guarded = guard_formula(text)
+    assert not guarded.startswith(BEGINNINGS)
+    assert unguard_formula(guarded) == text
+
+
+def test_numbers_are_not_guarded() -> None:
+    row = {"a": -1.5, "b": "-1.5", "c": "+2e3", "d": -3, "e": "-inf", "f": "-x"}
+    assert guard_cells(row) == {**row, "f": "'-x"}
+
+
+def test_the_command_writes_no_formulas(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.brdfpaint"
+    save_paint(replace(load_shipped_paint("blue"), name=LINK), path)
+    assert main(["measure", str(path), "--csv"]) == 0
+    found = cells(capsys.readouterr().out)
+    assert f"'{LINK}" in found
+    assert LINK not in found
+    print_csv([{"name": LINK, "value": -0.5}])
+    assert cells(capsys.readouterr().out) == ["name", "value", f"'{LINK}", "-0.5"]
+
+
+def test_tables_of_the_visualizer_hold_no_formulas() -> None:
+    assert cells(slices_csv("angle", np.array([-1.0]), [(LINK, np.array([-2.0]))], LINK))[:2] == [
+        "angle",
+        f"'{LINK}",
+    ]
+    assert figures_csv([]) == "figure,unit\r\n"
+
+
+@pytest.mark.parametrize("beginning", BEGINNINGS[:4])
+def test_a_palette_comes_back_from_its_table(beginning: str, tmp_path: Path) -> None:
+    text = f"{beginning}1+1"
+    paint = replace(load_shipped_paint("blue"), name=text, notes=f"\t{text}", source=text)
+    palette = Palette("P", (Entry(paint, group=(text,), tags=(text,), code=text, notes=f"\t{text}"),))
+    path = tmp_path / "a.csv"
+    write_palette(palette, path)
+    assert not [
+        cell
+        for cell in cells(path.read_text("utf-8-sig"))
+        if cell.endswith("1+1") and cell.startswith(BEGINNINGS)
+    ]
+    (entry,) = read_palette(path).palette.entries
+    assert (entry.content.name, entry.content.notes, entry.group, entry.tags, entry.code, entry.notes) == (
+        text,
+        f"\t{text}",
+        (text,),
+        (text,),
+        text,
+        f"\t{text}",
+    )

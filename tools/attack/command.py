@@ -1,0 +1,145 @@
+"""The standing attack on the suite: damaged files, kills, wrong command lines, hostile surroundings; one table.
+
+    python tools/attack/run.py [--minutes 2] [--json]                  a slice of everything
+    python tools/attack/run.py --inputs 20000 --results long.json      the long run; the same line goes on with it
+    python tools/attack/run.py --parts readers --only mesh:glb --keep FOLDER     one reader, faulty files kept
+    python tools/attack/run.py --replay FOLDER                         files that were kept, once more
+    python tools/attack/run.py --check                                 every reader reads its seeds, and none is missing
+    python tools/attack/run.py --table long.json                       write the table of a run into the documents
+
+Progress and faults go to standard error as they are met. Status 1 where a figure is over its bound.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import tempfile
+import time
+from dataclasses import asdict
+from pathlib import Path
+
+from brdf_suite.documents.atomic import encode, write_atomically
+from tools.attack import report as tables
+from tools.attack.command_lines import signals, wrong
+from tools.attack.kills import kill_writers
+from tools.attack.loop import Loop, seeds_of
+from tools.attack.readers import chosen
+from tools.attack.readers.coverage import missing
+from tools.attack.replay import replay
+from tools.attack.surroundings import run_cases
+
+ROOT = Path(__file__).resolve().parents[2]
+PARTS = ("readers", "kills", "lines", "surroundings")
+DOCUMENT = ROOT / "docs" / "development" / "reliability.md"
+
+
+def say(text: str) -> None:
+    """Report progress."""
+    print(f"{time.strftime('%H:%M:%S')} {text}", file=sys.stderr, flush=True)
+
+
+def parse(arguments: list[str] | None = None) -> argparse.Namespace:
+    """Return the options."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--minutes", type=float, help="time for all parts together (default: 2 without --inputs)"
+    )
+    parser.add_argument("--inputs", type=int, help="damaged files of each reader")
+    parser.add_argument("--kills", type=int, default=1000, help="kills in all (fewer in a slice)")
+    parser.add_argument("--lines", type=int, default=300, help="command lines in all (fewer in a slice)")
+    parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS)
+    parser.add_argument(
+        "--only", nargs="*", default=[], metavar="NAME", help="beginnings of names of readers, writers, cases"
+    )
+    parser.add_argument("--jobs", type=int, default=1, help="readers at once")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument(
+        "--results", type=Path, help="a file of figures that is written all the time, and continued"
+    )
+    parser.add_argument("--keep", type=Path, help="a folder for files that made a fault")
+    parser.add_argument("--json", action="store_true", help="print the figures as JSON")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--replay", type=Path, metavar="FOLDER")
+    parser.add_argument("--table", type=Path, metavar="RESULTS")
+    return parser.parse_args(arguments)
+
+
+def run(options: argparse.Namespace) -> dict[str, object]:
+    """Run the parts and return their figures; those of an earlier run in ``--results`` are kept."""
+    whole = options.minutes is None and options.inputs is not None
+    minutes: float = options.minutes or (float("inf") if whole else 2.0)
+    figures: dict[str, object] = {}
+    store = options.results
+    if store is not None and store.exists():
+        figures = json.loads(store.read_text())
+    figures["seed"] = options.seed
+
+    def keep() -> None:
+        if store is not None:
+            write_atomically(store, encode(figures))
+
+    share = min(1.0, minutes / 30.0)
+    with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as scratch:
+        folder = Path(scratch)
+        folder.chmod(0o755)
+        if "kills" in options.parts:
+            say("kills")
+            found = kill_writers(max(60, round(options.kills * share)), options.seed, options.only, say)
+            figures["kills"] = {name: asdict(one) for name, one in found.items()}
+            keep()
+        if "lines" in options.parts:
+            say("command lines")
+            count = max(10, round(options.lines * share))
+            figures["lines"] = asdict(wrong(count - count // 5, options.seed, say))
+            figures["signals"] = asdict(signals(count // 5, options.seed, say))
+            keep()
+        if "surroundings" in options.parts and (minutes >= 10.0 or options.only):
+            say("surroundings")
+            (folder / "cases").mkdir()
+            figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
+            keep()
+        if "readers" in options.parts:
+            say("readers")
+            seeds = list(seeds_of(chosen(options.only), folder / "seeds"))
+            of_readers = None if store is None else store.with_suffix(".readers.json")
+            loop = Loop(
+                seeds,
+                options.seed,
+                options.inputs or 1 << 40,
+                results=of_readers,
+                keep=options.keep,
+                report=say,
+            )
+            try:
+                loop.run(options.jobs, 60.0 * minutes)
+            finally:
+                figures["readers"] = {name: asdict(tally) for name, tally in sorted(loop.tallies.items())}
+                keep()
+    return figures
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Do what the options ask for."""
+    options = parse(arguments)
+    if options.check:
+        faults = missing(say)
+        print("\n".join(faults) or "Every reader has seeds, and reads them.")
+        return 1 if faults else 0
+    if options.replay is not None:
+        faults = replay(options.replay)
+        print("\n".join(faults) or "No fault.")
+        return 1 if faults else 0
+    if options.table is not None:
+        tables.write(DOCUMENT, json.loads(options.table.read_text()))
+        return 0
+    figures = run(options)
+    print(json.dumps(figures, indent=1) if options.json else tables.text(figures))
+    return 0 if tables.passed(figures) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

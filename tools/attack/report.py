@@ -1,0 +1,137 @@
+"""The table of a run: text for a terminal, and Markdown between the markers of a document."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+_BEGIN, _END = "<!-- attack: begin -->", "<!-- attack: end -->"
+_HANG_S = 5.0
+
+Figures = Mapping[str, Any]
+Row = tuple[str, str, str, bool]
+
+
+def rows(figures: Figures) -> list[Row]:
+    """Return the rows: figure, value, bound, and whether the value is within it."""
+    found: list[Row] = []
+    readers = figures.get("readers", {})
+    if readers:
+        total = sum(one["inputs"] for one in readers.values())
+        least = min(one["inputs"] for one in readers.values())
+        faults = sum(sum(one["faults"].values()) for one in readers.values())
+        slowest = max(one["longest_s"] for one in readers.values())
+        died = sum(one["died"] for one in readers.values())
+        found += [
+            (f"inputs of {len(readers)} readers", f"{total:,}", "", True),
+            ("inputs of each reader, at least", f"{least:,}", "", True),
+            ("crashes, uncaught exceptions, hangs, over the memory bound", f"{faults:,}", "0", faults == 0),
+            ("slowest input, s of processor time", f"{slowest:.2f}", f"≤ {_HANG_S:g}", slowest <= _HANG_S),
+            ("deaths of libraries that have a process of their own", f"{died:,}", "", True),
+        ]
+    kills = figures.get("kills", {})
+    if kills:
+        total_of = {
+            name: sum(one[name] for one in kills.values())
+            for name in next(iter(kills.values()))
+            if name != "examples"
+        }
+        found += [
+            (f"kills of {len(kills)} writers", f"{total_of['kills']:,}", "", True),
+            ("kills in the middle of a write", f"{total_of['in_a_write']:,}", "", True),
+            *(
+                (title, f"{total_of[name]:,}", "0", total_of[name] == 0)
+                for title, name in (
+                    ("damaged documents", "damaged"),
+                    ("lost documents", "lost"),
+                    ("leftovers after the next start", "leftovers"),
+                    (f"faults on {total_of['full_disks']} full disks", "full_disk_faults"),
+                )
+            ),
+        ]
+    for name, title in (("lines", "wrong command lines"), ("signals", "signals and closed pipes")):
+        if name in figures:
+            count, faults = figures[name]["lines"], len(figures[name]["faults"])
+            found += [
+                (title, f"{count:,}", "", True),
+                (f"{title}: tracebacks", f"{faults}", "0", faults == 0),
+            ]
+    if "surroundings" in figures:
+        one = figures["surroundings"]
+        bad = len(one["faults"])
+        found += [
+            ("processes in hostile surroundings", f"{one['processes']}", "", True),
+            ("executions of planted files", f"{one['executions']}", "0", one["executions"] == 0),
+            ("local files shown", f"{one['local_files_shown']}", "0", one["local_files_shown"] == 0),
+            ("other faults in hostile surroundings", f"{bad}", "0", bad == 0),
+        ]
+    return found
+
+
+def passed(figures: Figures) -> bool:
+    """Return whether all figures are within their bounds."""
+    return all(good for *_, good in rows(figures))
+
+
+def reader_rows(figures: Figures) -> list[tuple[str, ...]]:
+    """Return a row for each reader: inputs, read, refused, faults, milliseconds, slowest, megabytes."""
+    return [
+        (
+            name,
+            f"{one['inputs']:,}",
+            f"{one['read']:,}",
+            f"{one['refused']:,}",
+            f"{one['died']:,}",
+            f"{sum(one['faults'].values()):,}",
+            f"{1000.0 * one['cpu_s'] / max(one['inputs'], 1):.2f}",
+            f"{one['longest_s']:.2f}",
+            f"{one['largest_mb']:.0f}",
+        )
+        for name, one in figures.get("readers", {}).items()
+    ]
+
+
+_HEAD = ("reader", "inputs", "read", "refused", "died", "faults", "ms", "slowest, s", "MB")
+
+
+def text(figures: Figures) -> str:
+    """Return the tables as aligned text, with the faults in words."""
+    lines = [
+        f"{'' if good else '! '}{title:<62} {value:>12}  {bound}"
+        for title, value, bound, good in rows(figures)
+    ]
+    lines += (
+        ["", f"{_HEAD[0]:<28}" + "".join(f"{name:>11}" for name in _HEAD[1:])]
+        if figures.get("readers")
+        else []
+    )
+    lines += [f"{row[0]:<28}" + "".join(f"{cell:>11}" for cell in row[1:]) for row in reader_rows(figures)]
+    for name, one in figures.get("readers", {}).items():
+        lines += [f"{name}: {count} × {fault}" for fault, count in one["faults"].items()]
+    for one in figures.get("kills", {}).values():
+        lines += one["examples"]
+    for name in ("lines", "signals", "surroundings"):
+        lines += [f"{place}: {fault}" for place, fault in figures.get(name, {}).get("faults", {}).items()]
+    return "\n".join(lines)
+
+
+def markdown(figures: Figures) -> str:
+    """Return the tables for a document."""
+    lines = ["| figure | value | bound |", "|---|---|---|"]
+    lines += [f"| {title} | {value} | {bound} |" for title, value, bound, _ in rows(figures)]
+    if figures.get("readers"):
+        lines += ["", "| " + " | ".join(_HEAD) + " |", "|---|" + "--:|" * (len(_HEAD) - 1)]
+        lines += ["| " + " | ".join(row) + " |" for row in reader_rows(figures)]
+    return "\n".join(lines)
+
+
+def write(document: Path, figures: Figures) -> None:
+    """Write the tables between the markers of a document; :class:`ValueError` where it has none."""
+    old = document.read_text(encoding="utf-8")
+    pattern = re.compile(f"{re.escape(_BEGIN)}.*?{re.escape(_END)}", re.DOTALL)
+    if pattern.search(old) is None:
+        raise ValueError(f"{document} has no markers {_BEGIN} and {_END}")
+    made = f"{_BEGIN}\n\n{markdown(figures)}\n\n{_END}"
+    document.write_text(pattern.sub(lambda _: made, old), encoding="utf-8")
