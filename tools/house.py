@@ -46,6 +46,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/from_measurement/control.py": "50 ms, when a file is opened",
     "apps/brdf_designer/from_measurement/section.py": "20 ms, when a file is asked for",
     "apps/brdf_designer/picture/control.py": "the renderer, 80 ms, only on a screen with OpenGL; files, when painted",
+    "apps/brdf_qt/program/diagnostics.py": "importlib.metadata and platformdirs take 20 ms each",
     "apps/brdf_viewer/tracing/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/files/palettes/cmyk_profile.py": "Pillow's littleCMS takes 25 ms, and few palettes need it",
