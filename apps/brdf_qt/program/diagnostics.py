@@ -11,7 +11,6 @@ import os
 import platform
 import re
 from contextlib import suppress
-from importlib.metadata import PackageNotFoundError, version
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from traceback import extract_tb
@@ -23,7 +22,6 @@ from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 from brdf_qt.program.settings import settings, state_folder
 from brdf_suite import variables
 from brdf_suite.errors import FileError
-from brdf_suite.extras import PACKAGES
 from brdf_suite.processes import OWN_PACKAGES
 from brdf_suite.regular_files import read_bytes
 from brdf_suite.release import __version__
@@ -103,6 +101,8 @@ def start_log(program: str) -> None:
 
 def diagnostics(program: str) -> str:
     """Return a text for a report: versions, system, screens, OpenGL, choices, and the end of the log."""
+    from brdf_suite.extras import PACKAGES
+
     lines = [f"BRDF Suite {program} {__version__}", ""]
     lines.append(
         f"Python {platform.python_version()}, Qt {qVersion()}, {platform.system()} {platform.release()}"
@@ -136,6 +136,8 @@ def gl_strings() -> dict[str, str]:
 
 
 def _version(distribution: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
     try:
         return version(distribution)
     except PackageNotFoundError:
