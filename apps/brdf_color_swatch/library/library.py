@@ -197,7 +197,7 @@ class Library(QObject):
         store.clean_changed.connect(lambda _clean: self.items_changed.emit())
         store.path_changed.connect(lambda new: self._moved(item, new))
         watch.changed.connect(lambda _path: self._on_file_changed(item))
-        watch.watch("" if path is None else str(path))
+        watch.watch("" if path is None else str(path), stamp)
         self.items_changed.emit()
         self.palette_changed.emit(item.key)
         self._finish_rows(item)

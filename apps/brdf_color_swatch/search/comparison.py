@@ -145,16 +145,16 @@ class PaintComparison(SwatchFeature):
         self.section.toggled.connect(lambda _open: self._show())
         self._show()
 
-    def pair(self) -> list[Entry]:
+    def pair(self) -> tuple[Entry, ...]:
         """Return the two entries that are compared; fewer where there are not two."""
         chosen = self._session.selected_entries
         if len(chosen) == 2 or not self._window.has_two_panes:
-            return chosen if len(chosen) == 2 else []
+            return chosen if len(chosen) == 2 else ()
         left, right = self._session.selected_in(0), self._session.selected_in(1)
         if len(left) == len(right) == 1:
-            return [left[0], right[0]]
+            return (left[0], right[0])
         other = (right, left)[self._session.front]
-        return other if len(other) == 2 and not chosen else []
+        return other if len(other) == 2 and not chosen else ()
 
     def compare(self) -> None:
         self._window.inspector_dock.show()

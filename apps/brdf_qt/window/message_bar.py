@@ -225,7 +225,10 @@ class MessageBar(Floating):
         return {key: row.message for key, row in self._rows.items()}
 
     def _leave(self, key: str, timer: QTimer) -> None:
-        if self._rows[key].underMouse():
+        row = self._rows.get(key)
+        if row is None or timer.parent() is not row:
+            return  # it went in the turn in which its time was over
+        if row.underMouse():
             timer.start()  # it is being read
         else:
             self.dismiss(key)
