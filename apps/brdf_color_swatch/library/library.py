@@ -152,7 +152,11 @@ class Library(QObject):
 
     def remove_item(self, key: str) -> None:
         """Remove a line without asking; its autosave stays."""
-        del self._items[key]
+        opened = self._items.pop(key).palette
+        if opened is not None:
+            # They live as long as the library otherwise, with every state of the history.
+            for part in (opened.watch, opened.recovery, opened.files, opened.store):
+                part.deleteLater()
         self.items_changed.emit()
 
     def add_palette(

@@ -6,11 +6,12 @@ On Qt's offscreen platform with chips, which need no pictures. Prints one JSON o
 from __future__ import annotations
 
 import json
+import subprocess
 import sys
 import tempfile
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 from brdf_suite.cli.tools.bench import load_module
 
@@ -22,24 +23,22 @@ _paints = load_module(_PARTS / "palette" / "paints.py")
 SIZE = (1400, 900)
 
 
-def main() -> None:
-    from brdf_suite.documents.palette_store import save_palette
-
-    with _session.own_session(offscreen=True), tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "many.brdfpalette"
-        if len(sys.argv) > 2:
-            file = Path(sys.argv[2])
-        if not file.exists():
-            import subprocess
-            # made in a process of its own, whose memory is not this one's
-            subprocess.run([sys.executable, "-c", f"""
+_MAKE = """
 import sys
 from pathlib import Path
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.palette_store import save_palette
-save_palette(load_module(Path({str(_PARTS / "palette" / "paints.py")!r})).palette({int(sys.argv[1])}), Path({str(file)!r}))
-"""], check=True)
-        found = measure(file, int(sys.argv[1]))
+save_palette(load_module(Path(sys.argv[1])).palette(int(sys.argv[2])), Path(sys.argv[3]))
+"""
+
+
+def main(count: int) -> None:
+    with _session.own_session(offscreen=True), tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "many.brdfpalette"
+        # In a process of its own, whose memory is not the window's.
+        made = [sys.executable, "-c", _MAKE, str(_PARTS / "palette" / "paints.py"), str(count), str(file)]
+        subprocess.run(made, check=True)
+        found = measure(file, count)
     sys.stdout.write(json.dumps(found) + "\n")
 
 
@@ -56,9 +55,11 @@ def measure(file: Path, count: int) -> dict[str, object]:
     turns.until("start", lambda: program.is_idle)
     before = _turns.resident_mb()
     pane, session = program.window.panes[0], program.session
+    cpu = process_time()
     turns.call("open", lambda: program.open(str(file)))
     open_s = turns.until("open", lambda: pane.model.rowCount() == count and not pane.note)
     turns.until("open", lambda: program.is_idle)
+    open_cpu_s = process_time() - cpu
     bar = pane.grid.verticalScrollBar()
     for step in range(20):
         turns.call("scroll", lambda step=step: bar.setValue(bar.maximum() * step // 19))
@@ -86,6 +87,7 @@ def measure(file: Path, count: int) -> dict[str, object]:
     turns.until("edit", lambda: program.is_idle)
     found = {
         "open_s": open_s,
+        "open_cpu_s": open_cpu_s,
         "turns_s": turns.longest_s,
         "turns_cpu_s": turns.processor_s,
         "memory_mb": _turns.resident_mb(),
@@ -108,4 +110,4 @@ def _count(turns: int):
 
 
 if __name__ == "__main__":
-    main()
+    main(int(sys.argv[1]))
