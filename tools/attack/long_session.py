@@ -20,6 +20,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import replace
@@ -68,6 +69,15 @@ def sample() -> Sample:
     }
 
 
+def kinds_held() -> dict[str, int]:
+    """Return how many Qt objects of each class the windows hold, for the search of a leak."""
+    from PySide6.QtCore import QObject
+    from PySide6.QtWidgets import QApplication
+
+    held = (one for root in QApplication.topLevelWidgets() for one in root.findChildren(QObject))
+    return dict(Counter(one.metaObject().className() for one in held))
+
+
 def settle(is_idle: Callable[[], bool]) -> None:
     """Run the event loop until a program is at rest."""
     from PySide6.QtCore import QCoreApplication, QEvent
@@ -86,6 +96,7 @@ def settle(is_idle: Callable[[], bool]) -> None:
 def designer(scale: float, folder: Path) -> list[Sample]:
     """Edit paints in turn, and open and close files."""
     from brdf_designer.assembly import Designer
+    from brdf_designer.documents.tabs import MOST_CLOSED
     from brdf_designer.session.edits import SetLab
     from brdf_qt.program import theme
     from brdf_qt.program.application import create_application
@@ -102,6 +113,10 @@ def designer(scale: float, folder: Path) -> list[Sample]:
         files.append(folder / f"{name}.brdfpaint")
         save_paint(load_shipped_paint(name), files[-1])
     session, found = program.session, []
+    for number in range(MOST_CLOSED + 1):  # so many are kept when they are closed
+        assert program.documents.open(files[number % len(files)])
+        settle(lambda: not session.is_fitting)
+        program.documents.close(program.documents.front)
     edits, openings = round(EDITS * scale / ROUNDS), max(1, round(OPENINGS * scale / 2 / ROUNDS))
     for turn in range(ROUNDS):
         theme.apply(app, ("dark", "light")[turn % 2], remember=False)
@@ -182,7 +197,7 @@ def viewer(scale: float, _folder: Path) -> list[Sample]:
     program.window.resize(640, 400)
     program.window.show()
     settle(lambda: program.is_idle)
-    lights = [name for name in ("booth", "photo_studio", "street")]
+    lights = ("booth", "photo_studio", "street")
     found = []
     changes = max(1, round(LIGHTS * scale / ROUNDS))
     for turn in range(ROUNDS):
@@ -192,7 +207,7 @@ def viewer(scale: float, _folder: Path) -> list[Sample]:
             settle(lambda: program.is_idle)
             program.state.change_view(surface=("sphere", "panel")[number % 2])
             settle(lambda: program.is_idle)
-            program.open(paint_names()[(turn * changes + number) % len(paint_names())])
+            program.paint.open(paint_names()[(turn * changes + number) % len(paint_names())])
             settle(lambda: program.is_idle)
         found.append(sample())
     program.close()

@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
 
@@ -244,7 +245,11 @@ class Library(QObject):
     def _any_files(self) -> DocumentFiles[Palette]:
         """Return the file dialogs of any palette, for questions that belong to none."""
         files = (item.palette.files for item in self.items if item.palette is not None)
-        return next(files, None) or DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
+        return next(files, None) or self._files_of_none
+
+    @cached_property
+    def _files_of_none(self) -> DocumentFiles[Palette]:
+        return DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
 
     def edit(self, name: str, *edits: tuple[str, Palette]) -> bool:
         """Make each palette another, all of it one step called ``name``; False where nothing changed."""
