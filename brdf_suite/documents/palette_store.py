@@ -160,7 +160,9 @@ def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
     if len(items) > MOST_ENTRIES:
         reader.fail(f"{len(items)} are more than the {MOST_ENTRIES} allowed", "entries")
     entries = tuple(
-        item if isinstance(item, Entry) else _quick_entry(item) or entry_from_json(item, path, f"entries[{index}]")
+        item
+        if isinstance(item, Entry)
+        else _quick_entry(item) or entry_from_json(item, path, f"entries[{index}]")
         for index, item in enumerate(items)
     )
     return fill(reader, Palette, taken={"name": name, "groups": groups, "entries": entries})
@@ -169,9 +171,7 @@ def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
 _ENTRY_FIELDS = {field.name for field in dataclasses.fields(Entry)} - {"content"} | {"paint"}
 
 
-def _quick_entry(
-    value: object, shared: dict[tuple[str, ...], tuple[str, ...]] | None = None
-) -> Entry | None:
+def _quick_entry(value: object, shared: dict[tuple[str, ...], tuple[str, ...]] | None = None) -> Entry | None:
     """Return the paint entry in a JSON object, or None where the regular reader must parse it for error places."""
     if type(value) is not dict or not value.keys() <= _ENTRY_FIELDS:
         return None

@@ -162,14 +162,13 @@ def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Bo
         asked = {_folded(tag) for tag in wanted.tags}
         # Many entries have the same tags, or the same group: each is looked at once.
         has = {
-            tags: asked <= {_folded(tag) for tag in tags} for tags in {entry.tags for entry in columns.entries}
+            tags: asked <= {_folded(tag) for tag in tags}
+            for tags in {entry.tags for entry in columns.entries}
         }
         shown &= np.fromiter((has[entry.tags] for entry in columns.entries), bool, len(columns))
     if wanted.group:
         depth = len(wanted.group)
-        inside = {
-            path: path[:depth] == wanted.group for path in {entry.group for entry in columns.entries}
-        }
+        inside = {path: path[:depth] == wanted.group for path in {entry.group for entry in columns.entries}}
         shown &= np.fromiter((inside[entry.group] for entry in columns.entries), bool, len(columns))
     if wanted.text.strip():
         shown &= (texts or Texts(columns.entries)).matching(wanted.text)

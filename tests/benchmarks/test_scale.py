@@ -20,7 +20,7 @@ def test_every_cost_has_sizes_figures_and_a_cause(scale) -> None:
     assert {f"{name}_exponent" for name in scale._SIZES} <= scale.BOUNDS.keys()
     for usual, large in scale._SIZES.values():
         assert len(usual) >= 2
-        assert list((*usual, *large)) == sorted({*usual, *large})
+        assert [*usual, *large] == sorted({*usual, *large})
 
 
 @pytest.mark.parametrize("power", [0.0, 1.0, 2.0])

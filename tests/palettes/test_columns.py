@@ -351,9 +351,7 @@ def test_the_same_contents_are_found_wherever_they_went(before: list[int], after
 
 
 @pytest.mark.parametrize("descending", [False, True])
-def test_an_order_by_name_is_stable_over_its_runs(
-    descending: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_order_by_name_is_stable_over_its_runs(descending: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(order, "_RUN", 7)
     names = [("", "Blue 10", "blue 2", "Äther", "Azur", "Blue 2")[n * n % 6] for n in range(60)]
     entries = [Entry(FlatColour(name, "Gray", (0.5,)), id=str(n)) for n, name in enumerate(names)]

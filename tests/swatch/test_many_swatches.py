@@ -96,7 +96,9 @@ def test_all_that_is_selected_is_one_range_looked_up_once(swatch) -> None:
     assert session.selected is session.selected
     assert session.selected_entries is session.selected_in(0)
     assert [entry.id for entry in session.selected_entries] == list(session.selected)
-    pane.grid.selectionModel().select(pane.model.index(0, 0), QItemSelectionModel.SelectionFlag.ClearAndSelect)
+    pane.grid.selectionModel().select(
+        pane.model.index(0, 0), QItemSelectionModel.SelectionFlag.ClearAndSelect
+    )
     assert session.selected == (pane.model.id_at(0),)
 
 

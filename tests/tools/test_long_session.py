@@ -14,7 +14,9 @@ from long_session import ROUNDS, faults, run_program, verdict
 
 def samples(growth: dict[str, float]) -> list[dict[str, float]]:
     start = {"memory_mb": 100.0, "threads": 4.0, "gl_objects": 0.0}
-    return [{key: value + growth.get(key, 0.0) * turn for key, value in start.items()} for turn in range(ROUNDS)]
+    return [
+        {key: value + growth.get(key, 0.0) * turn for key, value in start.items()} for turn in range(ROUNDS)
+    ]
 
 
 @pytest.mark.parametrize(
@@ -34,6 +36,6 @@ def test_what_grows_is_named(growth: dict[str, float], scale: float, wrong: list
 
 @pytest.mark.parametrize("program", ["designer", "swatch"])
 def test_a_slice_of_the_day_leaves_no_more_than_before(program: str) -> None:
-    held = run_program(program, 0.002)
+    held = run_program(program, 0.002, offscreen=True)
     assert len(held) == ROUNDS
     assert faults(verdict(held), 0.002) == []

@@ -1,6 +1,6 @@
 """Open and close so many tabs in the real Designer; a process of ``bench scale``.
 
-On Qt's offscreen platform, each by its command and with the turns of the event loop that follow. Prints one JSON object.
+On Qt's offscreen platform, with a turn of the event loop after each. Prints one JSON object.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ def main(count: int) -> None:
 def measure(count: int) -> dict[str, object]:
     from brdf_designer.assembly import Designer
     from brdf_qt.program.application import create_application
+
     from brdf_suite.pipeline.material import load_shipped_paint
 
     create_application("Designer")
