@@ -6,9 +6,9 @@ is at rest: resident memory, threads, open files, timers, objects of Qt, objects
 design (the last 1,000 steps of a history, 20 closed tabs, filtered lights on disk) is full after the first half, with
 which the end is compared: memory may have grown by 10 %, the counts by nothing.
 
-Run ``python tools/attack/long_session.py [--scale 1] [--program designer] [--offscreen] [--json]``. At scale 1 these are 30,000
-edits, 500 file openings and 200 light changes; ``--scale .01`` is a slice, too short for a verdict on memory, whose
-first half fills histories. Status 1 where something grows.
+Run ``python tools/attack/long_session.py [--scale 1] [--program designer] [--offscreen] [--json]``. At scale 1 that is
+30,000 edits, 500 file openings and 200 light changes; ``--scale .01`` is a slice, too short for a verdict on memory,
+whose first half fills histories. Status 1 where something grows.
 """
 
 from __future__ import annotations

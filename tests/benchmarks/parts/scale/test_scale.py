@@ -9,10 +9,12 @@ import pytest
 from brdf_suite.cli.tools import bench
 from brdf_suite.cli.tools.bench import appendix, load_module, measure
 
+BENCHMARK = Path(__file__).parents[2] / "bench_scale.py"
+
 
 @pytest.fixture
 def scale():
-    return load_module(Path(__file__).with_name("bench_scale.py"))
+    return load_module(BENCHMARK)
 
 
 def test_every_cost_has_sizes_figures_and_a_cause(scale) -> None:
@@ -47,4 +49,4 @@ def test_large_sizes_are_refused_where_a_benchmark_has_none(capsys: pytest.Captu
 
     assert main(["bench", "fit", "--large"]) != 0
     assert "has no larger sizes" in capsys.readouterr().err
-    assert bench.load_module(Path(__file__).with_name("bench_scale.py")).LARGE is False
+    assert bench.load_module(BENCHMARK).LARGE is False
