@@ -66,10 +66,10 @@ def _by_text(columns: Columns, by: str, descending: bool) -> Indices:
     # In runs: one sort of a hundred thousand keys would hold up all other threads from its beginning to its end. Turned
     # round as a whole, a stable order would turn equals round as well.
     runs = [
-        sorted(there[start : start + _RUN], key=keys, reverse=descending)  # type: ignore[arg-type, type-var]  # keys are of one kind
+        sorted(there[start : start + _RUN], key=keys, reverse=descending)  # type: ignore[arg-type]  # keys are of one kind
         for start in range(0, len(there), _RUN)
     ]
-    there = list(merge(*runs, key=keys, reverse=descending))  # type: ignore[arg-type, type-var]
+    there = list(merge(*runs, key=keys, reverse=descending))  # type: ignore[arg-type]
     return np.array(there + [place for place, text in enumerate(texts) if not text], np.intp)
 
 

@@ -16,7 +16,7 @@ def face_normals(positions: Floats, triangles: Integers) -> Floats:
     """Return the unit normal of each triangle, (k, 3); zero where it has no area."""
     normal = cross_columns(*edge_columns(positions, triangles))
     length = np.sqrt(np.einsum("ij,ij->j", normal, normal))
-    return np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0).T.copy()
+    return np.asarray(np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0).T.copy())
 
 
 def edge_columns(positions: Floats, triangles: Integers) -> tuple[Floats, Floats]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
@@ -84,7 +86,7 @@ class ComparePanel(QWidget):
         fill_column(self, self.names, self.pair, self.table, self.figures)
         self.show_entries([])
 
-    def show_entries(self, entries: list[Entry]) -> None:
+    def show_entries(self, entries: Sequence[Entry]) -> None:
         """Show two entries; with any other number, what to do."""
         two = len(entries) == 2
         for widget in (self.pair, self.table, self.figures):
