@@ -14,6 +14,8 @@ _drawers: list[Callable[[object], str]] = []
 class Shown:
     """Base of values that have a picture in notebooks."""
 
+    __slots__ = ()  # values of which there are many may have slots
+
     def _repr_html_(self) -> str | None:
         return _drawers[-1](self) if _drawers else None
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -24,6 +24,15 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 Edit = Callable[[Palette], Palette]
+
+
+class _Selection(NamedTuple):
+    """Of the ids that are ``wanted`` those that a palette has, with their entries."""
+
+    palette: Palette | None
+    wanted: tuple[str, ...]
+    ids: tuple[str, ...]
+    entries: tuple[Entry, ...]
 
 
 class PaletteSession(QObject):
@@ -55,6 +64,7 @@ class PaletteSession(QObject):
         self.states = [PaneState(), PaneState()]
         self.shown = [VisibleRows(Rows.empty()), VisibleRows(Rows.empty())]
         self._selected: list[tuple[str, ...]] = [(), ()]
+        self._selections = [_Selection(None, (), (), ())] * 2
         self._busy = [False, False]
         self.front = 0
         """The number of the pane that is worked in: 0, or 1 for the second."""
@@ -176,22 +186,29 @@ class PaletteSession(QObject):
     @property
     def selected(self) -> tuple[str, ...]:
         """The ids that are selected in the pane in front."""
-        palette = self.palette
-        if palette is None:
-            return ()
-        return tuple(key for key in self._selected[self.front] if key in palette.by_id)
+        return self._selection(self.front).ids
 
     @property
-    def selected_entries(self) -> list[Entry]:
+    def selected_entries(self) -> tuple[Entry, ...]:
         """The entries that are selected in the pane in front, in the order of its rows."""
         return self.selected_in(self.front)
 
-    def selected_in(self, pane: int) -> list[Entry]:
+    def selected_in(self, pane: int) -> tuple[Entry, ...]:
         """Return the entries that are selected in a pane."""
-        palette = self.library.palette(self.states[pane].scope.palette)
-        if palette is None:
-            return []
-        return [palette.entry(key) for key in self._selected[pane] if key in palette.by_id]
+        return self._selection(pane).entries
+
+    def _selection(self, pane: int) -> _Selection:
+        """Return what is selected in a pane and still there; looked up once for all that follows from it."""
+        palette, ids = self.library.palette(self.states[pane].scope.palette), self._selected[pane]
+        known = self._selections[pane]
+        if known.palette is not palette or known.wanted is not ids:
+            places = {} if palette is None or not ids else palette.by_id
+            found = tuple(filter(places.__contains__, ids))
+            entries: tuple[Entry, ...] = ()
+            if palette is not None:
+                entries = tuple(map(palette.entries.__getitem__, map(places.__getitem__, found)))
+            known = self._selections[pane] = _Selection(palette, ids, found, entries)
+        return known
 
     def reveal(self, ids: tuple[str, ...], pane: int | None = None) -> None:
         self.reveal_requested.emit(self.front if pane is None else pane, ids)

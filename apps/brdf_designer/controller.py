@@ -122,7 +122,7 @@ class Controller(QObject):
 
     def _show_tabs(self) -> None:
         row, front = self._documents.row, self._documents.front
-        tabs = [TabState(item.title, item.store.path, item.store.is_clean) for item in row]
+        tabs = [TabState(item.key, item.title, item.store.path, item.store.is_clean) for item in row]
         self._view.show_tabs(tabs, row.index(front))
         self._view.show_reopen(self._documents.can_reopen)
 

@@ -62,7 +62,7 @@ _REFLECTANCE = Parameter("Reflectance", "", -1.0, 100.0, 0.5, "1 is a perfect di
 _WAVELENGTH = Parameter("Wavelength", "nm", 100.0, 10_000.0, 550.0, "Of a band of the spectrum")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class FlatColour:
     """A named colour of one model; ``name`` may be empty, as in formats without names.
 

@@ -75,7 +75,7 @@ PARAMETERS: Mapping[str, Parameter] = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Measurement:
     """One reading: CIE L*a*b* at an illumination and an aspecular angle, both in degrees.
 
@@ -106,7 +106,7 @@ class Measurement:
         object.__setattr__(self, "lab", lab)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Gloss:
     """Glossmeter readings in gloss units, 0 to 200, coat and base together.
 
@@ -127,7 +127,7 @@ class Gloss:
         set_numbers(self, PARAMETERS, *names, group="gloss.")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class OrangePeel:
     """The waviness of the coat: its root mean square height, µm, and its typical wavelength, mm.
 
@@ -157,7 +157,7 @@ class OrangePeel:
         return math.degrees(math.atan(2.0 * math.pi * self.amplitude_um * 1e-3 / self.wavelength_mm))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Flakes:
     """Flakes that sparkle.
 
@@ -193,7 +193,7 @@ class Flakes:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class TextureTargets:
     """Readings of the texture instrument that a paint shall have, as shares of 1; None leaves one open.
 
@@ -221,7 +221,7 @@ class TextureTargets:
         return cls(*(value or None for value in wanted)) if any(wanted) else None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Paint(Shown):
     """A designed paint: at least three measurements, in any order, no two at the same angles.
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import secrets
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
@@ -42,7 +43,7 @@ _COLOUR = re.compile("#[0-9a-f]{6}")
 _DATE = re.compile(r"\d{4}-\d\d-\d\d(T\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)?)?")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Entry:
     """A paint or a flat colour in a palette.
 
@@ -207,6 +208,26 @@ class Palette(Shown):
         'Blue'
         """
         return self.entries[self.by_id[id_]]
+
+    def with_entries(self, changed: Mapping[int, Entry]) -> Palette:
+        """Return the palette with other entries in some places; the rest is not checked once more.
+
+        Raises :class:`ValueRangeError` where one has another id than the entry whose place it takes.
+
+        >>> import brdf_suite as bs
+        >>> mine = bs.Palette("Mine", (bs.Entry(bs.load("blue", bs.Paint), id="b"),))
+        >>> mine.with_entries({0: bs.Entry(bs.load("blue", bs.Paint), id="b", code="B-12")}).entries[0].code
+        'B-12'
+        """
+        entries = list(self.entries)
+        for place, entry in changed.items():
+            if entry.id != entries[place].id:
+                raise ValueRangeError(f"entries[{place}].id", f"expected the id {entries[place].id!r}")
+            entries[place] = entry
+        made = copy(self)  # with the places by id, which stay
+        _set(made, "entries", tuple(entries))
+        _set(made, "groups", _all_groups(self.groups, tuple(changed.values())))
+        return made
 
     def sections(self) -> list[tuple[Group | None, tuple[Entry, ...]]]:
         """Return the palette in the order of a file with groups: each group once, with the entries directly in it.

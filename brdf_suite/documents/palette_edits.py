@@ -62,12 +62,10 @@ def move_entries(
 
 def change_entries(palette: Palette, ids: Collection[str], change: Callable[[Entry], Entry]) -> Palette:
     """Return the palette with ``change`` made to the entries of these ids; their ids stay."""
-    wanted = _known(palette, ids)
-    return replace(
-        palette,
-        entries=tuple(
-            replace(change(entry), id=entry.id) if entry.id in wanted else entry for entry in palette.entries
-        ),
+    places = sorted(_place(palette, id_) for id_ in _known(palette, ids))
+    entries = palette.entries
+    return palette.with_entries(
+        {place: replace(change(entries[place]), id=entries[place].id) for place in places}
     )
 
 

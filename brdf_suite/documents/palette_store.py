@@ -10,7 +10,7 @@ from __future__ import annotations
 import dataclasses
 import gc
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -21,10 +21,10 @@ from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.reading import (
     VERSIONS,
     FieldReader,
+    document_bytes,
     fill,
     json_from_bytes,
     open_envelope,
-    read_json,
 )
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json, quick_paint
 from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
@@ -38,14 +38,17 @@ LARGEST_PALETTE = 128 << 20
 @within_memory
 def load_palette(path: PathLike) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
-    with without_collection():
-        return palette_from_json(read_json(path, LARGEST_PALETTE), path)
+    return palette_from_bytes(document_bytes(path, LARGEST_PALETTE), path)
 
 
 def palette_from_bytes(content: bytes, path: PathLike) -> Palette:
     """Return the palette in the content of a ``.brdfpalette`` file; errors as :func:`load_palette`."""
     with without_collection():
-        return palette_from_json(json_from_bytes(content, path), path)
+        value = json_from_bytes(content, path, _as_entry())
+        if isinstance(value, dict) and value.get("version") != VERSIONS["brdfpalette"]:
+            # What older versions held is brought up to date as JSON.
+            value = json_from_bytes(content, path)
+        return palette_from_json(value, path)
 
 
 def save_palette(palette: Palette, path: PathLike) -> None:
@@ -159,7 +162,9 @@ def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
     if len(items) > MOST_ENTRIES:
         reader.fail(f"{len(items)} are more than the {MOST_ENTRIES} allowed", "entries")
     entries = tuple(
-        _quick_entry(item) or entry_from_json(item, path, f"entries[{index}]")
+        item
+        if isinstance(item, Entry)
+        else _quick_entry(item) or entry_from_json(item, path, f"entries[{index}]")
         for index, item in enumerate(items)
     )
     return fill(reader, Palette, taken={"name": name, "groups": groups, "entries": entries})
@@ -168,7 +173,7 @@ def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
 _ENTRY_FIELDS = {field.name for field in dataclasses.fields(Entry)} - {"content"} | {"paint"}
 
 
-def _quick_entry(value: object) -> Entry | None:
+def _quick_entry(value: object, shared: dict[tuple[str, ...], tuple[str, ...]] | None = None) -> Entry | None:
     """Return the paint entry in a JSON object, or None where the regular reader must parse it for error places."""
     if type(value) is not dict or not value.keys() <= _ENTRY_FIELDS:
         return None
@@ -176,9 +181,30 @@ def _quick_entry(value: object) -> Entry | None:
     if paint is None:
         return None
     try:
-        return Entry(paint, **{name: item for name, item in value.items() if name != "paint"})
+        entry = Entry(paint, **{name: item for name, item in value.items() if name != "paint"})
     except ValueRangeError:
         return None
+    if shared is not None:
+        for name in ("group", "tags"):
+            words = getattr(entry, name)
+            object.__setattr__(entry, name, shared.setdefault(words, words))  # equal, and still being made
+    return entry
+
+
+def _as_entry() -> Callable[[dict[str, object]], object]:
+    """Return a function that makes entries of the JSON objects that are sound ones; others it returns as they are.
+
+    Entries of one group, or with the same tags, share the tuples of them.
+    """
+    shared: dict[tuple[str, ...], tuple[str, ...]] = {}
+
+    def convert(fields: dict[str, object]) -> object:
+        if "paint" not in fields:
+            return fields
+        entry = _quick_entry(fields, shared)
+        return fields if entry is None else entry
+
+    return convert
 
 
 def entry_from_json(value: object, path: PathLike = "the message", place: str = "") -> Entry:

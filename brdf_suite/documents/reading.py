@@ -126,27 +126,31 @@ def read_json(path: str | os.PathLike[str], largest: int = LARGEST_FILE) -> obje
     DocumentError
         It is not UTF-8, not JSON, too large or nested too deep; with line and column where they are known.
     """
-    with open_regular(path) as file:
-        content = file.read(largest + 1)
-    if len(content) > largest:
-        raise DocumentError(path, f"is larger than {largest // 2**20} MB, too large to be a document of ours")
-    return json_from_bytes(content, path)
+    return json_from_bytes(document_bytes(path, largest), path)
 
 
-def json_from_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
-    """Return the value in the content of a JSON file; errors as :func:`read_json`."""
+def json_from_bytes(
+    content: bytes,
+    path: str | os.PathLike[str],
+    convert: Callable[[dict[str, object]], object] = lambda fields: fields,
+) -> object:
+    """Return the value in the content of a JSON file; errors as :func:`read_json`.
+
+    ``convert`` is given each object as soon as it has been read, those within it first, and what it returns takes its
+    place: of a large file never all is held twice.
+    """
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise DocumentError(path, "is not text in UTF-8", f"byte {error.start}") from error
 
-    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    def unique(pairs: list[tuple[str, object]]) -> object:
         found = dict(pairs)
         if len(found) != len(pairs):
             seen: set[str] = set()
             twice = next(name for name, _ in pairs if name in seen or seen.add(name))  # type: ignore[func-returns-value]  # None
             raise DocumentError(path, "the field is given twice", twice[:80])
-        return found
+        return convert(found)
 
     try:
         value: object = json.loads(text, object_pairs_hook=unique)
@@ -158,6 +162,15 @@ def json_from_bytes(content: bytes, path: str | os.PathLike[str]) -> object:
     except ValueError as error:  # an integer of more digits than Python converts
         raise DocumentError(path, f"holds a number that cannot be read ({error})") from error
     return value
+
+
+def document_bytes(path: str | os.PathLike[str], largest: int) -> bytes:
+    """Return the content of a file of at most ``largest`` bytes; errors as :func:`read_json`."""
+    with open_regular(path) as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        raise DocumentError(path, f"is larger than {largest // 2**20} MB, too large to be a document of ours")
+    return content
 
 
 Migration = Callable[[dict[str, object]], dict[str, object]]

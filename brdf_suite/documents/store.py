@@ -11,6 +11,7 @@ anything else nothing is said but that the usual reader must look at it.
 from __future__ import annotations
 
 import dataclasses
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -100,16 +101,17 @@ def quick_paint(value: object) -> Paint | None:
         measurements=measurements,
         gloss=gloss,
         flakes=flakes,
-        interpolation=get("interpolation", "flake"),
+        # Most paints of a palette have the same words here: one copy of each is kept.
+        interpolation=sys.intern(get("interpolation", "flake")),
         near_specular=near,
         illuminant="D65",
         observer_deg=10,
-        notes=notes,
-        source=source,
-        out_of_plane=get("out_of_plane", "aspecular"),
+        notes=sys.intern(notes),
+        source=sys.intern(source),
+        out_of_plane=sys.intern(get("out_of_plane", "aspecular")),
         orange_peel=peel,
         texture=texture,
-        scattering=get("scattering", "multiple"),
+        scattering=sys.intern(get("scattering", "multiple")),
     )
 
 
@@ -152,7 +154,8 @@ def _measurements(items: object) -> tuple[Measurement, ...] | None:
 def _made(kind: type[_T], **fields: Any) -> _T:
     """Return a frozen value of fields that are already checked; every field must be given."""
     value = object.__new__(kind)
-    value.__dict__.update(fields)
+    for name, field in fields.items():
+        object.__setattr__(value, name, field)
     return value
 
 

@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from operator import is_
 
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.colour.flat_colours import flat_labs
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
-from brdf_suite.arrays import Bools, Floats
+from brdf_suite.arrays import Bools, Floats, Indices
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
@@ -129,8 +130,12 @@ class ColumnsWork:
         self._read = np.zeros((count, angles), bool)
         self._gloss = np.full(count, np.nan)
         self._waiting = np.zeros(count, bool)
-        fresh = self._taken_over(known) if known is not None and known.angles_deg == self._angles else None
-        self._take_readings(range(count) if fresh is None else fresh)
+        self.sources: Indices = np.full(count, -1, np.intp)
+        """(n,) the row of ``known`` that each row was taken over from, -1 where there is none."""
+        if known is not None and known.angles_deg == self._angles:
+            self.sources = same_contents(self._entries, known.entries)
+            self._take_over(known)
+        self._take_readings(np.flatnonzero(self.sources < 0).tolist())
         self._todo = np.flatnonzero(self._waiting).tolist()
         self._place = 0
 
@@ -167,13 +172,10 @@ class ColumnsWork:
         """Work out all that is left."""
         self.step(self.left)
 
-    def _taken_over(self, known: Columns) -> list[int]:
-        """Copy the rows of the same paints; return the places of the others."""
-        # The older columns hold their paints, so their addresses are theirs alone.
-        places = {id(entry.content): place for place, entry in enumerate(known.entries)}
-        found = [places.get(id(entry.content)) for entry in self._entries]
-        rows = [row for row, source in enumerate(found) if source is not None]
-        sources = [source for source in found if source is not None]
+    def _take_over(self, known: Columns) -> None:
+        """Copy the rows of the same paints."""
+        rows = self.sources >= 0
+        sources = self.sources[rows]
         for own, older in (
             (self._lab, known.lab),
             (self._read, known.read),
@@ -181,7 +183,6 @@ class ColumnsWork:
             (self._waiting, known.waiting),
         ):
             own[rows] = older[sources]
-        return [row for row, source in enumerate(found) if source is None]
 
     def _take_readings(self, rows: Sequence[int]) -> None:
         flat: list[int] = []
@@ -213,6 +214,32 @@ class ColumnsWork:
                 self._lab[of[near], place] = table[near, 2:]
                 self._read[of[near], place] = True
         self._waiting &= ~self._read.all(axis=1)
+
+
+def same_contents(entries: Sequence[Entry], known: Sequence[Entry]) -> Indices:
+    """Return for each of ``entries`` (n,) a place in ``known`` whose entry has the very same content, -1 for none.
+
+    Most edits leave most entries where they were, or shift those behind one place: they are compared there first. Of a
+    content that is new in one place and known in another the place may be missed where that is taken already.
+    """
+    count, before = len(entries), len(known)
+    found = np.full(count, -1, np.intp)
+    fewer = min(count, before)
+    same = np.fromiter(map(is_, entries, known), bool, fewer)
+    found[:fewer] = np.where(same, np.arange(fewer), -1)
+    if count != before:
+        # From the end: behind what was put in or taken out.
+        same = np.fromiter(map(is_, reversed(entries), reversed(known)), bool, fewer)
+        at_end = np.where(same, np.arange(before - 1, before - 1 - fewer, -1), -1)[::-1]
+        found[count - fewer :] = np.where(at_end >= 0, at_end, found[count - fewer :])
+    rest = np.flatnonzero(found < 0)
+    if len(rest):
+        free = np.ones(before, bool)
+        free[found[found >= 0]] = False
+        # Both hold their contents, so the addresses are theirs alone.
+        places = {id(known[place].content): place for place in np.flatnonzero(free).tolist()}
+        found[rest] = [places.get(id(entries[row].content), -1) for row in rest.tolist()]
+    return found
 
 
 @lru_cache(maxsize=_MOST_KEPT)

@@ -160,14 +160,16 @@ def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Bo
         shown &= in_hue_range(columns.hue, *wanted.hue)
     if wanted.tags:
         asked = {_folded(tag) for tag in wanted.tags}
-        shown &= np.fromiter(
-            (asked <= {_folded(tag) for tag in entry.tags} for entry in columns.entries), bool, len(columns)
-        )
+        # Many entries have the same tags, or the same group: each is looked at once.
+        has = {
+            tags: asked <= {_folded(tag) for tag in tags}
+            for tags in {entry.tags for entry in columns.entries}
+        }
+        shown &= np.fromiter((has[entry.tags] for entry in columns.entries), bool, len(columns))
     if wanted.group:
         depth = len(wanted.group)
-        shown &= np.fromiter(
-            (entry.group[:depth] == wanted.group for entry in columns.entries), bool, len(columns)
-        )
+        inside = {path: path[:depth] == wanted.group for path in {entry.group for entry in columns.entries}}
+        shown &= np.fromiter((inside[entry.group] for entry in columns.entries), bool, len(columns))
     if wanted.text.strip():
         shown &= (texts or Texts(columns.entries)).matching(wanted.text)
     return shown

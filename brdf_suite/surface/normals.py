@@ -14,10 +14,30 @@ from brdf_suite.arrays import Floats, Integers
 
 def face_normals(positions: Floats, triangles: Integers) -> Floats:
     """Return the unit normal of each triangle, (k, 3); zero where it has no area."""
-    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
-    normal = np.cross(b - a, c - a)
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    return np.asarray(np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0))
+    normal = cross_columns(*edge_columns(positions, triangles))
+    length = np.sqrt(np.einsum("ij,ij->j", normal, normal))
+    return np.asarray(np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0).T.copy())
+
+
+def edge_columns(positions: Floats, triangles: Integers) -> tuple[Floats, Floats]:
+    """Return the edges of each triangle from its first corner to the second and to the third, (3, k) each.
+
+    A row for each coordinate: products of them take a fraction of the time that they take of rows of three numbers.
+    """
+    columns = np.ascontiguousarray(positions.T)
+    a, b, c = (columns[:, triangles[:, corner]] for corner in range(3))
+    return b - a, c - a
+
+
+def cross_columns(one: Floats, other: Floats) -> Floats:
+    """Return the cross products (3, k) of vectors (3, k)."""
+    return np.stack([one[i - 2] * other[i - 1] - one[i - 1] * other[i - 2] for i in range(3)])
+
+
+def triangle_areas(positions: Floats, triangles: Integers) -> Floats:
+    """Return the area (k,) of each triangle."""
+    normal = cross_columns(*edge_columns(positions, triangles))
+    return np.asarray(np.sqrt(np.einsum("ij,ij->j", normal, normal)) / 2.0)
 
 
 def weld(positions: Floats) -> Integers:
@@ -45,11 +65,12 @@ def packed(cells: Integers) -> Integers:
 
 def corner_angles(positions: Floats, triangles: Integers) -> Floats:
     """Return the interior angles (k, 3), radians, at the corners of each triangle."""
-    corners = positions[triangles]
-    ahead = np.roll(corners, -1, axis=1) - corners
-    back = np.roll(corners, 1, axis=1) - corners
-    sine = np.linalg.norm(np.cross(ahead, back), axis=2)
-    return np.asarray(np.arctan2(sine, np.einsum("kij,kij->ki", ahead, back)))
+    one, other = edge_columns(positions, triangles)
+    edges = (one, other - one, -other)  # around each triangle
+    normal = cross_columns(one, other)
+    sine = np.sqrt(np.einsum("ij,ij->j", normal, normal))  # times both lengths, the same at each corner
+    cosines = [-np.einsum("ij,ij->j", edges[corner], edges[corner - 1]) for corner in range(3)]
+    return np.stack([np.arctan2(sine, cosine) for cosine in cosines], axis=1)
 
 
 def smooth_edges(triangles: Integers, faces: Floats, crease_deg: float) -> tuple[Integers, Integers]:
@@ -66,8 +87,10 @@ def smooth_edges(triangles: Integers, faces: Floats, crease_deg: float) -> tuple
     low, high = np.where(forward, start, end), np.where(forward, end, start)
     low_corner = np.where(forward, start_corner, end_corner)
     high_corner = np.where(forward, end_corner, start_corner)
-    order = np.lexsort((high, low))
-    same = (low[order][1:] == low[order][:-1]) & (high[order][1:] == high[order][:-1])
+    edges = low * (int(high.max(initial=0)) + 1) + high  # one number for each, which sorts quickly
+    order = np.argsort(edges, kind="stable")
+    edges = edges[order]
+    same = edges[1:] == edges[:-1]
     one, other = order[:-1][same], order[1:][same]
     cosine = np.einsum("ij,ij->i", faces[one // 3], faces[other // 3])
     joined = cosine >= np.cos(np.radians(crease_deg))
@@ -112,11 +135,10 @@ def corner_normals(positions: Floats, triangles: Integers, welded: Integers, cre
 def is_inside_out(positions: Floats, triangles: Integers, welded: Integers) -> bool:
     """Return whether the mesh is closed, wound one way throughout, and encloses a negative volume."""
     places = welded[triangles]
-    directed = np.stack([places.reshape(-1), np.roll(places, -1, axis=1).reshape(-1)], axis=1)
-    ahead = directed[np.lexsort(directed.T[::-1])]
-    back = directed[:, ::-1]
-    back = back[np.lexsort(back.T[::-1])]
-    if not np.array_equal(ahead, back):
+    start, end = places.reshape(-1), np.roll(places, -1, axis=1).reshape(-1)
+    count = int(places.max(initial=0)) + 1
+    if not np.array_equal(np.sort(start * count + end), np.sort(end * count + start)):
         return False
-    a, b, c = (positions[triangles[:, corner]] - positions.mean(axis=0) for corner in range(3))
-    return bool(np.einsum("ij,ij->", a, np.cross(b, c)) < 0.0)
+    columns = np.ascontiguousarray((positions - positions.mean(axis=0)).T)
+    a, b, c = (columns[:, triangles[:, corner]] for corner in range(3))
+    return bool(np.einsum("ij,ij->", a, cross_columns(b, c)) < 0.0)

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from brdf_suite.documents.view_settings import MATERIALS, Material
+from brdf_suite.surface.normals import triangle_areas
 from brdf_suite.surface.repair import ForeignLook, RawPart
 
 # In order: the first row with a word that a name begins a word with decides. Paint comes first, since
@@ -76,7 +77,7 @@ def named_material(material: str, part: str) -> Material | None:
 
 @dataclass
 class _Group:
-    """Parts of one look, and their area."""
+    """Parts of one look, and their area where it is asked for."""
 
     look: ForeignLook
     parts: list[int]
@@ -94,7 +95,6 @@ def guess_materials(parts: Sequence[RawPart]) -> list[RawPart]:
         if words[number] is None:
             group = groups.setdefault(part.look, _Group(part.look, []))
             group.parts.append(number)
-            group.area += _area(part)
     for found, group in zip(_paints(parts, words, list(groups.values())), groups.values(), strict=True):
         for number in group.parts:
             words[number] = found
@@ -105,6 +105,11 @@ def _paints(
     parts: Sequence[RawPart], words: Sequence[Material | None], groups: list[_Group]
 ) -> list[Material]:
     """Return paint, second paint or neutral for each group of parts that neither name nor look has sorted."""
+    named = any(word == "paint" for word in words)
+    if len(groups) <= (0 if named else 1):
+        return ["paint"] * len(groups)  # whatever their areas are
+    for group in groups:
+        group.area = sum(_area(parts[number]) for number in group.parts)
     by_name: dict[ForeignLook, float] = defaultdict(float)
     for part, word in zip(parts, words, strict=True):
         if word == "paint":
@@ -112,11 +117,9 @@ def _paints(
     if by_name:
         paint = max(by_name, key=lambda look: by_name[look])
         area = sum(by_name.values())
-    elif groups:
+    else:
         largest = max(groups, key=lambda group: group.area)
         paint, area = largest.look, largest.area
-    else:
-        return []
     found: list[Material] = []
     for group in groups:
         look = group.look
@@ -157,8 +160,9 @@ def _same_colour(look: ForeignLook, paint: ForeignLook) -> bool:
 
 def _area(part: RawPart) -> float:
     """Return the area of the triangles that can be drawn, in the file's unit."""
-    inside = ((part.triangles >= 0) & (part.triangles < len(part.positions))).all(axis=1)
-    a, b, c = (part.positions[part.triangles[inside, corner]] for corner in range(3))
+    triangles = part.triangles
+    if not 0 <= triangles.min(initial=0) <= triangles.max(initial=0) < len(part.positions):
+        triangles = triangles[((triangles >= 0) & (triangles < len(part.positions))).all(axis=1)]
     with np.errstate(all="ignore"):
-        sizes = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return float(sizes[np.isfinite(sizes)].sum()) / 2.0
+        sizes = triangle_areas(part.positions, triangles)
+    return float(sizes[np.isfinite(sizes)].sum())

@@ -19,7 +19,17 @@ import numpy as np
 from brdf_suite.arrays import AnyArray, Bools, Floats, Integers
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, used_numbers, weld
+from brdf_suite.surface.normals import (
+    corner_normals,
+    cross_columns,
+    edge_columns,
+    face_normals,
+    is_inside_out,
+    packed,
+    triangle_areas,
+    used_numbers,
+    weld,
+)
 
 MILLIMETRES = 1000.0
 _EVEN = 2.0
@@ -32,18 +42,18 @@ def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats
     The singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs`` per unit
     of ``positions``.
     """
-    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
-    along = b - a
-    base = np.linalg.norm(along, axis=1)
-    x_axis = along / base[:, None]
-    other = c - a
-    shear = np.einsum("ij,ij->i", other, x_axis)
-    height = np.linalg.norm(other - shear[:, None] * x_axis, axis=1)
-    uv_along = (uvs[triangles[:, 1]] - uvs[triangles[:, 0]]) / base[:, None]
-    uv_up = (uvs[triangles[:, 2]] - uvs[triangles[:, 0]] - shear[:, None] * uv_along) / height[:, None]
+    along, other = edge_columns(positions, triangles)
+    base = np.sqrt(np.einsum("ij,ij->j", along, along))
+    x_axis = along / base
+    shear = np.einsum("ij,ij->j", other, x_axis)
+    up = other - shear * x_axis
+    height = np.sqrt(np.einsum("ij,ij->j", up, up))
+    uv_along, uv_other = edge_columns(uvs, triangles)
+    uv_along = uv_along / base
+    uv_up = (uv_other - shear * uv_along) / height
     # Singular values of the 2×2 matrix with these columns.
-    total = (uv_along**2).sum(axis=1) + (uv_up**2).sum(axis=1)
-    area = np.abs(uv_along[:, 0] * uv_up[:, 1] - uv_along[:, 1] * uv_up[:, 0])
+    total = np.einsum("ij,ij->j", uv_along, uv_along) + np.einsum("ij,ij->j", uv_up, uv_up)
+    area = np.abs(uv_along[0] * uv_up[1] - uv_along[1] * uv_up[0])
     root = np.sqrt(np.maximum(total * total - 4.0 * area * area, 0.0))
     return np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
 
@@ -56,8 +66,7 @@ def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> F
     if not np.isfinite(uvs).all():
         return None
     smallest, largest = stretch(positions, triangles, uvs)
-    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    area = triangle_areas(positions, triangles)
     middle = np.sqrt(smallest * largest)
     order = np.argsort(middle)
     half = np.searchsorted(np.cumsum(area[order]), area.sum() / 2.0)
@@ -169,16 +178,15 @@ def _drawable(raw: RawPart, notes: list[str]) -> Integers:
         notes.append(f"{raw.name}: left out {_count(~present)} with corners that are not in the file")
         triangles = triangles[present]
     # Beyond 1e12 m single precision has nothing left to draw with.
-    sound: Bools = np.all(np.abs(raw.positions) < 1e12, axis=1)
-    if not sound.all() and not sound[triangles].all():
+    extent = np.abs(raw.positions)
+    if not (extent < 1e12).all() and not (sound := np.all(extent < 1e12, axis=1))[triangles].all():
         finite: Bools = np.all(sound[triangles], axis=1)
         notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
         triangles = triangles[finite]
-    a, b, c = (raw.positions[triangles[:, corner]] for corner in range(3))
-    edges = a - c, b - a, c - b
-    longest = np.maximum.reduce([np.einsum("kj,kj->k", edge, edge) for edge in edges])
-    doubled = np.linalg.norm(np.cross(edges[0], edges[1]), axis=1)
-    flat = doubled <= 1e-10 * longest
+    one, other = edge_columns(raw.positions, triangles)
+    longest = np.maximum.reduce([np.einsum("jk,jk->k", edge, edge) for edge in (one, other, other - one)])
+    normal = cross_columns(one, other)
+    flat = np.sqrt(np.einsum("jk,jk->k", normal, normal)) <= 1e-10 * longest
     if flat.any():
         notes.append(f"{raw.name}: left out {_count(flat)} without area")
         triangles = triangles[~flat]
@@ -195,7 +203,7 @@ def _given_normals(raw: RawPart, used: Integers) -> Floats | None:
     if raw.normals is None or raw.normals.shape != raw.positions.shape:
         return None
     normals = np.where(np.isfinite(raw.normals[used]), raw.normals[used], 0.0)
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    length = np.sqrt(np.einsum("ij,ij->i", normals, normals))[:, None]
     good = (length > 1e-6) & (length < 1e12)
     if good.mean() < 0.5:
         return None
@@ -231,12 +239,27 @@ def split_corners(
     """
     vertices, normals = triangles.reshape(-1), corners.reshape(-1, 3)
     facing = packed(np.round(normals * 1e6).astype(np.int64) + 1_000_000)
-    order = np.lexsort((facing, vertices))
+    # Most vertices have one normal, and are not sorted: in reverse, the first corner of each is written last.
+    first_of = np.full(len(positions), -1, np.int64)
+    first_of[vertices[::-1]] = np.arange(len(vertices) - 1, -1, -1)
+    several = np.zeros(len(positions), np.bool_)
+    several[vertices[facing != facing[first_of[vertices]]]] = True
+    corner = np.flatnonzero(several[vertices])
+    order = corner[np.lexsort((facing[corner], vertices[corner]))]
     starts = np.ones(len(order), np.bool_)
     starts[1:] = (np.diff(vertices[order]) != 0) | (np.diff(facing[order]) != 0)
-    flat = np.empty(len(order), np.int64)
-    flat[order] = np.cumsum(starts) - 1
-    first = order[starts]
+    counts = (first_of >= 0).astype(np.int64)
+    counts[several] = np.bincount(vertices[order[starts]], minlength=len(positions))[several]
+    begins = np.cumsum(counts) - counts
+    flat = begins[vertices]
+    # Those of one vertex are numbered from its first.
+    among = np.cumsum(starts) - 1
+    new = np.flatnonzero(np.diff(vertices[order], prepend=-1))
+    flat[order] += among - np.repeat(among[new], np.diff(np.append(new, len(order))))
+    first = np.empty(int(counts.sum()), np.int64)
+    plain = np.flatnonzero((first_of >= 0) & ~several)
+    first[begins[plain]] = first_of[plain]
+    first[flat[order[starts]]] = order[starts]
     kept = vertices[first]
     return positions[kept], flat.reshape(-1, 3), normals[first], kept
 

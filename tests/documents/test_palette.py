@@ -315,3 +315,31 @@ def test_a_killed_writer_and_a_full_disk_leave_the_old_palette(tmp_path: Path) -
     assert load_palette(path) == palette()
     assert run("").returncode == 0
     assert load_palette(path).name == "new"
+
+
+def test_entries_of_a_file_share_their_words_and_have_no_dictionaries(tmp_path: Path) -> None:
+    blue = replace(BLUE.content, source="Of the same shelf", notes="As delivered")
+    path = tmp_path / "many.brdfpalette"
+    entries = [Entry(blue, id=str(n), group=("Dark",), tags=("metallic", "trial")) for n in range(20)]
+    save_palette(Palette("Many", tuple(entries)), path)
+    read = load_palette(path)
+    assert read.entries == tuple(entries)
+    for name in ("source", "notes", "interpolation", "scattering"):
+        assert len({id(getattr(entry.content, name)) for entry in read}) == 1, name
+    for name in ("group", "tags"):
+        assert len({id(getattr(entry, name)) for entry in read}) == 1, name
+    one = read.entries[0]
+    assert isinstance(one.content, type(blue))
+    for value in (one, one.content, one.content.gloss, *one.content.measurements):
+        assert not hasattr(value, "__dict__")
+
+
+def test_an_entry_takes_the_place_of_one_with_its_id_alone() -> None:
+    palette = Palette("Some", (replace(BLUE, id="a"), replace(BLUE, id="b")))
+    changed = palette.with_entries({1: replace(BLUE, id="b", code="B", group=("Outer", "Inner"))})
+    assert changed == replace(palette, entries=changed.entries, groups=changed.groups)
+    assert [group.path for group in changed.groups][-2:] == [("Outer",), ("Outer", "Inner")]
+    assert changed.entry("b").code == "B"
+    with pytest.raises(ValueRangeError, match="expected the id 'a'") as refused:
+        palette.with_entries({0: replace(BLUE, id="c")})
+    assert refused.value.place == "entries[0].id"

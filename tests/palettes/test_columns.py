@@ -17,7 +17,8 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.errors import Cancelled, ValueRangeError
-from brdf_suite.palettes.columns import Columns, ColumnsWork, labs_of
+from brdf_suite.palettes import order
+from brdf_suite.palettes.columns import Columns, ColumnsWork, labs_of, same_contents
 from brdf_suite.palettes.duplicates import _WEIGHTS, duplicates
 from brdf_suite.palettes.order import ORDERS, hue_path, ordered, path_length
 from brdf_suite.palettes.search import (
@@ -332,3 +333,29 @@ def test_a_chain_is_reported_and_copies_are_found_at_no_tolerance() -> None:
 
     with pytest.raises(Cancelled):
         duplicates(columns, 1.0, stop)
+
+
+@given(
+    st.lists(st.integers(0, 12), max_size=12),
+    st.lists(st.integers(0, 12), max_size=12),
+)
+def test_the_same_contents_are_found_wherever_they_went(before: list[int], after: list[int]) -> None:
+    paints = [solid_paint(str(n), (50.0, 0.0, 0.0)) for n in range(13)]
+    # Each once on either side: of copies a place may be missed.
+    known = [Entry(paints[n]) for n in dict.fromkeys(before)]
+    entries = [Entry(paints[n], code="changed" if n % 2 else "") for n in dict.fromkeys(after)]
+    entries = [next((k for k in known if k == entry), entry) for entry in entries]
+    found = same_contents(entries, known)
+    wanted = [next((p for p, k in enumerate(known) if k.content is e.content), -1) for e in entries]
+    assert found.tolist() == wanted
+
+
+@pytest.mark.parametrize("descending", [False, True])
+def test_an_order_by_name_is_stable_over_its_runs(descending: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(order, "_RUN", 7)
+    names = [("", "Blue 10", "blue 2", "Äther", "Azur", "Blue 2")[n * n % 6] for n in range(60)]
+    entries = [Entry(FlatColour(name, "Gray", (0.5,)), id=str(n)) for n, name in enumerate(names)]
+    named = [place for place, name in enumerate(names) if name]
+    wanted = sorted(named, key=lambda place: order.natural(names[place]), reverse=descending)
+    wanted += [place for place, name in enumerate(names) if not name]
+    assert ordered(Columns.of(entries), "name", descending=descending).tolist() == wanted

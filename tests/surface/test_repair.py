@@ -9,7 +9,14 @@ from hypothesis import strategies as st
 from meshes.forms import sphere
 
 from brdf_suite.surface.normals import corner_angles, corner_normals, face_normals, is_inside_out, weld
-from brdf_suite.surface.repair import RawPart, box_uvs, repair, stretch, uvs_in_millimetres
+from brdf_suite.surface.repair import (
+    RawPart,
+    box_uvs,
+    repair,
+    split_corners,
+    stretch,
+    uvs_in_millimetres,
+)
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CUBE_TRIANGLES = np.array(
@@ -143,3 +150,27 @@ def test_a_fan_of_a_hundred_thousand_triangles_is_no_trouble() -> None:
     assert part is not None
     tip = np.flatnonzero(part.positions[:, 1] > 0.09)
     np.testing.assert_allclose(part.normals[tip], [[0.0, 1.0, 0.0]] * len(tip), atol=1e-4)
+
+
+def test_vertices_are_split_by_their_normals_in_their_order() -> None:
+    rng = np.random.default_rng(5)
+    positions = rng.normal(size=(40, 3))
+    triangles = rng.integers(0, 38, (90, 3))
+    directions = np.eye(3)
+    corners = directions[rng.integers(0, 3, (90, 3)) * (triangles % 3 == 0)]
+    made, indices, normals, kept = split_corners(positions, triangles, corners)
+    assert np.array_equal(made, positions[kept])
+    assert np.array_equal(kept[indices], triangles)
+    assert np.array_equal(normals[indices], corners)
+    pairs = np.column_stack([triangles.reshape(-1), corners.reshape(-1, 3)])
+    assert len(kept) == len(np.unique(pairs, axis=0))
+    assert np.array_equal(kept, np.sort(kept))
+
+
+def test_edges_between_many_faces_join_them_in_turn() -> None:
+    # Three faces in one plane about the edge 0-1, and one at a right angle.
+    positions = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [2, 0, 0], [3, 0, 0], [0, 1, 0]], float)
+    triangles = np.array([[0, 1, 2], [0, 1, 3], [0, 1, 4], [1, 0, 5]])
+    normals = corner_normals(positions, triangles, np.arange(6), 40.0)
+    assert normals[:3] == pytest.approx(np.tile([0.0, 1.0, 0.0], (3, 3, 1)))
+    assert abs(normals[3, 0, 0]) == pytest.approx(1.0)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 from threading import Event
 
 import pytest
@@ -46,7 +48,7 @@ def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> No
     gates, begun = [Event(), Event()], []
     real = autosave.encode_autosave
 
-    def held(request, progress) -> bytes:
+    def held(request, progress) -> Iterator[str]:
         begun.append(request[1].name)
         assert gates[len(begun) - 1].wait(120)
         return real(request, progress)
@@ -73,15 +75,15 @@ def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path,
     store, recovery, tasks, _failed = kept
     gate, real = Event(), autosave.encode_autosave
 
-    def held(request, progress) -> bytes:
+    def held(request, progress) -> Iterator[str]:
         assert gate.wait(120)
         return real(request, progress)
 
     monkeypatch.setattr(autosave, "encode_autosave", held)
-    written: list[bytes] = []
-    put = recovery.write_encoded
+    written: list[Path] = []
+    put = recovery.take_draft
     monkeypatch.setattr(
-        recovery, "write_encoded", lambda content, **how: (written.append(content), put(content, **how))
+        recovery, "take_draft", lambda draft, **how: (written.append(draft), put(draft, **how))
     )
     store.set(replace(store.value, name="Old"), "rename")
     recovery.write_in_background()
@@ -92,6 +94,7 @@ def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path,
     qtbot.waitUntil(lambda: not tasks.busy)
     assert len(written) == 1
     assert recovery.saved().value.name == "New"
+    assert not list(recovery.folder.glob("*.tmp"))
 
 
 def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> None:
@@ -106,7 +109,7 @@ def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> N
 
 def test_a_write_failure_and_its_end_are_reported(kept, qtbot) -> None:
     store, recovery, _tasks, failed = kept
-    blocked = recovery.file.with_suffix(".tmp")
+    blocked = recovery.file
     blocked.mkdir()
     store.set(replace(store.value, name="Changed"), "rename")
     qtbot.waitUntil(lambda: bool(failed))

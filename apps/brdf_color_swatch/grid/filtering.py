@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 from brdf_qt.program.translation import decimal, tr
@@ -20,6 +19,9 @@ from brdf_suite.progress import Progress
 MOST_NEAREST = 500
 _MANY = 400
 """From so many on, a path through the colours and duplicates are worked out in the background."""
+_MANY_TEXTS = 5_000
+"""From so many on, orders by a text and the first search are worked out in the background."""
+_TEXT_ORDERS = ("name", "code", "tags", "date")
 _ORDERS = {"hue": "hue path"}
 
 
@@ -27,8 +29,12 @@ def is_slow(rows: Rows, state: PaneState) -> bool:
     """Whether :func:`filter_and_sort` would block the window: a slow order or search that is not yet cached."""
     if len(rows) < _MANY:
         return False
-    slow_order = state.sort == "hue" and _order_key(state) not in rows.kept
-    return slow_order or (state.duplicates is not None and ("alike", state.duplicates) not in rows.kept)
+    slow = state.sort == "hue" or (len(rows) >= _MANY_TEXTS and state.sort in _TEXT_ORDERS)
+    if slow and _order_key(state) not in rows.kept:
+        return True
+    if len(rows) >= _MANY_TEXTS and state.text.strip() and not rows.has_texts:
+        return True
+    return state.duplicates is not None and ("alike", state.duplicates) not in rows.kept
 
 
 def filter_and_sort(rows: Rows, state: PaneState, progress: Progress | None = None) -> VisibleRows:
@@ -39,8 +45,8 @@ def filter_and_sort(rows: Rows, state: PaneState, progress: Progress | None = No
     if state.duplicates is not None:
         return _duplicates(rows, state, inside, progress)
     if state.sort in ("own", "nearest"):
-        places, parts = by_group(rows, np.flatnonzero(inside).tolist())
-        return VisibleRows(rows, tuple(places), parts)
+        places, parts = by_group(rows, np.flatnonzero(inside))
+        return VisibleRows(rows, tuple(places.tolist()), parts)
     order = _order(rows, state)
     places = order[inside[order]].tolist()
     return VisibleRows(rows, tuple(places), (Part("", 0, len(places)),))
@@ -52,19 +58,24 @@ def filter_of(state: PaneState) -> Filter:
     return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)
 
 
-def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, ...]]:
+def by_group(rows: Rows, places: np.ndarray) -> tuple[np.ndarray, tuple[Part, ...]]:
     """Return places and headings, group by group in the order in which the groups come; those of none first."""
-    members: dict[tuple[str, ...], list[int]] = {(): []}
-    for place in places:
-        members.setdefault(rows.entries[place].group, []).append(place)
-    order: list[int] = []
+    of, paths = rows.groups
+    found, first, inverse, counts = np.unique(
+        of[places], return_index=True, return_inverse=True, return_counts=True
+    )
+    without = np.array([not paths[group] for group in found.tolist()], bool)
+    order = np.lexsort((first, ~without))
+    rank = np.empty(len(order), np.intp)
+    rank[order] = np.arange(len(order))
     parts: list[Part] = []
-    for path, inside in members.items():
-        if inside:
-            title = group_title(path) if path else (tr("Ungrouped") if len(members) > 1 else "")
-            parts.append(Part(title, len(order), len(inside)))
-            order.extend(inside)
-    return order, tuple(parts)
+    start = 0
+    for group, count in zip(found[order].tolist(), counts[order].tolist(), strict=True):
+        path = paths[group]
+        title = group_title(path) if path else (tr("Ungrouped") if len(found) > 1 else "")
+        parts.append(Part(title, start, count))
+        start += count
+    return places[np.argsort(rank[inverse], kind="stable")], tuple(parts)
 
 
 def _nearest(rows: Rows, state: PaneState, inside: np.ndarray) -> VisibleRows:

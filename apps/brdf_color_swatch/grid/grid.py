@@ -310,6 +310,9 @@ class SwatchGrid(QAbstractItemView):
     def _selection(self, rows: list[int]) -> QItemSelection:
         """Return runs of rows as ranges: ten thousand single ones would take a second."""
         selection, model, last = QItemSelection(), self.model(), self.model().columnCount() - 1
+        if rows and rows[-1] - rows[0] == len(rows) - 1:  # they rise
+            selection.select(model.index(rows[0], 0), model.index(rows[-1], last))
+            return selection
         start = 0
         for place in range(1, len(rows) + 1):
             if place == len(rows) or rows[place] != rows[place - 1] + 1:
@@ -329,6 +332,8 @@ class SwatchGrid(QAbstractItemView):
     def selected_rows(self) -> list[int]:
         """Return the rows that are selected, in their order; from ranges, as an index for each of many takes long."""
         ranges = _ranges(self.selectionModel().selection())
+        if len(ranges) == 1:
+            return list(range(ranges[0].top(), ranges[0].bottom() + 1))
         return sorted({row for one in ranges for row in range(one.top(), one.bottom() + 1)})
 
     def visualRegionForSelection(self, selection: QItemSelection) -> QRegion:

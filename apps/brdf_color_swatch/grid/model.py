@@ -91,6 +91,11 @@ class SwatchModel(QAbstractTableModel):
     def id_at(self, row: int) -> str:
         return self.shown.rows.ids[self.shown.places[row]]
 
+    def ids_at(self, rows: Sequence[int]) -> tuple[str, ...]:
+        """Return the ids of rows, in their order."""
+        ids, places = self.shown.rows.ids, self.shown.places
+        return tuple(map(ids.__getitem__, map(places.__getitem__, rows)))
+
     def row_of(self, key: str) -> int | None:
         if self._by_id is None:
             ids = self.shown.rows.ids

@@ -156,7 +156,7 @@ class Pane(QFrame):
         """Show these swatches; what was selected stays so where it is still there, and so does the place."""
         current = self.grid.currentIndex()
         key = self.model.id_at(current.row()) if current.isValid() else ""
-        kept = [self.model.id_at(row) for row in self.grid.selected_rows()]
+        kept = self.model.ids_at(self.grid.selected_rows())
         top = self.grid.verticalScrollBar().value()
         top_list = self.list.verticalScrollBar().value()
         self._quiet = True
@@ -332,9 +332,9 @@ class Pane(QFrame):
         )
 
     def _report_selected(self) -> None:
-        self.new_palette.setVisible(bool(self.grid.selected_rows()))
+        self.new_palette.setVisible(self.grid.selectionModel().hasSelection())
         if not self._quiet:
-            self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
+            self.selected.emit(self.model.ids_at(self.grid.selected_rows()))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):

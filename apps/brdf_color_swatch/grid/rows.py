@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,7 +15,7 @@ from brdf_color_swatch.grid.tile import Tile
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
 from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.palette import Entry, GroupPath
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, ColumnsWork
 from brdf_suite.palettes.search import Texts
 from brdf_suite.progress import Progress
@@ -60,6 +61,23 @@ class Rows:
         return display_notes([e.content for e in self.entries if isinstance(e.content, FlatColour)])
 
     @cached_property
+    def groups(self) -> tuple[np.ndarray, tuple[GroupPath, ...]]:
+        """Which group each entry is in: (n,) places in the paths of the groups, in the order in which they come."""
+        places: dict[GroupPath, int] = {}
+        of = [places.setdefault(entry.group, len(places)) for entry in self.entries]
+        return np.array(of, np.intp), tuple(places)
+
+    @cached_property
+    def tag_counts(self) -> Counter[str]:
+        """How many entries have each tag."""
+        found: Counter[str] = Counter()
+        # Many entries have the same tags: the sets of them are counted first.
+        for tags, count in Counter(entry.tags for entry in self.entries).items():
+            for tag in tags:
+                found[tag] += count
+        return found
+
+    @cached_property
     def has_codes(self) -> bool:
         return any(entry.code for entry in self.entries)
 
@@ -68,9 +86,14 @@ class Rows:
         """The words to search by, folded once."""
         return Texts(self.entries)
 
+    @property
+    def has_texts(self) -> bool:
+        """Whether the words to search by are folded already."""
+        return "texts" in vars(self)
+
     @cached_property
     def ids(self) -> tuple[str, ...]:
-        return tuple(entry.id for entry in self.entries)
+        return tuple([entry.id for entry in self.entries])
 
     def __len__(self) -> int:
         return len(self.entries)
@@ -158,11 +181,9 @@ def rows_of(entries: Sequence[Entry], before: Rows | None = None) -> Rows:
     work = ColumnsWork(entries, known=None if before is None else before.columns)
     columns = work.columns
     codes = np.empty((len(columns), 3, 3), np.uint8)
-    known = {} if before is None else {id(e.content): place for place, e in enumerate(before.entries)}
-    places = np.fromiter((known.get(id(e.content), -1) for e in columns.entries), int, len(columns))
-    kept = places >= 0
+    kept = work.sources >= 0
     if before is not None:
-        codes[kept] = before.codes[places[kept]]
+        codes[kept] = before.codes[work.sources[kept]]
     codes[~kept] = codes_of(columns.main[~kept])
     return Rows(columns, codes)
 

@@ -7,7 +7,7 @@ places in that list.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -69,6 +69,9 @@ class PaletteRecovery(Recovery[Palette]):
         self._key = f"autosave {id(self)}"
         self._texts: _Texts = {}
         self._encodes = self._encode_again = False
+        self._drafts = 0
+        self._draft: Path | None = None
+        """What a thread writes now, or has written."""
         store.clean_changed.connect(self._saved)
         self.timer.timeout.disconnect(self.write)
         self.timer.timeout.connect(self.write_in_background)
@@ -113,7 +116,7 @@ class PaletteRecovery(Recovery[Palette]):
         return super().write()
 
     def _write(self) -> None:
-        self._replace(self.file, encode_autosave(self._request(), lambda *_: None))
+        self._write_now(self.file)
 
     @property
     def _keeps_saved(self) -> bool:
@@ -121,20 +124,26 @@ class PaletteRecovery(Recovery[Palette]):
 
     def _write_saved(self) -> None:
         if self._keeps_saved:
-            self._replace(self._saved_file, encode_autosave(self._request(), lambda *_: None))
+            self._write_now(self._saved_file)
         else:
             self._saved_file.unlink(missing_ok=True)
 
     def _read_history(self, _content: Any, _value: Palette, _file: Path) -> None:
         """Leave the history where it is until :meth:`kept` is asked for it: that of a large palette takes long."""
 
-    def _replace(self, file: Path, content: bytes) -> None:
-        draft = file.with_suffix(".tmp")
-        draft.write_bytes(content)
-        draft.replace(file)
+    def _write_now(self, file: Path) -> None:
+        write_draft((self._request(), self._new_draft()), lambda *_: None).replace(file)
+
+    def _new_draft(self) -> Path:
+        # One that was dropped may still be being written.
+        self._drafts += 1
+        return self.file.with_suffix(f".{self._drafts}.tmp")
 
     def _drop(self) -> None:
         self._tasks.cancel(self._key)
+        if self._draft is not None:
+            self._draft.unlink(missing_ok=True)
+            self._draft = None
         self._encodes = self._encode_again = False
 
     def _saved(self, clean: bool) -> None:
@@ -168,21 +177,26 @@ class PaletteRecovery(Recovery[Palette]):
             self._encode_again = True
             return
         self._encodes = True
-        request = self._request()
+        request, self._draft = self._request(), self._new_draft()
         self._tasks.submit(
             self._key,
-            encode_autosave,
-            request,
-            lambda content: self._on_encoded(content, saved=request[1] is None),
+            write_draft,
+            (request, self._draft),
+            lambda draft: self._on_encoded(draft, saved=request[1] is None),
             self._on_encoding_failed,
         )
 
-    def _on_encoded(self, content: bytes, *, saved: bool) -> None:
-        self.write_encoded(content, saved=saved)
+    def _on_encoded(self, draft: Path, *, saved: bool) -> None:
+        self.take_draft(draft, saved=saved)
+        self._draft = None
         self._encode_next()
 
     def _on_encoding_failed(self, error: Exception) -> None:
-        self._failed(error)
+        if isinstance(error, OSError):
+            self._report_unwritten(error, self.file)
+        else:
+            self._failed(error)
+        self._draft = None
         self._encode_next()
 
     def _encode_next(self) -> None:
@@ -190,32 +204,60 @@ class PaletteRecovery(Recovery[Palette]):
         if wants and not self._closed:
             self.write_in_background()
 
-    def write_encoded(self, content: bytes, *, saved: bool = False) -> None:
-        """Write what was encoded: here, so that it never comes after the file was removed because all is saved.
+    def take_draft(self, draft: Path, *, saved: bool = False) -> None:
+        """Make a draft the autosave: here, so that it never comes after the file was removed because all is saved.
 
         ``saved``: it is the history of a saved palette.
         """
         if self._closed or self._store.is_clean is not saved:
+            draft.unlink(missing_ok=True)
             return
         file, other = (self._saved_file, self.file) if saved else (self.file, self._saved_file)
+        self._hold_lock()
         try:
-            self._replace(file, content)
+            draft.replace(file)
             other.unlink(missing_ok=True)
         except OSError as error:
-            reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
-            self._fails = True
-            self._failed(FileError(file, reason))
+            draft.unlink(missing_ok=True)
+            self._report_unwritten(error, file)
             return
         if self._fails:
             self._fails = False
             self.written_again.emit()
 
+    def _report_unwritten(self, error: OSError, file: Path) -> None:
+        reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
+        self._fails = True
+        self._failed(FileError(file, reason))
+
+    def close(self, *, keep: bool) -> None:
+        self._drop()
+        super().close(keep=keep)
+
 
 _Request = tuple[dict[str, Any], Palette | None, KeptPalette, _Texts]
 
 
-def encode_autosave(request: _Request, progress: Progress) -> bytes:
-    """Return the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
+_AT_ONCE = 1000
+"""Entries whose texts are handed out together: of a hundred thousand the whole text would be 200 MB."""
+
+
+def write_draft(request: tuple[_Request, Path], progress: Progress) -> Path:
+    """Write an autosave's content to a file beside it, and return its path; none stays where that is cancelled."""
+    content, draft = request
+    try:
+        with draft.open("wb") as file:
+            for part in encode_autosave(content, progress):
+                file.write(part.encode("utf-8"))
+        progress(1.0, "")
+    except BaseException:
+        draft.unlink(missing_ok=True)
+        raise
+    return draft
+
+
+def encode_autosave(request: _Request, progress: Progress) -> Iterator[str]:
+    """Yield the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
     head, palette, kept, known = request
     progress(0.0, "")
     used: _Texts = {}
@@ -228,27 +270,33 @@ def encode_autosave(request: _Request, progress: Progress) -> bytes:
         used[id(entry)] = found
         return found[1]
 
+    def list_of(entries: Sequence[Entry]) -> Iterator[str]:
+        for start in range(0, len(entries), _AT_ONCE):
+            progress(0.5, "")  # here it ends where it is cancelled
+            yield (", " if start else "[") + ", ".join(map(text_of, entries[start : start + _AT_ONCE]))
+        yield "]" if entries else "[]"
+
     with without_collection():
-        parts = [_dumps(head)[:-1]]
+        yield _dumps(head)[:-1]
         if palette is not None:
-            entries = ", ".join(map(text_of, palette.entries))
-            parts.append(f', "document": {_around(palette)[:-1]}, "entries": [{entries}]}}')
-        table: list[str] = []
+            yield f', "document": {_around(palette)[:-1]}, "entries": '
+            yield from list_of(palette.entries)
+            yield "}"
+        table: list[Entry] = []
         rows = []
         for name, state in kept.history.states:
             for entry in state.entries:
                 if id(entry) not in places:
                     places[id(entry)] = len(table)
-                    table.append(text_of(entry))
+                    table.append(entry)
             numbers = [places[id(entry)] for entry in state.entries]
             rows.append(f"[{_dumps(name)}, {_around(state)}, {_dumps(_runs(numbers))}]")
         numbers_of = {"place": kept.history.place, "saved": kept.history.saved, "marks": kept.marks}
-        parts.append(f', "history": {_dumps(numbers_of)[:-1]}, "entries": [{", ".join(table)}]')
-        parts.append(f', "states": [{", ".join(rows)}]}}}}')
-        content = "".join(parts).encode("utf-8")
+        yield f', "history": {_dumps(numbers_of)[:-1]}, "entries": '
+        yield from list_of(table)
+        yield f', "states": [{", ".join(rows)}]}}}}'
     known.clear()
     known.update(used)
-    return content
 
 
 def _around(palette: Palette) -> str:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
 
@@ -152,7 +153,11 @@ class Library(QObject):
 
     def remove_item(self, key: str) -> None:
         """Remove a line without asking; its autosave stays."""
-        del self._items[key]
+        opened = self._items.pop(key).palette
+        if opened is not None:
+            # They live as long as the library otherwise, with every state of the history.
+            for part in (opened.watch, opened.recovery, opened.files, opened.store):
+                part.deleteLater()
         self.items_changed.emit()
 
     def add_palette(
@@ -197,7 +202,7 @@ class Library(QObject):
         store.clean_changed.connect(lambda _clean: self.items_changed.emit())
         store.path_changed.connect(lambda new: self._moved(item, new))
         watch.changed.connect(lambda _path: self._on_file_changed(item))
-        watch.watch("" if path is None else str(path))
+        watch.watch("" if path is None else str(path), stamp)
         self.items_changed.emit()
         self.palette_changed.emit(item.key)
         self._finish_rows(item)
@@ -240,7 +245,11 @@ class Library(QObject):
     def _any_files(self) -> DocumentFiles[Palette]:
         """Return the file dialogs of any palette, for questions that belong to none."""
         files = (item.palette.files for item in self.items if item.palette is not None)
-        return next(files, None) or DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
+        return next(files, None) or self._files_of_none
+
+    @cached_property
+    def _files_of_none(self) -> DocumentFiles[Palette]:
+        return DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
 
     def edit(self, name: str, *edits: tuple[str, Palette]) -> bool:
         """Make each palette another, all of it one step called ``name``; False where nothing changed."""

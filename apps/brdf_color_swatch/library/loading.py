@@ -20,11 +20,12 @@ from brdf_color_swatch.export.dialog import open_filters
 from brdf_color_swatch.grid.rows import Rows, rows_of
 from brdf_color_swatch.library.library import Item, Library
 from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette, without_collection
 from brdf_suite.errors import DocumentError, FileError
 from brdf_suite.progress import Progress
 
 OURS = "brdfpalette"
+_MANY = 1000
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,9 +45,16 @@ def read_palette_file(path: Path, progress: Progress) -> Read:
     # Before the content: a change in between is then asked about once too often, never lost.
     stamp = stamp_of(path)
     progress(0.0, path.name)
-    palette, notes, ours = _content(path)
-    progress(0.8, path.name)
-    return Read(path.absolute(), palette, rows_of(palette.entries), stamp, ours, notes)
+    with without_collection():
+        palette, notes, ours = _content(path)
+        progress(0.8, path.name)
+        rows = rows_of(palette.entries)
+        # The window needs them at once, and would work them out on its own thread.
+        _ = rows.groups, rows.tag_counts, rows.ids, rows.has_codes, rows.notes, palette.by_id
+        if len(palette) >= _MANY:
+            # They live long and are in no cycle: a collection that looks through all of them would hold up the window.
+            gc.freeze()
+    return Read(path.absolute(), palette, rows, stamp, ours, notes)
 
 
 def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
@@ -67,9 +75,6 @@ def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
             raise own from None
         raise
     return read.palette, tuple(read.notes), read.format.name == OURS
-
-
-_MANY = 1000
 
 
 class PaletteLoader:
@@ -119,9 +124,6 @@ class PaletteLoader:
         # What was imported is in its own file still: nothing would be lost with it until it is changed.
         origin = None if read.is_ours else read.path
         self._library.fill(item, read.palette, path, clean=True, stamp=stamp, rows=read.rows, origin=origin)
-        if len(read.palette) >= _MANY:
-            # They live long and are in no cycle: a collection that looks through all of them would hold up a scroll.
-            gc.freeze()
         self._library.remember_file(read.path)
         self._library.settled.emit(f"open {key}")
         if read.notices:

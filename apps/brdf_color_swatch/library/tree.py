@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 
+import numpy as np
 from brdf_qt.fields.form import described
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
@@ -233,7 +234,6 @@ class LibraryTree(QTreeWidget):
 
 def _line_of(item: Item) -> _Line:
     scope = Scope(item.key)
-    palette = item.palette.store.value if item.palette is not None else None
     signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
     tip = str(item.path) if item.path is not None else tr("Not saved to a file")
     if item.read_only:
@@ -245,10 +245,13 @@ def _line_of(item: Item) -> _Line:
     elif item.state == "closed":
         tip = tr("{file}\nNot loaded; select it to load it.").format(file=tip)
     title = item.title[:200]
-    if palette is None:
+    if item.palette is None:
         return _Line(scope, title, tip, "", signs[item.state])
+    palette = item.palette.store.value
+    rows = item.palette.rows
     counts: Counter[tuple[str, ...]] = Counter()
-    for path, number in Counter(entry.group for entry in palette.entries).items():
+    of, paths = rows.groups
+    for path, number in zip(paths, np.bincount(of, minlength=len(paths)).tolist(), strict=True):
         for depth in range(1, len(path) + 1):
             counts[path[:depth]] += number
     # Each group under the group around it, in one pass over all of them.
@@ -271,7 +274,7 @@ def _line_of(item: Item) -> _Line:
             for path in inside.get(around, ())
         )
 
-    tags = Counter(tag for entry in palette.entries for tag in entry.tags)
+    tags = rows.tag_counts
     children = groups(())
     if tags:
         names = [(tag, _with_count(tag, tags[tag])) for tag in sorted(tags, key=str.casefold)]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from datetime import datetime
 
 import numpy as np
@@ -139,24 +139,23 @@ class SwatchPanel(QWidget):
         self.title.setText(title)
         self.title.setVisible(bool(title))
         values = {
-            "name": {entry.name for entry in entries},
-            "code": {entry.code for entry in entries},
-            "tags": {", ".join(entry.tags) for entry in entries},
+            "name": _common(entry.name for entry in entries),
+            "code": _common(entry.code for entry in entries),
+            "tags": _common(", ".join(entry.tags) for entry in entries),
         }
         for key, field in self.fields.items():
-            found = values[key]
-            text = found.pop() if len(found) == 1 else ""
+            text = values[key] or ""
             self._shown[key] = text
             if not (field.hasFocus() and field.isModified()):
                 field.setText(text)
                 field.setCursorPosition(0)
             if key != "tags":
-                field.setPlaceholderText(_VARIOUS if found else "")
+                field.setPlaceholderText(_VARIOUS if entries and values[key] is None else "")
             field.setEnabled(bool(entries))
             field.setReadOnly(read_only)
-        notes = {entry.notes for entry in entries}
-        self.notes.show_text(notes.pop() if len(notes) == 1 else "")
-        self.notes.setPlaceholderText(_VARIOUS if notes else "")
+        notes = _common(entry.notes for entry in entries)
+        self.notes.show_text(notes or "")
+        self.notes.setPlaceholderText(_VARIOUS if entries and notes is None else "")
         self.notes.setEnabled(bool(entries))
         self.notes.setReadOnly(read_only)
         self.chips.show_readings(readings_of(one) if one is not None else [])
@@ -185,6 +184,13 @@ class SwatchPanel(QWidget):
                 watched.setModified(False)
                 return True
         return super().eventFilter(watched, event)
+
+
+def _common(texts: Iterable[str]) -> str | None:
+    """Return the text that all are; None where they differ, which the first that does ends, or where there are none."""
+    found = iter(texts)
+    first = next(found, None)
+    return first if all(text == first for text in found) else None
 
 
 def readings_of(entry: Entry) -> list[tuple[str, tuple[float, float, float]]]:

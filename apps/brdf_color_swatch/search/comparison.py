@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from brdf_qt.fields.form import described, fill_column
 from brdf_qt.fields.labels import PlainLabel
@@ -84,7 +86,7 @@ class ComparePanel(QWidget):
         fill_column(self, self.names, self.pair, self.table, self.figures)
         self.show_entries([])
 
-    def show_entries(self, entries: list[Entry]) -> None:
+    def show_entries(self, entries: Sequence[Entry]) -> None:
         """Show two entries; with any other number, what to do."""
         two = len(entries) == 2
         for widget in (self.pair, self.table, self.figures):
@@ -145,16 +147,16 @@ class PaintComparison(SwatchFeature):
         self.section.toggled.connect(lambda _open: self._show())
         self._show()
 
-    def pair(self) -> list[Entry]:
+    def pair(self) -> tuple[Entry, ...]:
         """Return the two entries that are compared; fewer where there are not two."""
         chosen = self._session.selected_entries
         if len(chosen) == 2 or not self._window.has_two_panes:
-            return chosen if len(chosen) == 2 else []
+            return chosen if len(chosen) == 2 else ()
         left, right = self._session.selected_in(0), self._session.selected_in(1)
         if len(left) == len(right) == 1:
-            return [left[0], right[0]]
+            return (left[0], right[0])
         other = (right, left)[self._session.front]
-        return other if len(other) == 2 and not chosen else []
+        return other if len(other) == 2 and not chosen else ()
 
     def compare(self) -> None:
         self._window.inspector_dock.show()

@@ -286,8 +286,10 @@ class Documents(QObject):
         present = self.with_path(old.store.path) if old.store.path is not None else None
         if present is not None:
             self.show(present)
+            _discard(old)
             return
         # Its autosave ended with its tab.
+        old.recovery.deleteLater()
         old.recovery = self._recovery(old.store)
         old.recovery.write()
         self._insert(old)
@@ -353,10 +355,20 @@ class Documents(QObject):
         self._row.remove(document)
         document.store.end_gesture()
         document.recovery.close(keep=False)
+        gone: OpenDocument | None = document
         if not (for_good or self._is_empty(document)):
-            self._closed = [*self._closed, document][-MOST_CLOSED:]
+            self._closed.append(document)
+            gone = self._closed.pop(0) if len(self._closed) > MOST_CLOSED else None
         self.closed.emit(document)
         self.row_changed.emit()
+        if gone is not None:
+            _discard(gone)
+
+
+def _discard(document: OpenDocument) -> None:
+    """Let a document go that cannot be reopened; otherwise it would live, with its history, as long as the row."""
+    for part in (document.recovery, document.files, document.store):
+        part.deleteLater()
 
 
 def _same_file(known: Path, path: Path) -> bool:

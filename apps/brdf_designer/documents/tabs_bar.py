@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 
@@ -31,6 +31,7 @@ class DocumentTabs(QTabBar):
     new_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
+        self._hints: dict[str, QSize] = {}
         super().__init__(parent)
         self.setObjectName("document_tabs")
         self.setAccessibleName(tr("Open paints"))
@@ -48,31 +49,55 @@ class DocumentTabs(QTabBar):
 
     def tabSizeHint(self, index: int) -> QSize:
         """Return the size with the mark of what is not saved, so that none moves when that comes."""
-        hint = super().tabSizeHint(index)
-        if self.tabText(index).startswith(MARK):
-            return hint
-        return QSize(hint.width() + self.fontMetrics().horizontalAdvance(f"{MARK} "), hint.height())
+        # Asked for every tab whenever one of them changes.
+        text = self.tabText(index)
+        hint = self._hints.get(text)
+        if hint is None:
+            hint = super().tabSizeHint(index)
+            if not text.startswith(MARK):
+                hint.setWidth(hint.width() + self.fontMetrics().horizontalAdvance(f"{MARK} "))
+            if self.tabButton(index, QTabBar.ButtonPosition.RightSide) is not None:
+                self._hints[text] = hint
+        return hint
+
+    def changeEvent(self, event: QEvent) -> None:
+        self._hints.clear()
+        super().changeEvent(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Leave the paint in front where it is."""
         event.ignore()
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
-        """Show the tabs; nothing is emitted."""
+        """Show the tabs; nothing is emitted.
+
+        Only what is another is changed: each change of a tab lays the whole row out anew.
+        """
         if (tuple(tabs), front) == self._shown:
             return
+        row, kept = list(self._shown[0]), {tab.key for tab in tabs}
         self._shown = (tuple(tabs), front)
         with QSignalBlocker(self):
-            while self.count() > len(tabs):
-                self.removeTab(self.count() - 1)
-            while self.count() < len(tabs):
-                self._add()
+            for place in reversed(range(len(row))):
+                if row[place].key not in kept:
+                    self.removeTab(place)
+                    del row[place]
+            places = {tab.key: place for place, tab in enumerate(row)}
             for place, tab in enumerate(tabs):
-                self._fill(place, tab)
+                if tab.key not in places:
+                    self._insert(place, tab)
+                    row.insert(place, tab)
+                    continue
+                if row[place].key != tab.key:
+                    before = next(at for at in range(place, len(row)) if row[at].key == tab.key)
+                    self.moveTab(before, place)
+                    row.insert(place, row.pop(before))
+                if row[place] != tab:
+                    self._fill(place, tab)
             self.setCurrentIndex(front)
 
-    def _add(self) -> None:
-        place = self.addTab("")
+    def _insert(self, place: int, tab: TabState) -> None:
+        self.insertTab(place, _text_of(tab))
         close = QToolButton()
         close.setIcon(icon("x"))
         close.setIconSize(QSize(12, 12))
@@ -80,10 +105,11 @@ class DocumentTabs(QTabBar):
         close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         close.clicked.connect(lambda: self.close_requested.emit(self._place_of(close)))
         self.setTabButton(place, QTabBar.ButtonPosition.RightSide, close)
+        self._fill(place, tab)
 
     def _fill(self, place: int, tab: TabState) -> None:
-        title = make_visible(tab.title).replace("&", "&&")
-        self.setTabText(place, title if tab.clean else f"{MARK} {title}")
+        if self.tabText(place) != _text_of(tab):
+            self.setTabText(place, _text_of(tab))
         where = str(tab.path) if tab.path else tr("No file yet")
         state = "" if tab.clean else tr("Not saved")
         self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
@@ -117,3 +143,8 @@ class DocumentTabs(QTabBar):
             self.new_requested.emit()
             return
         super().mouseDoubleClickEvent(event)
+
+
+def _text_of(tab: TabState) -> str:
+    title = make_visible(tab.title).replace("&", "&&")
+    return title if tab.clean else f"{MARK} {title}"

@@ -97,8 +97,9 @@ class FitState:
 
 @dataclass(frozen=True)
 class TabState:
-    """What a tab says of its document: title, file, and whether all of it is saved."""
+    """What a tab says of its document: title, file, and whether all of it is saved; ``key`` is that of the document."""
 
+    key: int
     title: str
     path: Path | None
     clean: bool

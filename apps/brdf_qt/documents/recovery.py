@@ -94,7 +94,6 @@ class Recovery(QObject, Generic[T]):
         """The autosave of this store; missing while nothing is unsaved."""
         self._saved_file = _saved_file(self.file)
         self._lock = lock_of(self.file)
-        self._lock.tryLock(0)
         self.timer = make_timer(self, self.write, INTERVAL_MS)
         """Runs from a change to the autosave."""
         self._signals = (store.changed, store.replaced, store.clean_changed)
@@ -114,6 +113,7 @@ class Recovery(QObject, Generic[T]):
     def write(self) -> bool:
         """Write the unsaved document now; where all is saved, remove the file. False where that failed."""
         self.timer.stop()
+        self._hold_lock()
         try:
             if self._store.is_clean:
                 self._write_saved()
@@ -130,6 +130,11 @@ class Recovery(QObject, Generic[T]):
             self._fails = False
             self.written_again.emit()
         return True
+
+    def _hold_lock(self) -> None:
+        """Take the lock before a file is there; most documents are closed before anything of them is written."""
+        if not self._lock.isLocked():
+            self._lock.tryLock(0)
 
     def head(self) -> dict[str, Any]:
         """Return what an autosave says about its document: file, time, and what is kept beside it."""
@@ -321,7 +326,8 @@ class Recovery(QObject, Generic[T]):
         else:
             self.file.unlink(missing_ok=True)
             self._saved_file.unlink(missing_ok=True)
-        self._lock.unlock()
+        if self._lock.isLocked():
+            self._lock.unlock()
 
 
 def _saved_file(autosave: Path) -> Path:

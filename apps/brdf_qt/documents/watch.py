@@ -32,15 +32,19 @@ class FileWatch(QObject):
         """What is watched; empty where nothing is."""
         return "" if self._path is None else str(self._path)
 
-    def watch(self, path: str) -> None:
-        """Watch this file from now on, and no other; the empty path ends watching."""
+    def watch(self, path: str, known: FileStamp | None = None) -> None:
+        """Watch this file from now on, and no other; the empty path ends watching.
+
+        ``known`` is what it held when it was read or written: only another content is a change. Without it the file is
+        read now, which takes long where it is large.
+        """
         watched = [*self._watcher.files(), *self._watcher.directories()]
         if watched:
             self._watcher.removePaths(watched)
         self._quiet.stop()
         self._path = Path(path) if path else None
         if self._path is not None:
-            self._stamp = stamp_of(self._path)
+            self._stamp = known or stamp_of(self._path)
             # The folder too: a file that is replaced is another file, and its watch ends.
             self._watcher.addPaths([str(self._path), str(self._path.parent)])
 

@@ -3,7 +3,8 @@
 A benchmark is a module ``tests/benchmarks/bench_NAME.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
 unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
 ``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown, its headings
-of the third level, that ``--write`` puts below the module's table.
+of the third level, that ``--write`` puts below the module's table. One with ``LARGE`` (False) has larger sizes, which
+``--large`` asks for by making it True.
 """
 
 from __future__ import annotations
@@ -44,6 +45,9 @@ def add(command: CommandParser) -> None:
     command.add_argument("name", nargs="?", metavar="NAME", help="which benchmark; see --list")
     command.add_argument("--list", action="store_true", help="name the benchmarks")
     command.add_argument("--all", action="store_true", help="run them all")
+    command.add_argument(
+        "--large", action="store_true", help="also the sizes that take minutes, where a benchmark has some"
+    )
     add_json(command)
     command.add_argument(
         "--write",
@@ -68,6 +72,9 @@ def run(options: argparse.Namespace) -> int:
     kept = True
     for name in found if options.all else [options.name]:
         module = load_module(found[name])  # not before: another may need an extra that is not there
+        if options.large and not hasattr(module, "LARGE") and not options.all:
+            raise SuiteError(f"Benchmark {name} has no larger sizes.")
+        module.LARGE = options.large  # type: ignore[attr-defined]  # a benchmark with larger sizes reads it
         with progress_bar(name, quiet=options.json) as progress:
             result = measure(module, progress)
         kept &= all(result.bounds[key].holds(value) is not False for key, value in result.figures.items())

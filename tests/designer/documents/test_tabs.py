@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import shutil
 import time
+from dataclasses import replace
 
 import pytest
+from brdf_designer.documents.tabs import MOST_CLOSED
+from brdf_designer.documents.tabs_bar import DocumentTabs
+from brdf_designer.session.state import TabState
 from brdf_designer.standard_comparison.control import StandardControl
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.link.messages import OFFER
 from brdf_qt.window.command_palette import commands
 from brdf_qt.window.dialogs import Answer
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTabBar
 
@@ -426,3 +431,65 @@ def test_a_history_that_does_not_end_in_the_file_is_left(three, dialogs, own_ses
     assert three.store.value == load_shipped_paint("pearl")
     assert not three.window.undo_action.isEnabled()
     assert not list(own_session.rglob("*x.history.json"))
+
+
+class CountingTabs(DocumentTabs):
+    """Counts how often the whole row is laid out."""
+
+    layouts = 0
+
+    def tabLayoutChange(self) -> None:  # noqa: N802 - the name is Qt's
+        self.layouts += 1
+        super().tabLayoutChange()
+
+
+@pytest.mark.parametrize("count", [10, 80])
+def test_a_change_of_one_tab_lays_the_row_out_a_few_times(qtbot, count: int) -> None:
+    bar = CountingTabs()
+    qtbot.addWidget(bar)
+    bar.show()
+    tabs = [TabState(key, f"Paint {key}", None, True) for key in range(count)]
+    bar.show_tabs(tabs, 0)
+    chosen: list[int] = []
+    bar.chosen.connect(chosen.append)
+
+    def change(new: list[TabState], front: int) -> int:
+        before = bar.layouts
+        bar.show_tabs(new, front)
+        assert [bar.tabText(place) for place in range(bar.count())] == [
+            tab.title if tab.clean else f"• {tab.title}" for tab in new
+        ]
+        assert bar.currentIndex() == front
+        return bar.layouts - before
+
+    most = 6
+    assert change(tabs[:4] + tabs[5:], 4) <= most  # closed
+    assert change(tabs, 4) <= most  # reopened
+    assert change([*tabs[:2], replace(tabs[2], clean=False), *tabs[3:]], 2) <= most
+    assert change([*tabs[1:], tabs[0]], 0) <= most * count  # every one of them has another place
+    assert not chosen
+
+
+def test_closed_documents_that_cannot_be_reopened_are_given_up(designer) -> None:
+    documents = designer.documents
+    for number in range(MOST_CLOSED + 5):
+        documents.add(replace(load_shipped_paint("red"), name=f"Red {number}"))
+    open_before = len(documents.row)
+    for _ in range(open_before - 1):
+        documents.close(documents.front)
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    stores = documents.findChildren(DocumentStore, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    assert len(stores) == len(documents.row) + MOST_CLOSED
+
+
+def test_a_document_that_was_not_changed_takes_no_lock(designer, tmp_path) -> None:
+    path = tmp_path / "red.brdfpaint"
+    save_paint(load_shipped_paint("red"), path)
+    assert designer.documents.open(path)
+    document = designer.documents.front
+    lock = document.recovery.file.with_suffix(".lock")
+    assert not lock.exists()
+    lighten(designer, 61.0)
+    assert document.recovery.write()
+    assert lock.exists()
+    assert document.recovery.file.exists()

@@ -11,9 +11,7 @@ HERE = Path(__file__).resolve().parent
 
 def test_a_smooth_curve_is_nearer_than_free_values_by_turns() -> None:
     command = [sys.executable, "-W", "error", "compare_responses.py", "--cases", "1"]
-    done = subprocess.run(
-        command, cwd=HERE / "parts" / "acquisition", capture_output=True, text=True, timeout=600, check=False
-    )
+    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=600, check=False)
     assert done.returncode == 0, done.stderr
     rows = [line.strip("| ").split(" | ") for line in done.stdout.splitlines() if line.startswith("| ")]
     assert len(rows) == 2
