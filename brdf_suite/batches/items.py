@@ -29,6 +29,7 @@ from brdf_suite.pipeline.material import (
     load_palette_file,
     material_of_entry,
 )
+from brdf_suite.regular_files import open_regular
 
 _BLOCK = 1 << 20
 LIGHTS = (".exr", ".hdr", STUDIO_ENDING)
@@ -43,7 +44,7 @@ _PAINTS = frozenset(
 
 
 @dataclass(frozen=True)
-class Item:
+class BatchItem:
     """One thing that a batch works on.
 
     Attributes
@@ -67,7 +68,7 @@ class Item:
     fault: str = ""
 
 
-def load_item(item: Item) -> Material:
+def load_item(item: BatchItem) -> Material:
     """Return what an item stands for; raise :class:`SuiteError` as :func:`load_material`."""
     if item.fault:
         raise SuiteError(item.fault)
@@ -76,7 +77,7 @@ def load_item(item: Item) -> Material:
     return load_material(item.source)
 
 
-def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[Item]:
+def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:
     """Return the paints of sources, in their order; what is there twice, once.
 
     Parameters
@@ -95,7 +96,7 @@ def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
     return _without_repeats(item for source in sources for item in _paints_of(os.fspath(source), besides))
 
 
-def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[Item]:
+def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:
     """Return the environments of sources: shipped names, files and folders; otherwise as :func:`list_paints`."""
     return _without_repeats(
         _file_item(path) if path.is_file() else _named_item(str(path))
@@ -115,11 +116,11 @@ def read_list(lines: Iterable[str], folder: Path) -> list[str]:
     return sources
 
 
-def _without_repeats(items: Iterator[Item] | Iterable[Item]) -> list[Item]:
+def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[BatchItem]:
     return list({item.key: item for item in items}.values())
 
 
-def _paints_of(source: str, besides: Path | None) -> Iterator[Item]:
+def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
     if not Path(source).is_dir():
         if not is_file(source):
             yield _named_item(source)
@@ -134,7 +135,7 @@ def _paints_of(source: str, besides: Path | None) -> Iterator[Item]:
                 yield from _entries(path, load_palette_file(path).palette)
                 continue
         except SuiteError as error:
-            yield Item(path.name, str(path.absolute()), _key(path.name, b""), fault=str(error))
+            yield BatchItem(path.name, str(path.absolute()), _key(path.name, b""), fault=str(error))
             continue
         yield _file_item(path)
 
@@ -155,27 +156,26 @@ def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> lis
     return found
 
 
-def _entries(path: Path, palette: Palette) -> Iterator[Item]:
+def _entries(path: Path, palette: Palette) -> Iterator[BatchItem]:
     for entry in palette.entries:
         content = json.dumps(entry_to_json(entry), ensure_ascii=False).encode()
         label = f"{path.name}{ENTRY_MARK}{entry.id}"
-        yield Item(label, str(path.absolute()), _key(label, content), content)
+        yield BatchItem(label, str(path.absolute()), _key(label, content), content)
 
 
-def _file_item(path: Path) -> Item:
+def _file_item(path: Path) -> BatchItem:
     try:
-        with path.open("rb") as file:
+        with open_regular(path) as file:
             digest = hashlib.sha256(f"{path.name}\0".encode())
             while block := file.read(_BLOCK):
                 digest.update(block)
-    except OSError as error:
-        fault = f"{path}: cannot be read: {error.strerror or error}."
-        return Item(path.name, str(path.absolute()), _key(path.name, b""), fault=fault)
-    return Item(path.name, str(path.absolute()), digest.hexdigest())
+    except FileError as error:
+        return BatchItem(path.name, str(path.absolute()), _key(path.name, b""), fault=str(error))
+    return BatchItem(path.name, str(path.absolute()), digest.hexdigest())
 
 
-def _named_item(name: str) -> Item:
-    return Item(name, name, _key(name, b""))
+def _named_item(name: str) -> BatchItem:
+    return BatchItem(name, name, _key(name, b""))
 
 
 def _key(label: str, content: bytes) -> str:

@@ -8,10 +8,11 @@ import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from html import escape
+from importlib import import_module
 from pathlib import Path
 from statistics import median
 
-from brdf_suite.batches.items import Item, load_item
+from brdf_suite.batches.items import BatchItem, load_item
 from brdf_suite.batches.journal import Finished
 from brdf_suite.batches.steps import Value
 from brdf_suite.documents.atomic import replacing, write_atomically
@@ -22,7 +23,7 @@ from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Palette
 from brdf_suite.documents.palette_store import entry_from_json, save_palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
-from brdf_suite.files.exports.csv_table import guard_formula
+from brdf_suite.foreign_text import guard_formula
 
 CSV, PARQUET, PALETTE, SUMMARY = "results.csv", "results.parquet", "results.brdfpalette", "summary.html"
 _FIRST = ("item", "problem")
@@ -39,7 +40,7 @@ figure { margin: 0 } img { width: 100%; border-radius: 4px } figcaption { font-s
 
 
 def write_results(
-    folder: Path, step: str, items: Sequence[Item], found: Mapping[str, Finished], seconds: float
+    folder: Path, step: str, items: Sequence[BatchItem], found: Mapping[str, Finished], seconds: float
 ) -> None:
     """Write the tables, the palette and the page of what is finished, in the order of the items.
 
@@ -83,17 +84,15 @@ def _cell(value: Value) -> str:
 
 
 def _write_parquet(path: Path, columns: Sequence[str], done: Iterable[Finished]) -> None:
-    import_extra("pyarrow", purpose="a Parquet table")
-    import pyarrow as pa
-    import pyarrow.parquet
-
+    arrow = import_extra("pyarrow", purpose="a Parquet table")
+    parquet = import_module("pyarrow.parquet")
     rows = [{"item": one.label, "problem": one.problem, **one.row} for one in done]
-    table = pa.Table.from_pydict({column: [row.get(column) for row in rows] for column in columns})
+    table = arrow.Table.from_pydict({column: [row.get(column) for row in rows] for column in columns})
     with replacing(path) as temporary:
-        pa.parquet.write_table(table, temporary, compression="zstd")
+        parquet.write_table(table, temporary, compression="zstd")
 
 
-def _write_palette(path: Path, step: str, items: Sequence[Item], found: Mapping[str, Finished]) -> None:
+def _write_palette(path: Path, step: str, items: Sequence[BatchItem], found: Mapping[str, Finished]) -> None:
     """Write what came through as a palette; of more paints than one takes the first ones."""
     good = (item for item in items if item.key in found and not found[item.key].problem)
     entries = []
@@ -103,7 +102,7 @@ def _write_palette(path: Path, step: str, items: Sequence[Item], found: Mapping[
         save_palette(Palette(f"batch {step}", tuple(entries)), path)
 
 
-def _entries(items: Iterable[Item]) -> Iterator[Entry]:
+def _entries(items: Iterable[BatchItem]) -> Iterator[Entry]:
     for item in items:
         if item.entry:
             yield entry_from_json(json.loads(item.entry), item.source)
@@ -117,7 +116,7 @@ def _entries(items: Iterable[Item]) -> Iterator[Entry]:
 
 
 def _summary(
-    step: str, items: Sequence[Item], done: Sequence[Finished], columns: Sequence[str], seconds: float
+    step: str, items: Sequence[BatchItem], done: Sequence[Finished], columns: Sequence[str], seconds: float
 ) -> str:
     problems = [one for one in done if one.problem]
     good = [one for one in done if not one.problem]

@@ -14,12 +14,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
 
-from brdf_suite.batches.items import Item
+from brdf_suite.batches.items import BatchItem
 from brdf_suite.batches.journal import Finished, Journal, journal_of
 from brdf_suite.batches.results import write_results
-from brdf_suite.batches.steps import Step, fingerprint
+from brdf_suite.batches.steps import BatchStep, fingerprint
 from brdf_suite.batches.worker import do_items
-from brdf_suite.batches.workers import Workers
+from brdf_suite.batches.workers import BatchWorkers
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.release import __version__
@@ -33,7 +33,7 @@ _LOST_S = 30.0
 
 
 @dataclass(frozen=True)
-class BatchReport:
+class BatchResult:
     """What a batch has done: of ``items``, how many now and how many in runs before, and the problems by item."""
 
     folder: Path
@@ -46,14 +46,14 @@ class BatchReport:
 
 
 def run_batch(
-    step: Step,
-    items: Sequence[Item],
+    step: BatchStep,
+    items: Sequence[BatchItem],
     folder: Path,
-    hire: Callable[[], AbstractContextManager[Workers]],
+    hire: Callable[[], AbstractContextManager[BatchWorkers]],
     *,
     group: int | None = None,
     progress: Progress | None = None,
-) -> BatchReport:
+) -> BatchResult:
     """Do a step with every item that is not done yet, and write the results.
 
     Parameters
@@ -97,7 +97,7 @@ def run_batch(
             for item in items
             if journal.finished[item.key].problem
         }
-    return BatchReport(folder, step.name, len(items), len(left), before, problems, seconds)
+    return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds)
 
 
 class _Run:
@@ -105,9 +105,9 @@ class _Run:
 
     def __init__(
         self,
-        step: Step,
+        step: BatchStep,
         folder: Path,
-        workers: Workers,
+        workers: BatchWorkers,
         journal: Journal,
         group: int | None,
         progress: Progress | None,
@@ -118,13 +118,13 @@ class _Run:
         self._journal = journal
         self._group = group
         self._progress = progress
-        self._waiting: deque[Item] = deque()
-        self._suspects: deque[list[Item]] = deque()
+        self._waiting: deque[BatchItem] = deque()
+        self._suspects: deque[list[BatchItem]] = deque()
         """Groups whose workers died."""
-        self._out: dict[Future[list[Finished]], list[Item]] = {}
+        self._out: dict[Future[list[Finished]], list[BatchItem]] = {}
         self._start = monotonic()
 
-    def do(self, items: Sequence[Item]) -> None:
+    def do(self, items: Sequence[BatchItem]) -> None:
         """Do all items; see :func:`run_batch`."""
         self._waiting.extend(items)
         count = done = problems = 0
@@ -158,7 +158,7 @@ class _Run:
         while len(self._out) < _AHEAD * self._workers.width and self._waiting:
             self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
 
-    def _submit(self, group: list[Item]) -> None:
+    def _submit(self, group: list[BatchItem]) -> None:
         try:
             future = self._workers.executor.submit(
                 do_items, self._step, group, str(self._folder), __version__

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import ClassVar, Protocol, TypeAlias
 
 from brdf_suite.appearance.geometries import geometry_set
-from brdf_suite.batches.items import Item, load_item
+from brdf_suite.batches.items import BatchItem, load_item
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.homomorphic.reflectance_fit import (
@@ -52,11 +52,11 @@ class Outcome:
     notices: tuple[str, ...] = ()
 
 
-Work: TypeAlias = Callable[[Item, Path], Outcome]
+Work: TypeAlias = Callable[[BatchItem, Path], Outcome]
 """Does one item; files go below the folder."""
 
 
-class Step(Protocol):
+class BatchStep(Protocol):
     """What a batch does; ``name`` is the word of the command."""
 
     name: ClassVar[str]
@@ -68,7 +68,7 @@ class Step(Protocol):
         """Return what works on items, with what they share."""
 
 
-def fingerprint(step: Step) -> str:
+def fingerprint(step: BatchStep) -> str:
     """Return a hash of a step with its options and of the release; items are done anew where it changes."""
     return hashlib.sha256(f"{__version__} {step!r}".encode()).hexdigest()
 
@@ -90,7 +90,7 @@ class Measure:
         """Return what reads an item."""
         return nullcontext(self._measure)
 
-    def _measure(self, item: Item, _folder: Path) -> Outcome:
+    def _measure(self, item: BatchItem, _folder: Path) -> Outcome:
         material = load_item(item)
         report = read_material(material, geometry_set(self.geometry), aperture(self.aperture))
         return Outcome(measured_row(material, report), notices=(*material.notices, *report.notices))
@@ -110,7 +110,7 @@ class Fit:
         """Return what fits an item."""
         return nullcontext(self._fit)
 
-    def _fit(self, item: Item, _folder: Path) -> Outcome:
+    def _fit(self, item: BatchItem, _folder: Path) -> Outcome:
         fitted = fit_material(load_item(item), self.settings)
         weights = fitted.weights
         row: dict[str, Value] = {
@@ -146,7 +146,7 @@ class Render:
         with loaded_scene(self.view, fitting=self.fitting) as loaded:
             composed = loaded.composed(self.view, self.size)
 
-            def draw(item: Item, folder: Path) -> Outcome:
+            def draw(item: BatchItem, folder: Path) -> Outcome:
                 fit = fit_material(under_illuminant(load_item(item), self.view.light_colour), self.fitting)
                 loaded.scene.set_material(fit)
                 renderer = loaded.scene.renderer
@@ -174,7 +174,7 @@ class Prefilter:
         """Return what filters an item."""
         return nullcontext(self._filter)
 
-    def _filter(self, item: Item, _folder: Path) -> Outcome:
+    def _filter(self, item: BatchItem, _folder: Path) -> Outcome:
         if item.fault:
             raise SuiteError(item.fault)
         made = load_environment(item.source, layout=self.layout, basis=self.settings.basis)
@@ -200,7 +200,7 @@ class Factorize:
         """Return what factors an item."""
         return nullcontext(self._factorize)
 
-    def _factorize(self, item: Item, folder: Path) -> Outcome:
+    def _factorize(self, item: BatchItem, folder: Path) -> Outcome:
         material = load_item(item)
         found = factor_reflectance(material.name, material.reflectance, self.options)
         file = file_of(item, material.name, "factors", ".brdfpaint")
@@ -231,7 +231,7 @@ class Export:
         """Return what exports an item."""
         return nullcontext(self._export)
 
-    def _export(self, item: Item, folder: Path) -> Outcome:
+    def _export(self, item: BatchItem, folder: Path) -> Outcome:
         known = format_named(self.format)
         given = item_of_material(load_item(item)) if item.entry or item.fault else item_of(item.source)
         file = file_of(item, given.name, "exports", known.ending)
@@ -240,7 +240,7 @@ class Export:
         return Outcome(row, (file,), done.notes)
 
 
-def file_of(item: Item, name: str, folder: str, ending: str) -> str:
+def file_of(item: BatchItem, name: str, folder: str, ending: str) -> str:
     """Return where the file of an item goes, below the folder of the results: the same in every run."""
     word = _NO_WORD.sub("_", name)[:60].strip("._") or "paint"
     return f"{folder}/{item.key[:2]}/{word}-{item.key[:12]}{ending}"

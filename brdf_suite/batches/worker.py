@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from socket import gethostname
 
-from brdf_suite.batches.items import Item
+from brdf_suite.batches.items import BatchItem
 from brdf_suite.batches.journal import JOURNAL, Finished
-from brdf_suite.batches.steps import Step, Work, fingerprint
+from brdf_suite.batches.steps import BatchStep, Work, fingerprint
 from brdf_suite.errors import SuiteError
 from brdf_suite.release import __version__
 
@@ -34,7 +34,7 @@ _open: list[_Open] = []
 """One at most; only ``_thread`` changes it."""
 
 
-def do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> list[Finished]:
+def do_items(step: BatchStep, items: Sequence[BatchItem], folder: str, release: str) -> list[Finished]:
     """Do items and return what came of each; a problem with one stands in its place.
 
     Raises
@@ -45,7 +45,7 @@ def do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> li
     return _thread.submit(_do_items, step, items, folder, release).result()
 
 
-def _do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> list[Finished]:
+def _do_items(step: BatchStep, items: Sequence[BatchItem], folder: str, release: str) -> list[Finished]:
     if release != __version__:
         raise SuiteError(
             f"The worker on {gethostname()} has BRDF Suite {__version__}, the batch is of {release}; install the same."
@@ -58,7 +58,7 @@ def _do_items(step: Step, items: Sequence[Item], folder: str, release: str) -> l
     return [_finished(work, item, Path(folder)) for item in items]
 
 
-def _opened(step: Step) -> Work:
+def _opened(step: BatchStep) -> Work:
     wanted = fingerprint(step)
     if _open and _open[0].step != wanted:
         _open.pop().stack.close()
@@ -68,7 +68,7 @@ def _opened(step: Step) -> Work:
     return _open[0].work
 
 
-def _finished(work: Work, item: Item, folder: Path) -> Finished:
+def _finished(work: Work, item: BatchItem, folder: Path) -> Finished:
     try:
         done = work(item, folder)
     except SuiteError as error:

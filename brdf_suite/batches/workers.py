@@ -36,7 +36,7 @@ JOB_SYSTEMS = ("htcondor", "local", "lsf", "moab", "oar", "pbs", "sge", "slurm")
 
 
 @dataclass(frozen=True)
-class Workers:
+class BatchWorkers:
     """An executor, how many items it works on at once, and whether it can still be reached."""
 
     executor: Executor
@@ -45,7 +45,7 @@ class Workers:
 
 
 @contextmanager
-def local_workers(count: int | None = None, memory: str | None = None) -> Iterator[Workers]:
+def local_workers(count: int | None = None, memory: str | None = None) -> Iterator[BatchWorkers]:
     """Start worker processes on this machine: ``count`` of them (default: one a core), each with one thread.
 
     ``memory`` is the most that one may take, as in ``2GB``; default: its share of this machine's. A worker that takes
@@ -82,7 +82,7 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
 
 
 @contextmanager
-def scheduler_workers(address: str) -> Iterator[Workers]:
+def scheduler_workers(address: str) -> Iterator[BatchWorkers]:
     """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
     distributed, dask = _dask()
     with dask.config.set(_settings()), _quiet(distributed):
@@ -95,7 +95,7 @@ def scheduler_workers(address: str) -> Iterator[Workers]:
 
 
 @contextmanager
-def job_workers(system: str, count: int) -> Iterator[Workers]:
+def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
     """Ask a job system for workers, by ``dask-jobqueue`` and its own configuration file, and give them back after.
 
     Raises
@@ -130,7 +130,7 @@ def start_workers(
     job_system: str | None = None,
     count: int | None = None,
     memory: str | None = None,
-) -> Iterator[Workers]:
+) -> Iterator[BatchWorkers]:
     """Use a running scheduler, else a job system, else this machine; errors as of these three."""
     if scheduler is not None:
         with scheduler_workers(scheduler) as found:
@@ -175,5 +175,5 @@ def _wait_for_workers(client: Any, where: str) -> int:
     return sum(client.nthreads().values())
 
 
-def _workers_of(client: Any, width: int) -> Workers:
-    return Workers(client.get_executor(pure=False), width, lambda: client.status == "running")
+def _workers_of(client: Any, width: int) -> BatchWorkers:
+    return BatchWorkers(client.get_executor(pure=False), width, lambda: client.status == "running")

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Literal, get_args
 
 from brdf_suite.batches.items import list_lights, list_paints
-from brdf_suite.batches.running import BatchReport, run_batch
-from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Prefilter, Render, Step
-from brdf_suite.batches.workers import Workers, start_workers
+from brdf_suite.batches.running import BatchResult, run_batch
+from brdf_suite.batches.steps import BatchStep, Export, Factorize, Fit, Measure, Prefilter, Render
+from brdf_suite.batches.workers import BatchWorkers, start_workers
 from brdf_suite.documents.view import View
 from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.pipeline.scene import default_view
@@ -37,7 +37,7 @@ def batch(
     executor: Executor | None = None,
     group: int | None = None,
     progress: Progress | None = None,
-) -> BatchReport:
+) -> BatchResult:
     """Do one step with every paint of palettes, folders and names, on all cores or on a cluster.
 
     The folder gets ``results.csv`` and ``results.parquet`` with a row for each item, pictures or other files, a palette
@@ -80,7 +80,7 @@ def batch(
     >>> done.items, done.problems
     (2, {})
     """
-    steps: dict[str, Callable[[], Step]] = {
+    steps: dict[str, Callable[[], BatchStep]] = {
         "measure": lambda: Measure(geometry, aperture),
         "fit": Fit,
         "render": lambda: Render(view or default_view(), size),
@@ -94,7 +94,7 @@ def batch(
     find = list_lights if step == "prefilter" else list_paints
     items = find(given, Path(folder))
     if executor is not None:
-        hired = Workers(executor, workers or 1)
+        hired = BatchWorkers(executor, workers or 1)
         return run_batch(
             steps[step](), items, Path(folder), lambda: nullcontext(hired), group=group, progress=progress
         )

@@ -19,11 +19,11 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import brdf_suite as bs
-from brdf_suite.batches.items import Item, list_lights, list_paints, read_list
+from brdf_suite.batches.items import BatchItem, list_lights, list_paints, read_list
 from brdf_suite.batches.journal import JOURNAL, Finished, Journal
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Outcome, Prefilter, Render, Work
-from brdf_suite.batches.workers import Workers
+from brdf_suite.batches.workers import BatchWorkers
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
@@ -31,13 +31,13 @@ from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions
 from brdf_suite.pipeline.scene import default_view
 from brdf_suite.progress import Progress
 
-Hire = Callable[[], AbstractContextManager[Workers]]
+Hire = Callable[[], AbstractContextManager[BatchWorkers]]
 
 
 @pytest.fixture
 def hire() -> Iterator[Hire]:
     with ThreadPoolExecutor(1) as pool:
-        yield lambda: nullcontext(Workers(pool, 1))
+        yield lambda: nullcontext(BatchWorkers(pool, 1))
 
 
 @pytest.fixture
@@ -205,7 +205,7 @@ def test_a_cancelled_batch_goes_on_where_it_was(tmp_path: Path, hire: Hire) -> N
 def test_what_is_done_needs_no_workers(tmp_path: Path, hire: Hire) -> None:
     run_batch(Measure(), list_paints(["blue"]), tmp_path, hire)
 
-    def never() -> AbstractContextManager[Workers]:
+    def never() -> AbstractContextManager[BatchWorkers]:
         raise AssertionError("workers were started")
 
     assert run_batch(Measure(), list_paints(["blue"]), tmp_path, never).done_before == 1
@@ -256,7 +256,7 @@ class Broken(Executor):
 
 def test_lost_workers_are_reported_and_nothing_is_lost(tmp_path: Path, hire: Hire) -> None:
     run_batch(Measure(), list_paints(["blue"]), tmp_path, hire)
-    lost = Workers(Broken(), 1)
+    lost = BatchWorkers(Broken(), 1)
     with pytest.raises(SuiteError, match="goes on where it was"):
         run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, lambda: nullcontext(lost))
     assert run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, hire).done_before == 1
@@ -272,7 +272,7 @@ class Odd:
         """There is nothing to prepare."""
 
     def open(self) -> AbstractContextManager[Work]:
-        def work(item: Item, _folder: Path) -> Outcome:
+        def work(item: BatchItem, _folder: Path) -> Outcome:
             if item.label == "red":
                 raise ZeroDivisionError("by nothing")
             return Outcome({"name": item.label})

@@ -19,7 +19,7 @@ import cloudpickle
 import pytest
 
 import brdf_suite as bs
-from brdf_suite.batches.items import Item, list_paints
+from brdf_suite.batches.items import BatchItem, list_paints
 from brdf_suite.batches.journal import JOURNAL
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
@@ -215,9 +215,9 @@ class Deadly:
         """There is nothing to prepare."""
 
     def open(self) -> AbstractContextManager[Work]:
-        def work(item: Item, _folder: Path) -> Outcome:
+        def work(item: BatchItem, _folder: Path) -> Outcome:
             if item.label == "red":
-                os._exit(11)
+                os.kill(os.getpid(), signal.SIGKILL)
             return Outcome({"name": item.label})
 
         return nullcontext(work)

@@ -18,13 +18,13 @@ from pathlib import Path
 from statistics import median
 from time import perf_counter
 
-from brdf_suite.batches.items import Item, list_paints
+from brdf_suite.batches.items import BatchItem, list_paints
 from brdf_suite.batches.journal import JOURNAL, Finished, Journal
 from brdf_suite.batches.results import write_results
 from brdf_suite.batches.running import run_batch
-from brdf_suite.batches.steps import Fit, Measure, Render, Step
+from brdf_suite.batches.steps import BatchStep, Fit, Measure, Render
 from brdf_suite.batches.worker import do_items
-from brdf_suite.batches.workers import Workers, local_workers
+from brdf_suite.batches.workers import BatchWorkers, local_workers
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
@@ -103,7 +103,9 @@ def run(progress: Progress | None) -> dict[str, float | None]:
     return figures
 
 
-def do(workers: Workers, step: Step, items: Sequence[Item], folder: Path, group: int | None = None) -> float:
+def do(
+    workers: BatchWorkers, step: BatchStep, items: Sequence[BatchItem], folder: Path, group: int | None = None
+) -> float:
     """Run a batch on workers that are there; return its seconds."""
     start = perf_counter()
     done = run_batch(step, items, folder, lambda: nullcontext(workers), group=group)
@@ -111,7 +113,7 @@ def do(workers: Workers, step: Step, items: Sequence[Item], folder: Path, group:
     return perf_counter() - start
 
 
-def _paints(place: Path, count: int) -> list[Item]:
+def _paints(place: Path, count: int) -> list[BatchItem]:
     """Return paints in a random order, so that no worker gets the slow ones alone."""
     shipped = [load_shipped_paint(name) for name in paint_names()]
     entries = []
@@ -126,7 +128,7 @@ def _paints(place: Path, count: int) -> list[Item]:
     return items
 
 
-def _overhead(one: Workers, place: Path) -> tuple[float, float]:
+def _overhead(one: BatchWorkers, place: Path) -> tuple[float, float]:
     """Return the share that the layer adds to a loop in the same process, and the time of a fit in ms."""
     folder = place / "files"
     folder.mkdir()
@@ -167,7 +169,7 @@ def _plain_loop(files: Sequence[str], table: str) -> float:
     return perf_counter() - start
 
 
-def _empty_tasks(one: Workers, place: Path) -> float:
+def _empty_tasks(one: BatchWorkers, place: Path) -> float:
     """Return ms for a group without items, many of them in flight."""
     Journal(place, "none").append(())
     start = perf_counter()
@@ -179,7 +181,7 @@ def _empty_tasks(one: Workers, place: Path) -> float:
     return 1e3 * (perf_counter() - start) / TASKS
 
 
-def _client_costs(folder: Path, items: Sequence[Item]) -> tuple[float, float, float]:
+def _client_costs(folder: Path, items: Sequence[BatchItem]) -> tuple[float, float, float]:
     """Return ms for appending a group, µs for a row (journal and tables), and the bytes of a row."""
     lines = (folder / JOURNAL).read_bytes().splitlines()
     rows = []
@@ -204,7 +206,7 @@ def _seconds(what: Callable[[], object]) -> float:
 
 
 def _simulated(figures: dict[str, float | None], row_bytes: float, item_bytes: float) -> dict[str, float]:
-    parts = load_module(Path(__file__).parent / "parts" / "batch_simulation.py")
+    parts = load_module(Path(__file__).parent / "parts" / "batch" / "simulation.py")
     named = {key: value for key, value in figures.items() if value is not None}
     mean = 1e-3 * (named["measure_item_ms"] + named["fit_item_ms"])
     costs = parts.Costs(

@@ -62,7 +62,7 @@ BOUNDS = {
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 
-_SIZES: dict[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
+SIZES: dict[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "swatches": ((1_000, 10_000, 100_000), ()),
     "triangles": ((100_000, 1_000_000), (10_000_000,)),
     "nodes": ((100, 1_000, 10_000), (100_000,)),
@@ -102,8 +102,8 @@ def run(progress=None):
 
     found: dict[str, float | None] = dict.fromkeys(BOUNDS)
     TABLES.clear()
-    whole, done = sum(_WEIGHT.get(name, 1) for name in _SIZES), 0
-    for name, (usual, large) in _SIZES.items():
+    whole, done = sum(_WEIGHT.get(name, 1) for name in SIZES), 0
+    for name, (usual, large) in SIZES.items():
         report(progress, done / whole, f"measuring {name}")
         sizes = (*usual, *(large if LARGE else ()))
         measured = {size: _measure(name, size) for size in sizes}
@@ -111,8 +111,8 @@ def run(progress=None):
         found |= FIGURES[name](measured[usual[-1]])
         found[f"{name}_exponent"] = exponent(name, measured)
         done += _WEIGHT.get(name, 1)
-    if "triangles" in _SIZES:
-        largest = _SIZES["triangles"][0][-1]
+    if "triangles" in SIZES:
+        largest = SIZES["triangles"][0][-1]
         bare = _run("triangles.py", "ply", largest)
         TABLES["triangles without normals"] = {str(largest): bare}
         found["triangles_bare_s"] = bare["first_frame_s"]
@@ -209,7 +209,7 @@ def appendix():
     if not TABLES:
         return ""
     rows = []
-    for name in _SIZES:
+    for name in SIZES:
         measured = {int(size): values for size, values in TABLES[name].items()}
         costs = ", ".join(f"{size:,}: {cost(name, values):.3g} s" for size, values in measured.items())
         rows.append(f"| {name} | {costs} | {exponent(name, measured):.2f} | {WHY[name]} |")

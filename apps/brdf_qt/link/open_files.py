@@ -1,7 +1,7 @@
 """Files that a file manager opens: the program that runs already shows them, instead of another window.
 
 The first program of its kind listens on a local socket of this user. ``--open FILE…`` connects to it and sends the
-names; where nobody listens, the files are opened in the new window.
+names; where none listens, the files are opened in the new window.
 """
 
 from __future__ import annotations

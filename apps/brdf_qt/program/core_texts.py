@@ -17,6 +17,7 @@ from functools import cache, cached_property, lru_cache
 from PySide6.QtCore import QCoreApplication
 
 from brdf_qt.program.translation import SOURCE, decimal, group_sign, language_in_use, mark, point
+from brdf_suite.regular_files import read_text
 from brdf_suite.resources import resource
 
 _PLACE = re.compile(r"\{(\d+)\}")
@@ -103,7 +104,7 @@ def _translated(text: str, language: str) -> str:
 @cache
 def _templates() -> tuple[_Template, ...]:
     """Return the templates, those with the most words first."""
-    sources = json.loads(resource("translations", "core_templates.json").read_text(encoding="utf-8"))
+    sources = json.loads(read_text(resource("translations", "core_templates.json")))
     return tuple(sorted(map(_Template, [*sources, *JOINED]), key=lambda one: -one.letters))
 
 

@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_suite.batches.items import list_lights, list_paints, read_list
-from brdf_suite.batches.running import MOST_IN_A_GROUP, BatchReport, run_batch
-from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Prefilter, Render, Step
+from brdf_suite.batches.running import MOST_IN_A_GROUP, BatchResult, run_batch
+from brdf_suite.batches.steps import BatchStep, Export, Factorize, Fit, Measure, Prefilter, Render
 from brdf_suite.batches.workers import JOB_SYSTEMS, start_workers
 from brdf_suite.cli.arguments import add_arguments, add_format, add_json, whole_number
 from brdf_suite.cli.fit_options import add_basis, add_fitting, parse_basis, parse_fitting
@@ -24,8 +24,8 @@ from brdf_suite.cli.picture.scene_options import (
     parse_view,
 )
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.errors import FileError
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.regular_files import read_text
 from brdf_suite.reports.handover import formats
 
 _MOST_PROBLEMS = 20
@@ -91,7 +91,7 @@ def _step(
     steps: argparse._SubParsersAction[CommandParser],
     name: str,
     summary: str,
-    make: Callable[[argparse.Namespace], Step],
+    make: Callable[[argparse.Namespace], BatchStep],
     sources: str = "a name, a paint, a measured file, a palette of any format; a folder stands for all below it",
 ) -> CommandParser:
     part = steps.add_parser(name, help=summary, description=summary[:1].upper() + summary[1:] + ".")
@@ -121,7 +121,7 @@ def _step(
     return part
 
 
-def _render(options: argparse.Namespace) -> Step:
+def _render(options: argparse.Namespace) -> BatchStep:
     ending = ".exr" if options.exr else ".png"
     return Render(parse_view(options), options.size, ending, parse_settings(options))
 
@@ -149,15 +149,10 @@ def run(options: argparse.Namespace) -> int:
 def _listed(file: str) -> list[str]:
     if file == "-":
         return read_list(sys.stdin, Path())
-    try:
-        return read_list(Path(file).read_text(encoding="utf-8").splitlines(), Path(file).parent)
-    except UnicodeDecodeError as error:
-        raise FileError(file, "is not UTF-8", f"byte {error.start}") from error
-    except OSError as error:
-        raise FileError(file, f"cannot be read: {error.strerror or error}") from error
+    return read_list(read_text(file).splitlines(), Path(file).parent)
 
 
-def _print(done: BatchReport, *, as_json: bool) -> None:
+def _print(done: BatchResult, *, as_json: bool) -> None:
     if as_json:
         print_json(
             {

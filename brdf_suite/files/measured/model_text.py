@@ -6,10 +6,10 @@
 from __future__ import annotations
 
 from brdf_suite.errors import FileError, GraphicsError, PathLike
-from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.reflectance.live.model import LiveModel
 from brdf_suite.reflectance.live.text import LARGEST, ModelTextError, language_of
+from brdf_suite.regular_files import read_bytes
 
 _MOST_BYTES = 4 * LARGEST  # of UTF-8
 

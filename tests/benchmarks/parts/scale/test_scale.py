@@ -18,9 +18,9 @@ def scale():
 
 
 def test_every_cost_has_sizes_figures_and_a_cause(scale) -> None:
-    assert scale._SIZES.keys() == scale.FIGURES.keys() == scale.WHY.keys()
-    assert {f"{name}_exponent" for name in scale._SIZES} <= scale.BOUNDS.keys()
-    for usual, large in scale._SIZES.values():
+    assert scale.SIZES.keys() == scale.FIGURES.keys() == scale.WHY.keys()
+    assert {f"{name}_exponent" for name in scale.SIZES} <= scale.BOUNDS.keys()
+    for usual, large in scale.SIZES.values():
         assert len(usual) >= 2
         assert [*usual, *large] == sorted({*usual, *large})
 
@@ -34,7 +34,7 @@ def test_the_exponent_is_that_of_the_growth(scale, power: float) -> None:
 
 
 def test_one_cost_is_measured_at_its_sizes(scale, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scale, "_SIZES", {"nodes": ((20, 200), (400,))})
+    monkeypatch.setattr(scale, "SIZES", {"nodes": ((20, 200), (400,))})
     scale.LARGE = True
     result = measure(scale, None)
     assert result.figures["nodes_10k_ms"] > 0.0

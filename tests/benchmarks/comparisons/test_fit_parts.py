@@ -30,7 +30,7 @@ def finite(figures: dict[str, float | None], module: ModuleType) -> dict[str, fl
 
 
 def test_the_limit(monkeypatch: pytest.MonkeyPatch) -> None:
-    part = load_module(HERE / "parts" / "fit_limit.py")
+    part = load_module(HERE.parent / "parts" / "fit_limit.py")
     for name, value in {
         "SAMPLES": 300,
         "LOBES": 16,
@@ -60,7 +60,7 @@ def test_the_limit(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_angles(monkeypatch: pytest.MonkeyPatch) -> None:
-    part = load_module(HERE / "parts" / "fit_angles.py")
+    part = load_module(HERE.parent / "parts" / "fit_angles.py")
     # What the figures' meaning says of the database holds.
     assert len(part.designed()) == len(paint_names()) == 40
     assert len(part.cook_torrance()) == len(TABLE_1) == 8
@@ -82,7 +82,7 @@ def test_the_angles(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_basis(monkeypatch: pytest.MonkeyPatch) -> None:
     """Over a few of the paints, which a stored search of the same hash stands for."""
-    part = load_module(HERE / "parts" / "fit_basis.py")
+    part = load_module(HERE.parent / "parts" / "fit_basis.py")
     stored = json.loads(resource("basis", STORED_NAME).read_text(encoding="utf-8"))
     whole = load_database(resource_root() / "paints")
     few = Database(whole.paints[:3], stored["provenance"]["database_sha256"])
@@ -98,7 +98,7 @@ def test_the_basis(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_the_parts_are_reported_one_after_another_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = load_module(HERE / "bench_fit.py")
+    whole = load_module(HERE.parent / "bench_fit.py")
     for module in whole.PARTS:
 
         def run(progress: object, module: ModuleType = module) -> dict[str, float]:
@@ -117,9 +117,7 @@ def test_the_parts_are_reported_one_after_another_in_words(monkeypatch: pytest.M
 
 def test_the_comparison_of_limits_prints_its_tables() -> None:
     command = [sys.executable, "-W", "error", "compare_limit.py", "--paints", "2"]
-    done = subprocess.run(
-        command, cwd=HERE / "comparisons", capture_output=True, text=True, timeout=240, check=False
-    )
+    done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, timeout=240, check=False)
     assert done.returncode == 0, done.stderr
     rows = [line for line in done.stdout.splitlines() if line.startswith("| ")]
     assert len(rows) >= 14
@@ -129,7 +127,7 @@ def test_the_comparison_of_limits_prints_its_tables() -> None:
 def test_the_comparison_of_incidences_prints_its_tables(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.syspath_prepend(str(HERE / "parts"))
+    monkeypatch.syspath_prepend(str(HERE.parent / "parts"))
     import compare_incidences as compared
 
     few = {name: compared.PAINTS[name] for name in ("blue", "matte_grey", "gold_green_shift")}
