@@ -17,9 +17,13 @@ from brdf_suite.files.measured import (
     brdftable,
     cook_torrance,
     cornell,
+    lighttools,
+    mbsdf,
     merl,
     pgii,
+    polarized,
     rgl,
+    ssdd,
     utia,
     zemax,
 )
@@ -31,13 +35,17 @@ from brdf_suite.files.measured.format import (
 )
 
 FORMATS: tuple[MeasuredFormat, ...] = (
+    polarized.FORMAT,
     rgl.FORMAT,
+    mbsdf.FORMAT,
     brdftable.FORMAT,
     merl.FORMAT,
     utia.FORMAT,
     cook_torrance.FORMAT,
     bird.FORMAT,
     zemax.FORMAT,
+    lighttools.FORMAT,
+    ssdd.FORMAT,
     astm.FORMAT,
     alta.FORMAT,
     pgii.FORMAT,
