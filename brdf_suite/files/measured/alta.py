@@ -85,7 +85,7 @@ class _Header:
         return int(value)
 
     def check(self, number: int) -> AltaSystem:
-        """Return the coordinates; raise :class:`FileError` where the header does not describe columns that are known."""
+        """Return the coordinates; raise :class:`FileError` where the header describes no columns that are known."""
         place = f"the header, before line {number}"
         if self.param_in not in SYSTEMS:
             known = ", ".join(sorted(SYSTEMS))
@@ -209,7 +209,9 @@ def _read_binary(path: PathLike) -> tuple[_Header, SampleRows]:
     table = np.frombuffer(content, "<f8" if order == "little" else ">f8", needed, start).reshape(-1, width)
     wrong = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if wrong.size:
-        raise FileError(path, "holds a number that is not finite", f"byte {start + 8 * width * int(wrong[0])}")
+        raise FileError(
+            path, "holds a number that is not finite", f"byte {start + 8 * width * int(wrong[0])}"
+        )
     rows = _BinaryRows(path, header.inputs + header.outputs)
     rows.extend(table[:, : rows.width], start + 8 * width * np.arange(len(table)))
     return header, rows

@@ -6,7 +6,7 @@ STEREOGRAPHIC, RETRO… and the sign of NEUMANN_3D. The difference vector of RUS
 
 | name | inputs |
 |---|---|
-| COS_TH, COS_TH_TD, RUSIN_TH_TD, RUSIN_TH_TD_PD, RUSIN_TH_PH_TD_PD | angles of the half-angle system, or their cosines |
+| COS_TH, COS_TH_TD, RUSIN_TH_TD, RUSIN_TH_TD_PD, RUSIN_TH_PH_TD_PD | half-angle coordinates, or their cosines |
 | RUSIN_VH | H, at θd = 0 |
 | COS_TK, SCHLICK_VH | polar angle's cosine, or the vector, of a light seen from its mirror direction |
 | SCHLICK_TL_TK_PROJ_DPHI | θL; the vector halfway between V and R, as (θ cos φ, θ sin φ) |
@@ -156,18 +156,12 @@ SYSTEMS: dict[str, AltaSystem] = {
     ),
     "ISOTROPIC_TV_PROJ_DPHI": AltaSystem(2, lambda x: (_normal(len(x)), _towards(x[:, 0], x[:, 1]))),
     "ISOTROPIC_TV_TL": AltaSystem(2, lambda x: (_light(x[:, 1]), _light(x[:, 0]))),
-    "STARK_2D": AltaSystem(
-        2, lambda x: _stark(x[:, 0], x[:, 1], np.full(len(x), _QUARTER)), gridded=True
-    ),
+    "STARK_2D": AltaSystem(2, lambda x: _stark(x[:, 0], x[:, 1], np.full(len(x), _QUARTER)), gridded=True),
     "NEUMANN_2D": AltaSystem(
         2, lambda x: _neumann(x[:, 0], x[:, 1], np.full(len(x), _QUARTER)), gridded=True
     ),
-    "RUSIN_TH_TD_PD": AltaSystem(
-        3, lambda x: _half(x[:, 0], 0.0 * x[:, 0], x[:, 1], x[:, 2]), gridded=True
-    ),
-    "ISOTROPIC_TV_TL_DPHI": AltaSystem(
-        3, lambda x: (spherical(x[:, 1], x[:, 2]), _light(x[:, 0]))
-    ),
+    "RUSIN_TH_TD_PD": AltaSystem(3, lambda x: _half(x[:, 0], 0.0 * x[:, 0], x[:, 1], x[:, 2]), gridded=True),
+    "ISOTROPIC_TV_TL_DPHI": AltaSystem(3, lambda x: (spherical(x[:, 1], x[:, 2]), _light(x[:, 0]))),
     "ISOTROPIC_TL_TV_PROJ_DPHI": AltaSystem(3, lambda x: (_light(x[:, 0]), _towards(x[:, 1], x[:, 2]))),
     "RUSIN_VH": AltaSystem(3, lambda x: (x, x.copy()), anisotropic=True),
     "SCHLICK_VH": AltaSystem(3, lambda x: _mirrored(x), anisotropic=True),

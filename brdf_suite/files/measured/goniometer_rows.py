@@ -58,7 +58,9 @@ class SampleRows:
     def extend(self, table: Floats, lines: npt.NDArray[np.int64]) -> None:
         """Keep the rows of ``table`` (n, ``width``), each with what :meth:`place` names; errors as :meth:`add`."""
         if len(self._lines) + len(table) > MOST_SAMPLES:
-            raise FileError(self.path, f"has more than {MOST_SAMPLES:,} rows of samples", "the number of rows")
+            raise FileError(
+                self.path, f"has more than {MOST_SAMPLES:,} rows of samples", "the number of rows"
+            )
         self._numbers.frombytes(np.ascontiguousarray(table, np.float64).tobytes())
         self._lines.frombytes(lines.astype(np.int64).tobytes())
 

@@ -1,4 +1,4 @@
-"""Conversion of a file's table over four angles to an :class:`~brdf_suite.reflectance.tabulated.angle_grid.AngleGrid`."""
+"""Conversion of a file's table over four angles to a reflectance."""
 
 from __future__ import annotations
 

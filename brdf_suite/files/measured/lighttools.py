@@ -1,14 +1,15 @@
 """BSDF data of LightTools: text, angles about the normal, one block of values per incidence.
 
-After ``Symmetry`` and ``SpectralContent`` (Monochrome or XYZ) stand ``ScatterAzimuth`` and ``ScatterRadial``, each with a
-count and that many angles in degrees, then ``DataBegin``. A block names its ``AOI``, ``POI``, ``Side``, ``Wavelength``,
-``ScatterType`` and, of colours, its ``TristimulusValue`` (TrisX, TrisY, TrisZ); ``TIS`` and its value end the head, and a
-value in 1/sr follows for each azimuth and radial angle, the radial one fastest. ``DataEnd`` ends the file. ``#`` begins a
-comment.
+After ``Symmetry`` and ``SpectralContent`` (Monochrome or XYZ) stand ``ScatterAzimuth`` and ``ScatterRadial``, each
+with a count and that many angles in degrees, then ``DataBegin``. A block names its ``AOI``, ``POI``, ``Side``,
+``Wavelength``, ``ScatterType`` and, of colours, its ``TristimulusValue`` (TrisX, TrisY, TrisZ); ``TIS`` and its value
+end the head, and a value in 1/sr follows for each azimuth and radial angle, the radial one fastest. ``DataEnd`` ends
+the file. ``#`` begins a comment.
 
 The maker's description is not public: the layout, and that the light of an isotropic file comes from azimuth 90°, are
-those of a public reader (libbsdf), and were not checked on files of LightTools. Read is the reflection of the front side;
-blocks of the back side and of transmission are counted. Several ``POI`` are refused, since what they turn is not known.
+those of a public reader (libbsdf), and were not checked on files of LightTools. Read is the reflection of the front
+side; blocks of the back side and of transmission are counted. Several ``POI`` are refused, since what they turn is
+not known.
 """
 
 from __future__ import annotations
@@ -110,7 +111,9 @@ class _Reader:
         axis = check_axis(self._path, incidences, 90.0, "angles of incidence", f"line {blocks[0].line}")
         shape = (len(incidences), self._azimuth.size, self._radial.size, len(channels))
         if len(blocks) != len(incidences) * len(channels):
-            reason = f"{len(blocks)} blocks; {len(incidences)} incidences of {len(channels)} channels are expected"
+            reason = (
+                f"{len(blocks)} blocks; {len(incidences)} incidences of {len(channels)} channels are expected"
+            )
             raise self._fail(reason, blocks[-1].line)
         numbers = np.empty(shape)
         lines = np.zeros(shape[0], np.int64)

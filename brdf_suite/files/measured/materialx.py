@@ -1,13 +1,14 @@
 """MaterialX documents (``.mtlx``): Standard Surface, OpenPBR Surface and glTF PBR, read as reflectances.
 
 A document is XML whose root is ``materialx``. A surface shader is an element ``standard_surface``,
-``open_pbr_surface`` or ``gltf_pbr`` with ``input`` children (documents before 1.38 say ``parameter``, or ``shaderref`` with
-``bindinput``), and a ``surfacematerial`` names it. Read is the shader of the first material, or the first shader.
+``open_pbr_surface`` or ``gltf_pbr`` with ``input`` children (documents before 1.38 say ``parameter``, or
+``shaderref`` with ``bindinput``), and a ``surfacematerial`` names it. Read is the shader of the first material, or
+the first shader.
 
 An input that is connected to a constant, also through the interface of a node graph, has that value. Textures and
-computed inputs are not read: the input keeps its default, and a notice names it, as it names everything else of a shader
-that a reflectance at one place cannot hold. Colours are brought to linear Rec. 709 from the colour space that their
-input, an element around it, or the document names. The defaults are those of MaterialX 1.39's definitions.
+computed inputs are not read: the input keeps its default, and a notice names it, as it names everything else of a
+shader that a reflectance at one place cannot hold. Colours are brought to linear Rec. 709 from the colour space that
+their input, an element around it, or the document names. The defaults are those of MaterialX 1.39's definitions.
 """
 
 from __future__ import annotations
@@ -143,7 +144,9 @@ def read_materialx(path: PathLike, _options: ReadOptions | None = None) -> Surfa
     notes = inputs.notes()
     if others:
         named = ", ".join(others[:5]) + (" …" if len(others) > 5 else "")
-        notes.append(f"The document holds {len(others) + 1} materials; “{one_line(name)}” was read, not {named}.")
+        notes.append(
+            f"The document holds {len(others) + 1} materials; “{one_line(name)}” was read, not {named}."
+        )
     if notes:
         facts["notes"] = tuple(notes)
     return replace(made, source=os.fspath(path), facts=facts)
@@ -198,7 +201,9 @@ class _Document:
         return shader, name, [one_line(other) or "(no name)" for other, _ in others]
 
     def named(self, name: str, within: Element) -> Element | None:
-        return next((e for e in within.children if e.attributes.get("name") == name and e.name != "input"), None)
+        return next(
+            (e for e in within.children if e.attributes.get("name") == name and e.name != "input"), None
+        )
 
     def connected(self, place: Element) -> Element | None:
         """Return the element that an input or output is connected to, or None."""
@@ -331,7 +336,9 @@ class _Inputs:
         wanted = place.attributes["interfacename"]
         inputs = [] if scope is None else [*scope.all("input"), *scope.all("parameter")]
         inner = next((i for i in inputs if i.attributes.get("name") == wanted), None)
-        return self._resolve(inner, depth + 1) if inner is not None else (None, "an interface without a value")
+        return (
+            self._resolve(inner, depth + 1) if inner is not None else (None, "an interface without a value")
+        )
 
     def _parse(self, place: Element, text: str) -> _Value:
         kind = place.attributes.get("type", "float")
@@ -345,7 +352,9 @@ class _Inputs:
             except ValueError:
                 numbers.append(math.nan)
         count = {"color3": 3, "color4": 4, "vector3": 3, "vector2": 2}.get(kind, 1)
-        if len(numbers) != count or not all(math.isfinite(number) and abs(number) < 1e9 for number in numbers):
+        if len(numbers) != count or not all(
+            math.isfinite(number) and abs(number) < 1e9 for number in numbers
+        ):
             name = one_line(place.attributes.get("name", ""))[:40]
             raise self.fail(f"{name!r} is {text[:40]!r}; expected {count} finite numbers", place)
         if kind in ("color3", "color4"):
@@ -372,9 +381,10 @@ class _Inputs:
                 found, why = self._resolve(place, 0)
                 if why or (found is not None and found != neutral[name]):
                     self.lost.append(f"{name} ({why or _shown(found)})")
-            elif any(word in name for word in _GEOMETRY):
-                if "nodename" in place.attributes or "nodegraph" in place.attributes:
-                    self.lost.append(f"{name} (a map)")
+            elif any(word in name for word in _GEOMETRY) and {"nodename", "nodegraph"} & set(
+                place.attributes
+            ):
+                self.lost.append(f"{name} (a map)")
         for name in _BEYOND:
             if name in self._defaults and (share := self.number(name)) > 0.0:
                 self.lost.append(f"{name} ({share:g})")
@@ -383,7 +393,9 @@ class _Inputs:
         """Return the notices, each a sentence."""
         found = list(self.said)
         if self.unread:
-            found.append(f"Textures and computed inputs are not read; defaults stand for {_listed(self.unread)}.")
+            found.append(
+                f"Textures and computed inputs are not read; defaults stand for {_listed(self.unread)}."
+            )
         if self.lost:
             found.append(f"Left out: {_listed(self.lost)}.")
         if self.limited:
@@ -481,7 +493,9 @@ def _openpbr(inputs: _Inputs) -> SurfaceShader:
 def _gltf(inputs: _Inputs) -> SurfaceShader:
     specular, coat = inputs.number("specular"), inputs.number("clearcoat")
     colour = np.asarray(inputs.colour("base_color"))
-    f0 = np.minimum(normal_reflectance(inputs.index("ior")) * np.asarray(inputs.colour("specular_color")), 1.0)
+    f0 = np.minimum(
+        normal_reflectance(inputs.index("ior")) * np.asarray(inputs.colour("specular_color")), 1.0
+    )
     return SurfaceShader(
         base=_rgb((1.0 - inputs.number("transmission")) * colour),
         specular=1.0 if specular > 0.0 else 0.0,

@@ -1,13 +1,15 @@
 """MBSDF, the measured BSDF of NVIDIA's Material Definition Language (``.mbsdf``), read and written.
 
 A line of text, ``NVIDIA ARC MBSDF V1``, then lines ``name="value"``, then ``MBSDF_DATA=`` or
-``MBSDF_DATA_REFLECTION=``, and behind its line feed, little-endian: uint32 kind (0 grey, 1 RGB), uint32 n, uint32 m, and
-n · n · m float32 or triples of them, f_r in 1/sr, of (θ of one direction, θ of the other, Δφ), Δφ fastest;
-``MBSDF_DATA_TRANSMISSION=`` may follow in the same way. Both directions point away from the surface, so that the mirror
-direction is Δφ = 180°. Layout from the specification of the language (appendix "MBSDF file format") and from the source
-of its SDK; no file of NVIDIA's was at hand. As in the SDK's evaluation, node k stands at k · 90°/n of θ and k · 180°/m of
-Δφ, and the two orders of a pair are averaged; the shaders of other programs take the centres of those cells, half a cell
-further. RGB is taken as linear Rec. 709.
+``MBSDF_DATA_REFLECTION=``, and behind its line feed, little-endian: uint32 kind (0 grey, 1 RGB), uint32 n, uint32 m,
+and n · n · m float32 or triples of them, f_r in 1/sr, of (θ of one direction, θ of the other, Δφ), Δφ fastest.
+``MBSDF_DATA_TRANSMISSION=`` may follow in the same way. Both directions point away from the surface, so the mirror
+direction is at Δφ = 180°.
+
+The layout is that of the specification of the language (appendix "MBSDF file format") and of the source of its SDK; no
+file of NVIDIA's was at hand. As in the SDK's evaluation, node k stands at k · 90°/n of θ and k · 180°/m of Δφ, and the
+two orders of a pair are averaged. Other programs take the centres of those cells, half a cell further. RGB is taken as
+linear Rec. 709.
 """
 
 from __future__ import annotations
@@ -92,7 +94,8 @@ def read_mbsdf(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
 
 
 def _nodes(theta: int, phi: int) -> tuple[Floats, Floats]:
-    return np.arange(theta) * (0.5 * np.pi / theta), np.arange(phi) * (np.pi / phi)
+    polar, turn = (np.arange(float(count)) for count in (theta, phi))
+    return polar * (0.5 * np.pi / theta), turn * (np.pi / phi)
 
 
 def _unquoted(text: str) -> str:
@@ -118,7 +121,9 @@ def write_mbsdf(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     else:
         table = _tabulate(value)
         step = 90 / _THETA
-        notes.append(f"Tabulated every {step:g}°, as an isotropic reflectance; narrower highlights are widened.")
+        notes.append(
+            f"Tabulated every {step:g}°, as an isotropic reflectance; narrower highlights are widened."
+        )
     if not np.isfinite(table).all():
         raise FileError(path, "cannot be written: the reflectance gives values that are not finite")
     theta, _, phi, channels = table.shape

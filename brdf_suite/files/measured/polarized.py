@@ -1,4 +1,4 @@
-"""Polarimetric BRDFs (``.pbsdf``, Baek et al. 2020): read is their intensity, the element (0, 0) of the Mueller matrices.
+"""Polarimetric BRDFs (``.pbsdf``, Baek et al. 2020): their intensity, the element (0, 0) of the Mueller matrices.
 
 A tensor file (see :mod:`brdf_suite.files.measured.rgl`) with float32 ``theta_h``, ``theta_d`` and ``phi_d`` (1, n),
 radians, uint16 ``wvls`` (k,), nanometres, and float32 ``M`` (φd, θd, θh, k, 4, 4), 1/sr, isotropic, in half-angle
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.arrays import Floats, Singles
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
@@ -82,7 +82,7 @@ def _axis(path: PathLike, arrays: Arrays, name: str, most: float) -> Floats:
 
 def _fill(path: PathLike, values: Singles) -> Singles:
     """Return values (θh, θd, φd, k) with NaN replaced along θd, then along θh; infinite ones are refused later."""
-    known = ~np.isnan(values).any(axis=-1)
+    known: Bools = np.asarray(~np.isnan(values).any(axis=-1))
     if not known.any():
         raise FileError(path, "holds NaN alone", "the field 'M'")
     for axis in (1, 0):
@@ -92,7 +92,7 @@ def _fill(path: PathLike, values: Singles) -> Singles:
     return values
 
 
-def _carry(values: Singles, known: np.ndarray, axis: int, step: int) -> tuple[Singles, np.ndarray]:
+def _carry(values: Singles, known: Bools, axis: int, step: int) -> tuple[Singles, Bools]:
     """Carry known values along an axis to unknown ones behind them."""
     count = values.shape[axis]
     order = range(1, count) if step > 0 else range(count - 2, -1, -1)

@@ -5,9 +5,9 @@ begins with ``VERSION``, then up to four blocks. A block is text from ``DATA_TYP
 ``DATA ascii`` one colour a line, ``DATA binary`` little-endian float32. The first parameter runs fastest. Angles are in
 degrees, both directions point away from the surface.
 
-Read is the block ``brdf``; transmission and the shares of a mirror are left out, with a notice. The specification leaves
-the RGB open; it is taken as linear Rec. 709. In the specular system the turn 0 points towards the normal, which the
-specification leaves open too: so it is in the source of libbsdf.
+Read is the block ``brdf``; transmission and the shares of a mirror are left out, with a notice. The specification
+leaves the RGB open; it is taken as linear Rec. 709. In the specular system the turn 0 points towards the normal,
+which the specification leaves open too: so it is in the source of libbsdf.
 """
 
 from __future__ import annotations
@@ -147,7 +147,9 @@ class _Table:
                     raise block.fail(key, f"{key} is missing")
                 axes.append(np.zeros(1))
                 continue
-            axes.append(check_axis(self._path, block.numbers(key), most, f"angles of {key}", block.place(key)))
+            axes.append(
+                check_axis(self._path, block.numbers(key), most, f"angles of {key}", block.place(key))
+            )
         while len(axes) < 4:
             axes.append(np.zeros(1))
         self.axes = (axes[0], axes[1], axes[2], axes[3])
@@ -182,7 +184,7 @@ class _Table:
             raise self._block.fail("PARAM4_LIST", reason)
         if (np.abs(found) > 90.0).any():
             raise self._block.fail("PARAM4_LIST", "an offset is beyond 90°")
-        return np.radians(found)
+        return np.asarray(np.radians(found))
 
     def grid(self, values: _Values, facts: dict[str, object], observer_deg: int) -> AngleGrid:
         """Return the table of the values."""

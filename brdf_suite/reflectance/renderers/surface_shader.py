@@ -4,9 +4,9 @@
 
 B the diffuse base (Oren and Nayar 1994, or its energy-compensated form of Fujii that OpenPBR takes) and the colour of
 the subsurface; S, M and C lobes of :mod:`brdf_suite.reflectance.renderers.facet_lobe` with the multiple scattering of
-Turquin 2019: S a dielectric, or after Schlick with any f0 and f90, M a metal, C the coat; E their albedos, the mean over
-the channels; a what the coat absorbs. Layers take light from those below on the way to the view only, so the models are
-not reciprocal. The formulas of M's Fresnel reflectance:
+Turquin 2019: S a dielectric, or after Schlick with any f0 and f90, M a metal, C the coat; E their albedos, the mean
+over the channels; a what the coat absorbs. Layers take light from those below on the way to the view only, so the
+models are not reciprocal. The formulas of M's Fresnel reflectance:
 
 - OpenPBR (Kutz, Hašan and Edmondson 2021): F0 + (1 - F0)(1 - c)⁵ - b c (1 - c)⁶, with b such that F at cos θ = 1/7 is
   Schlick's times the colour F82;
@@ -122,7 +122,13 @@ class SurfaceShader(mixture.MixtureSampled):
         if self.metalness > 0.0:
             fresnel = self._metal_fresnel(0.5 * np.linalg.norm(wi + wo, axis=-1))
             lobe = self._lobe.terms(wi, wo)[:, :1]
-            value += self.metalness * self.metal * lobe * fresnel * (1.0 + fresnel * self._lobe.lost(cos_o)[:, None])
+            value += (
+                self.metalness
+                * self.metal
+                * lobe
+                * fresnel
+                * (1.0 + fresnel * self._lobe.lost(cos_o)[:, None])
+            )
         value *= np.asarray(self.attenuation)
         if self.coat > 0.0 and self.coat_ior > 1.0:
             f0 = np.array([normal_reflectance(self.coat_ior)])

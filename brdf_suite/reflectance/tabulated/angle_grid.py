@@ -5,8 +5,8 @@ The angles are those of one of three coordinate systems:
 | coordinates | the four angles |
 |---|---|
 | ``spherical`` | polar angle and azimuth of the light, polar angle and azimuth of the view |
-| ``specular`` | polar angle and azimuth of the light; the view's angle from the mirror direction, and its turn about it |
-| ``half_difference`` | polar angle and azimuth of the half vector; θd and φd of the light about it (Rusinkiewicz 1998) |
+| ``specular`` | polar angle and azimuth of the light; the view's angle from the mirror direction, and turn about it |
+| ``half_difference`` | polar angle and azimuth of the half vector; θd and φd of the light (Rusinkiewicz 1998) |
 
 The turn about the mirror direction is 0 towards the normal. One azimuth of the light, or of the half vector, is an
 isotropic table. Beyond the first and the last node of an angle the nearest node holds; azimuths go round.
@@ -157,9 +157,7 @@ class AngleGrid(HalfVectorSampled):
             # The azimuth *between* light and view is kept, or a highlight between two nodes would be cut in half.
             seen = turn + self.axes[1][node1] - phi if self.coordinates == "spherical" else turn
             low3, share3 = self._around_last(seen, self.axes[1][node1])
-            for a, c, d in product(
-                *((0, 1) if shape[axis] > 1 else (0,) for axis in (0, 2, 3))
-            ):
+            for a, c, d in product(*((0, 1) if shape[axis] > 1 else (0,) for axis in (0, 2, 3))):
                 weight = share0[a] * share1[b] * share2[c] * share3[d]
                 row = ((low0 + a) * shape[1] + node1) * shape[2] + low2 + c
                 row = row * shape[3] + (low3 + d) % shape[3]
@@ -203,9 +201,7 @@ def _between(nodes: Floats, angle: Floats) -> tuple[Indices, tuple[Singles, Sing
     return low, (1.0 - share, share)
 
 
-def _around(
-    nodes: Floats, angle: Floats, period: float = _TURN
-) -> tuple[Indices, tuple[Singles, Singles]]:
+def _around(nodes: Floats, angle: Floats, period: float = _TURN) -> tuple[Indices, tuple[Singles, Singles]]:
     """Return the lower node about azimuths (n,), and the shares; the node after the last is the first."""
     if nodes.size == 1:
         return _alone(len(angle))

@@ -57,8 +57,7 @@ def generate(path: Path) -> str:
     source = generator.generate("paint", element, context).getSourceCode(PyMaterialXGenShader.PIXEL_STAGE)
     head = "#version 400\n"
     # The generator leaves this one to the program that draws.
-    source = source.replace(head, head + "const bool u_refractionTwoSided = false;\n", 1)
-    return source
+    return source.replace(head, head + "const bool u_refractionTwoSided = false;\n", 1)
 
 
 class Shader:

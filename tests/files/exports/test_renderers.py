@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
-from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.designed.build import build_paint

@@ -143,7 +143,10 @@ class Variant:
     def rows(self) -> list[tuple[list[float], list[float]]]:
         """Inputs and outputs."""
         return [
-            ([float(x) for x in DEFINED[self.system](light, view)], [(0.5 + 0.1 * k) for k in range(self.outputs)])
+            (
+                [float(x) for x in DEFINED[self.system](light, view)],
+                [(0.5 + 0.1 * k) for k in range(self.outputs)],
+            )
             for light, view in ONLY.get(self.system, PAIRS)
         ]
 

@@ -40,7 +40,10 @@ class Variant:
     def channels(self) -> list[tuple[str, float, float]]:
         """The lines that name a channel, its wavelength, and its scale."""
         if self.content == "XYZ":
-            return [(f"TristimulusValue Tris{axis}", 0.0, scale) for axis, scale in zip("XYZ", (0.9, 1.0, 0.7))]
+            return [
+                (f"TristimulusValue Tris{axis}", 0.0, scale)
+                for axis, scale in {"X": 0.9, "Y": 1.0, "Z": 0.7}.items()
+            ]
         return [(f"Wavelength {length:g}", length, 0.001 * length) for length in self.wavelengths]
 
     def pair(self, incidence: float, azimuth: float, radial: float) -> tuple[np.ndarray, np.ndarray]:
@@ -54,7 +57,9 @@ class Variant:
         if not self.no_symmetry:
             lines.append(f"Symmetry {self.symmetry}")
         lines.append(f"SpectralContent {self.content}")
-        lines += listed("ScatterAzimuth", self.azimuths) + listed("ScatterRadial", self.radial) + ["DataBegin"]
+        lines += (
+            listed("ScatterAzimuth", self.azimuths) + listed("ScatterRadial", self.radial) + ["DataBegin"]
+        )
         keys = [(incidence, channel) for incidence in self.incidences for channel in self.channels()]
         if self.channel_first:
             keys.sort(key=lambda key: [entry[0] for entry in self.channels()].index(key[1][0]))
@@ -74,7 +79,14 @@ class Variant:
             lines += [self.separator.join(values[at : at + step]) for at in range(0, len(values), step)]
         if self.others:
             for kind, side in (("BTDF", "Front"), ("BRDF", "Back")):
-                lines += ["AOI 0", "POI 0", f"Side {side}", self.channels()[0][0], f"ScatterType {kind}", "TIS 1"]
+                lines += [
+                    "AOI 0",
+                    "POI 0",
+                    f"Side {side}",
+                    self.channels()[0][0],
+                    f"ScatterType {kind}",
+                    "TIS 1",
+                ]
                 lines.append(" ".join("9" for _ in range(len(self.azimuths) * len(self.radial))))
         lines.append("DataEnd")
         text = self.ends.join(lines) + self.ends

@@ -10,8 +10,12 @@ import pytest
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import FileError
+from brdf_suite.files.exports import FORMATS
+from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.measured import read_measured, sniff
-from brdf_suite.pipeline.material import load_material
+from brdf_suite.pipeline.material import load_material, load_shipped_paint
+from brdf_suite.reflectance.albedo import white_furnace
 from brdf_suite.reflectance.renderers.surface_shader import SurfaceShader
 
 _shader = load_module(Path(__file__).parents[1] / "exports" / "materialx_shader.py")
@@ -176,11 +180,15 @@ SAME = {
     "none": document("standard_surface", PLAIN, space=' colorspace="none"'),
     "version 1.38": document("standard_surface", PLAIN, version="1.38"),
     "version 1.37": document("standard_surface", PLAIN | {"base": 1.0}, version="1.37"),
-    "version 1.0.0 of the shader": document("standard_surface", PLAIN | {"base": 1.0}, more=' version="1.0.0"'),
+    "version 1.0.0 of the shader": document(
+        "standard_surface", PLAIN | {"base": 1.0}, more=' version="1.0.0"'
+    ),
     "shaderref": OLD,
-    "parameters": document("standard_surface", PLAIN).replace("<input name=\"base", "<parameter name=\"base"),
+    "parameters": document("standard_surface", PLAIN).replace('<input name="base', '<parameter name="base'),
     "spaces for commas": document("standard_surface", PLAIN).replace("0.6, 0.1, 0.05", "0.6 0.1  0.05"),
-    "color4": document("standard_surface", PLAIN).replace('color3" value="0.6, 0.1, 0.05"', 'color4" value="0.6, 0.1, 0.05, 1"'),
+    "color4": document("standard_surface", PLAIN).replace(
+        'color3" value="0.6, 0.1, 0.05"', 'color4" value="0.6, 0.1, 0.05, 1"'
+    ),
     "comments and a namespace": document("standard_surface", PLAIN).replace(
         "<materialx", '<!-- a --><materialx xmlns:xi="http://www.w3.org/2001/XInclude"'
     ),
@@ -203,7 +211,7 @@ SAME = {
     "a constant outside": document(
         "standard_surface",
         {},
-        before='  <constant name="red" type="color3"><input name="value" type="color3" value="0.6, 0.1, 0.05"/></constant>\n',
+        before=f'  <constant name="red" type="color3">{element("value", RED)}</constant>\n',
         raw=connected(nodename="red"),
     ),
     "encoded as sRGB": document(
@@ -244,17 +252,15 @@ def test_every_way_to_write_a_document_gives_the_same_reflectance(tmp_path: Path
 
 
 def test_the_documents_of_the_suite_read_back(tmp_path: Path) -> None:
-    from brdf_suite.files.exports import FORMATS
-    from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
-    from brdf_suite.files.exports.format import ExportItem
-    from brdf_suite.pipeline.material import load_shipped_paint
-
     paint = load_shipped_paint("gold_metallic")
     path = tmp_path / "gold.mtlx"
     next(known for known in FORMATS if known.name == "openpbr").write([ExportItem(paint)], path, None)
     material = load_material(path)
     model = fit_coated_facets(paint, "openpbr").model
-    wi, wo = (_shader.illumination(np.full(4, 45.0)), _shader.aspecular_view(45.0, np.array([15, 25, 45, 110.0])))
+    wi, wo = (
+        _shader.illumination(np.full(4, 45.0)),
+        _shader.aspecular_view(45.0, np.array([15, 25, 45, 110.0])),
+    )
     assert material.eval(wi, wo) == pytest.approx(model.eval(wi, wo), rel=1e-4)
     assert material.facts["model"] == "OpenPBR Surface"
 
@@ -283,7 +289,9 @@ def test_what_cannot_be_held_is_named(tmp_path: Path, kind: str, name: str) -> N
 
 
 def test_textures_and_normal_maps_are_named(tmp_path: Path) -> None:
-    image = '  <image name="albedo" type="color3"><input name="file" type="filename" value="a.png"/></image>\n'
+    image = (
+        '  <image name="albedo" type="color3"><input name="file" type="filename" value="a.png"/></image>\n'
+    )
     normal = '    <input name="normal" type="vector3" nodename="bumps"/>\n'
     text = document("standard_surface", {}, before=image, raw=connected(nodename="albedo") + normal)
     value = read_measured(written(tmp_path, text))
@@ -296,7 +304,7 @@ def test_textures_and_normal_maps_are_named(tmp_path: Path) -> None:
 def test_the_first_of_several_materials_is_read_and_the_others_named(tmp_path: Path) -> None:
     text = document("standard_surface", PLAIN)
     second = text[text.index("  <standard") : text.index("</materialx>")]
-    second = second.replace("surface\" type", "surface2\" type").replace('"surface"/', '"surface2"/')
+    second = second.replace('surface" type', 'surface2" type').replace('"surface"/', '"surface2"/')
     second = second.replace('name="paint"', 'name="glass"')
     value = read_measured(written(tmp_path, text.replace("</materialx>", second + "</materialx>")))
     assert value.facts["name"] == "paint"
@@ -314,12 +322,16 @@ def test_values_beyond_their_range_are_limited_and_named(tmp_path: Path) -> None
 
 
 def test_a_white_furnace_loses_little_and_gains_nothing(tmp_path: Path) -> None:
-    from brdf_suite.reflectance.albedo import directional_albedo
-
-    given = {"base_color": (1.0, 1.0, 1.0), "specular_roughness": 0.5, "coat_weight": 1.0, "coat_roughness": 0.4}
+    given = {
+        "base_color": (1.0, 1.0, 1.0),
+        "specular_roughness": 0.5,
+        "coat_weight": 1.0,
+        "coat_roughness": 0.4,
+    }
     value = read_measured(written(tmp_path, document("open_pbr_surface", given)))
-    for theta in (10.0, 45.0, 70.0):
-        assert 0.8 < float(np.max(directional_albedo(value, theta))) < 1.01
+    found = white_furnace(value, _shader.illumination(np.array([10.0, 45.0, 70.0])))
+    assert found.min() > 0.8
+    assert found.max() < 1.01
 
 
 @pytest.mark.parametrize(
@@ -331,7 +343,7 @@ def test_a_white_furnace_loses_little_and_gains_nothing(tmp_path: Path) -> None:
         ("standard_surface", "disney_principled", "no surface shader that is known", 2),
         ('version="1.39"', 'version="new"', "none of MaterialX", 2),
         ("</standard_surface>", "", "not valid XML", 0),
-        ("<?xml", "<!DOCTYPE materialx [<!ENTITY a 'b'>]><?xml", "not valid XML", 0),
+        ("<?xml", "<!DOCTYPE materialx [<!ENTITY a 'b'>]><?xml", "document type", 0),
     ],
 )
 def test_damage_is_refused_with_the_line(tmp_path: Path, old: str, new: str, reason: str, line: int) -> None:

@@ -117,7 +117,9 @@ def test_the_other_half_of_the_turn_mirrors_the_first(tmp_path: Path) -> None:
 
 
 def test_entries_become_facts(tmp_path: Path) -> None:
-    assert read_measured(written(tmp_path, VARIANTS["escaped quotes"].content())).facts["name"] == 'a "b" \\ c'
+    assert (
+        read_measured(written(tmp_path, VARIANTS["escaped quotes"].content())).facts["name"] == 'a "b" \\ c'
+    )
 
 
 @pytest.mark.parametrize("name", ["grey", "colours", "many azimuths"])
@@ -170,7 +172,11 @@ def test_a_matt_white_reads_back_exactly(tmp_path: Path) -> None:
         (lambda data: data[: len(MAGIC) + len(REFLECTION) + 7], "within the size", "byte"),
         (lambda data: data + b"more", "more bytes", "byte"),
         (lambda data: data.replace(b"_REFLECTION", b"_TRANSMISSION"), "transmission alone", "byte"),
-        (lambda data: data.replace(struct.pack("<3I", 0, 6, 8), struct.pack("<3I", 2, 6, 8)), "no table", "byte"),
+        (
+            lambda data: data.replace(struct.pack("<3I", 0, 6, 8), struct.pack("<3I", 2, 6, 8)),
+            "no table",
+            "byte",
+        ),
         (
             lambda data: data.replace(struct.pack("<3I", 0, 6, 8), struct.pack("<3I", 1, 4000, 4000)),
             "more than|cut off",

@@ -306,7 +306,10 @@ def table_bytes(
 ) -> bytes:
     """A table of any bins and type; the place of a value is φd + bins·(θd + n·θh), a plane per channel."""
     bin_h, bin_d, bin_p = np.ogrid[:theta_h, :theta_d, :phi]
-    high, wide = np.radians((bin_h + 0.5) ** 2 * 90.0 / theta_h**2), np.radians((bin_d + 0.5) * 90.0 / theta_d)
+    high, wide = (
+        np.radians((bin_h + 0.5) ** 2 * 90.0 / theta_h**2),
+        np.radians((bin_d + 0.5) * 90.0 / theta_d),
+    )
     around = (bin_p + 0.5) * np.pi / (2 * theta_d)
     planes = model(high, wide, around)
     if scaled:
@@ -338,7 +341,9 @@ def test_every_layout_and_precision_is_recognised_and_holds_its_values(name: str
     assert table.grid.shape == (n, d, phi)
     assert table.reciprocal == (phi == 2 * d)
     said = {"<f8": "", "<f4": "single precision", "<f2": "half precision"}[kind]
-    assert [note for note in table.facts["notes"] if "precision" in note] == ([f"it stores {said}"] if said else [])
+    assert [note for note in table.facts["notes"] if "precision" in note] == (
+        [f"it stores {said}"] if said else []
+    )
     assert table.facts["scale_factors"] is scaled
     bin_h, bin_d, bin_p = np.meshgrid(range(n), range(d), range(phi), indexing="ij")
     angles = (

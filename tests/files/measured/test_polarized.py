@@ -20,7 +20,9 @@ PUBLISHED = (450, 500, 550, 600, 650)
 KINDS = {np.dtype(np.uint16): 3, np.dtype(np.float32): 10, np.dtype(np.float64): 11, np.dtype(np.uint8): 1}
 
 
-def tensor_file(fields: dict[str, np.ndarray], *, aligned: int = 8, version: tuple[int, int] = (1, 0)) -> bytes:
+def tensor_file(
+    fields: dict[str, np.ndarray], *, aligned: int = 8, version: tuple[int, int] = (1, 0)
+) -> bytes:
     """The container: a table of fields with absolute offsets, then their bytes."""
     size = 18 + sum(13 + len(name) + 8 * array.ndim for name, array in fields.items())
     table, data = b"", b""
@@ -162,7 +164,11 @@ def test_the_reflectance_is_that_of_mitsuba(tmp_path: Path) -> None:
     [
         (lambda fields: fields.pop("wvls"), "of no measured|missing", ""),
         (lambda fields: fields.pop("theta_h"), "is missing", "the list of fields"),
-        (lambda fields: fields.update(wvls=fields["wvls"].astype(np.float32)), "expected uint16", "the field 'wvls'"),
+        (
+            lambda fields: fields.update(wvls=fields["wvls"].astype(np.float32)),
+            "expected uint16",
+            "the field 'wvls'",
+        ),
         (lambda fields: fields.update(M=fields["M"][:-1]), "expected the shape", "the field 'M'"),
         (lambda fields: fields.update(M=fields["M"].astype(np.float64)), "expected float32", "the field 'M'"),
         (lambda fields: fields.update(theta_d=-fields["theta_d"]), "rise", "the field 'theta_d'"),

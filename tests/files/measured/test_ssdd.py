@@ -246,11 +246,11 @@ def test_sizes_beyond_the_file_are_refused_before_memory_is_taken(tmp_path: Path
         for index, line in enumerate(lines):
             if line.startswith((f"PARAM{axis}_LIST", "PARAM0_LIST")):
                 lines[index] = line.split()[0] + " " + many
-        with pytest.raises(FileError, match="cut off|more than"):
+        with pytest.raises(FileError, match=r"cut off|more than"):
             read_measured(written(tmp_path, "\n".join(lines).encode("latin-1")))
 
 
 def test_a_truncated_file_is_refused(tmp_path: Path) -> None:
     for variant in (Variant(), Variant(binary=True)):
-        with pytest.raises(FileError, match="cut off|ends after"):
+        with pytest.raises(FileError, match=r"cut off|ends after"):
             read_measured(written(tmp_path, variant.content()[:-40]))

@@ -1,6 +1,7 @@
-"""Pairs of directions by angles of three coordinate systems, made by turning vectors step by step, and a field to tabulate.
+"""Pairs of directions by angles of three coordinate systems, and a field to tabulate.
 
-It shares no formula with the readers, which look angles up the other way round.
+The pairs are made by turning vectors step by step, which shares no formula with the readers: those look angles up the
+other way round.
 """
 
 from __future__ import annotations
@@ -40,7 +41,9 @@ def spherical_pair(a: float, b: float, c: float, d: float) -> tuple[np.ndarray, 
 
 
 @lru_cache(maxsize=4096)
-def specular_pair(a: float, b: float, c: float, d: float, offset: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+def specular_pair(
+    a: float, b: float, c: float, d: float, offset: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
     """The view leaves the mirror direction towards the normal, then turns about it."""
     light, mirror = polar(a, b), polar(a + offset, b + 180.0)
     across = turn(np.array(Y), UP, b)
