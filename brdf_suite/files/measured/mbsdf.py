@@ -77,7 +77,8 @@ def read_mbsdf(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
     if rest and not rest.startswith(_TRANSMISSION):
         raise FileError(path, "holds more bytes than its table takes", f"byte {at + 4 * count}")
     numbers = np.frombuffer(content, "<f4", count, at).reshape(shape)
-    both = 0.5 * (numbers + numbers.transpose(1, 0, 2, 3))
+    with np.errstate(invalid="ignore", over="ignore"):  # what is no finite number is refused with the table
+        both = 0.5 * (numbers + numbers.transpose(1, 0, 2, 3))
     notes = ("Left out: its transmission.",) if rest else ()
     polar, turn = _nodes(theta, phi)
     return grid_of(

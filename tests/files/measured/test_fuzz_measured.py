@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import struct
 import sys
 from pathlib import Path
 from types import ModuleType
@@ -14,6 +15,7 @@ import pytest
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.files.measured import read_measured, write_measured
+from brdf_suite.files.measured.rgl import pack
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
@@ -78,6 +80,28 @@ SMALL = {
     ),
     "foil.dat": "#format: theta phi DSF\n#intheta 30\n#inphi 0\n60 180 0.5\n30 180 4.0\n150 0 9\n",
     "pair.alta": "#DIM 6 3\n#PARAM_IN CARTESIAN\n#PARAM_OUT RGB_COLOR\n0 0 1 0.6 0 0.8 1.0 0.5 0.2\n",
+    "retro.alta": "#DIM 3 1\n#VS 0\n#PARAM_IN RETRO_TL_TVL_PROJ_DPHI\n0.2 0.3 0.1 1.0\n0.7 0.5 0.2 0.5\n",
+    "panel.ssdd": "VERSION 0.2\nDATA_TYPE brdf\nCOLOR_MODEL xyz\nPARAM_TYPE specular_coordinate_system\n"
+    "REDUCTION_TYPE bilateral_symmetry\nPARAM0_LIST 0 45\nPARAM2_LIST 0 60\nPARAM3_LIST 0 180\nDATA ascii\n"
+    + "0.3 0.3 0.2\n" * 8
+    + "DATA_TYPE specular_reflectance\nCOLOR_MODEL monochrome\nPARAM0_LIST 0\nDATA ascii\n0.05\n",
+    "half.ssdd": "VERSION 0.2\nDATA_TYPE brdf\nCOLOR_MODEL spectrum\nWAVELENGTH_LIST 450 550 650\n"
+    "PARAM_TYPE half_difference_coordinate_system\nREDUCTION_TYPE bilateral_symmetry reciprocity\nPARAM0_LIST 0 9\n"
+    "PARAM2_LIST 0 60\nPARAM3_LIST 0 90\nDATA binary\n" + "aaa>" * 24,
+    "light.bsdf": "Symmetry Asymmetric\nSpectralContent XYZ\nScatterAzimuth 3\n0 90 270\nScatterRadial 2\n0 60\n"
+    "DataBegin\n"
+    + "".join(
+        f"AOI {aoi}\nPOI 0\nSide Front\nTristimulusValue Tris{axis}\nScatterType BRDF\nTIS 0.5\n1 2 3 4 5 6\n"
+        for aoi in (0, 45)
+        for axis in "XYZ"
+    )
+    + "DataEnd\n",
+    "coat.mtlx": '<?xml version="1.0"?><materialx version="1.39" colorspace="acescg"><nodegraph name="g"><constant'
+    ' name="c" type="color3"><input name="value" type="color3" value="0.1 0.2 0.3"/></constant><output name="out"'
+    ' type="color3" nodename="c"/></nodegraph><open_pbr_surface name="s" type="surfaceshader"><input name="base_color"'
+    ' type="color3" nodegraph="g"/><input name="coat_weight" type="float" value="1"/><input name="coat_roughness"'
+    ' type="float" value="0.3"/></open_pbr_surface><surfacematerial name="m" type="material"><input'
+    ' name="surfaceshader" type="surfaceshader" nodename="s"/></surfacematerial></materialx>',
     "half.alta": "#DIM 4 1\n#VS 1\n#PARAM_IN RUSIN_TH_PH_TD_PD\n0.2 0.3 0.4 1.5 1.0 0.1\n0.2 0.3 0.5 1.5 1.0 0.1\n",
     "lobes.brdfpaint": json.dumps(
         paint_to_json(
@@ -102,6 +126,24 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a table of each layout, small or of the one size that the format knows."""
     folder = tmp_path_factory.mktemp("tables")
     matt = Lambertian(0.5)
+    shape = (9, 8, 7, 2)
+    mueller = {
+        "theta_h": np.linspace(0.0, 1.5, 7, dtype=np.float32)[None],
+        "theta_d": np.linspace(0.0, 1.5, 8, dtype=np.float32)[None],
+        "phi_d": np.linspace(0.0, 6.28, 9, dtype=np.float32)[None],
+        "wvls": np.array([500, 600], np.uint16),
+        "M": np.full((*shape, 4, 4), 0.2, np.float32),
+    }
+    (folder / "gold.pbsdf").write_bytes(pack(mueller))
+    head = b'NVIDIA ARC MBSDF V1\nname="x"\nMBSDF_DATA=\n' + struct.pack("<3I", 1, 4, 6)
+    (folder / "paper.mbsdf").write_bytes(head + np.full((4, 4, 6, 3), 0.3, "<f4").tobytes())
+    half = struct.pack("<3i", 12, 12, 24) + np.full((3, 12, 12, 24), 0.25, "<f2").tobytes()
+    (folder / "half.binary").write_bytes(half)
+    lines = b"#DIM 3 3\n#VS 0\n#PARAM_IN STARK_3D\n#PARAM_OUT RGB_COLOR\n#FORMAT binary\n#VERSION 0\n#ENDIAN little\n"
+    rows = np.tile([0.2, 0.3, 1.0, 0.5, 0.4, 0.3], (20, 1)).astype("<f8").tobytes()
+    (folder / "stark.alta").write_bytes(
+        lines + b"#SAMPLE_COUNT 20\n#BEGIN_STREAM\n" + rows + b"\n#END_STREAM\n"
+    )
     write_measured(
         IsotropicTable.from_reflectance(matt, HalfAngleGrid(6, 6, 12)), folder / "isotropic.brdftable"
     )
@@ -128,7 +170,11 @@ def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "anisotropic.brdftable",
         "factored.brdftable",
         "small.binary",
+        "half.binary",
         "cloth.bin",
+        "gold.pbsdf",
+        "paper.mbsdf",
+        "stark.alta",
     ],
 )
 def test_damaged_tables(tables: Path, tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
