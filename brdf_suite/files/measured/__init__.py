@@ -56,6 +56,7 @@ FORMATS: tuple[MeasuredFormat, ...] = (
 """In the order in which they are tried; the ones that a few bytes settle come first."""
 
 _HEAD = 1 << 16
+_HDF5 = b"\x89HDF\r\n\x1a\n"
 _LARGEST = 8 << 30
 
 
@@ -69,6 +70,11 @@ def sniff(path: PathLike) -> MeasuredFormat:
         size = stream.seek(0, 2)
     if not head:
         raise FileError(path, "is empty", "byte 0")
+    if head.startswith(_HDF5) or Path(path).suffix.lower() == ".axf":
+        reason = (
+            "is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3"
+        )
+        raise FileError(path, reason, "byte 0")
     found = [known for known in FORMATS if known.sniff(head, size)]
     ending = Path(path).suffix.lower()
     for known in found:
