@@ -12,7 +12,7 @@ from brdf_suite.appearance.colour.colorimetry import clipping_notice
 from brdf_suite.arrays import Floats, Reals
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.measured.goniometer_rows import rgb_values
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid, Coordinates
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable, Coordinates
 
 Meaning = Literal["grey", "rgb", "xyz", "spectra"]
 
@@ -60,8 +60,8 @@ def grid_of(
     notes: Sequence[str] = (),
     wavelengths_nm: Floats | None = None,
     observer_deg: int = 10,
-    **more: Any,  # what else an AngleGrid takes
-) -> AngleGrid:
+    **more: Any,  # what else an AngleTable takes
+) -> AngleTable:
     """Return the table of ``numbers`` (n0, n1, n2, n3, c), f_r in 1/sr.
 
     Parameters
@@ -105,7 +105,7 @@ def grid_of(
     if said:
         known["notes"] = tuple(said)
     try:
-        return AngleGrid(
+        return AngleTable(
             coordinates,
             axes,
             values.reshape(*(axis.size for axis in axes), -1),

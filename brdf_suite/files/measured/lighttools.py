@@ -25,7 +25,7 @@ from brdf_suite.files.bounded_reading import number_in, numbered_lines
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.goniometer_rows import check_bands
 from brdf_suite.files.measured.grid_values import Meaning, check_axis, grid_of
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _LARGEST = 256 << 20
 _MOST_ANGLES = 10_000
@@ -36,7 +36,7 @@ _TRIS = ("trisx", "trisy", "trisz")
 _SAME_DEG = 1e-4
 
 
-def read_lighttools(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
+def read_lighttools(path: PathLike, options: ReadOptions | None = None) -> AngleTable:
     """Return the reflection of a file's front side; raise :class:`FileError` with the line of the first fault."""
     return _Reader(path, (options or ReadOptions()).observer_deg).read()
 
@@ -85,7 +85,7 @@ class _Reader:
             raise self._fail(f"{key} is {word[:40]!r}; expected one of {', '.join(known)}")
         return word.lower()
 
-    def read(self) -> AngleGrid:
+    def read(self) -> AngleTable:
         """Return the table."""
         content = self._head()
         blocks, others = self._blocks()

@@ -29,7 +29,7 @@ from brdf_suite.files.measured.grid_values import check_count, grid_of
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 MAGIC = b"NVIDIA ARC MBSDF V1\n"
 _REFLECTION = (b"MBSDF_DATA=", b"MBSDF_DATA_REFLECTION=")
@@ -42,7 +42,7 @@ _THETA, _PHI = 90, 180
 """Nodes that are written: 1° of each angle, 17 MB."""
 
 
-def read_mbsdf(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
+def read_mbsdf(path: PathLike, options: ReadOptions | None = None) -> AngleTable:
     """Return the reflection of a file; raise :class:`FileError` with the line or the byte of the first fault."""
     del options  # nothing there depends on an observer
     content = read_bytes(path, _LARGEST)
@@ -117,7 +117,7 @@ def write_mbsdf(value: Reflectance, path: PathLike) -> tuple[str, ...]:
         raise FileError(path, f"cannot be written: the reflectance {reason}")
     to_709 = np.linalg.inv(REC709_TO_WORKING).T
     notes: list[str] = []
-    if isinstance(value, AngleGrid) and _is_own(value):
+    if isinstance(value, AngleTable) and _is_own(value):
         table = np.asarray(value.values[:, 0], np.float64)
     else:
         table = _tabulate(value)
@@ -153,7 +153,7 @@ def _tabulate(value: Reflectance) -> Floats:
     return np.asarray(0.5 * (table + table.transpose(1, 0, 2, 3)))
 
 
-def _is_own(grid: AngleGrid) -> bool:
+def _is_own(grid: AngleTable) -> bool:
     """Whether the nodes of a table are those of an ``.mbsdf``."""
     if grid.coordinates != "spherical" or not grid.mirrored or grid.wavelengths_nm is not None:
         return False

@@ -18,14 +18,14 @@ from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.goniometer_rows import check_bands
 from brdf_suite.files.measured.grid_values import check_count, grid_of
 from brdf_suite.files.measured.rgl import MAGIC, Arrays, unpack
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _LARGEST = 4 << 30  # the published materials have 361 × 91 × 91 nodes in 5 bands: 0.96 GB
 _AXES = {"phi_d": 2.0 * np.pi, "theta_d": 0.5 * np.pi, "theta_h": 0.5 * np.pi}
 _SLACK = 1e-3
 
 
-def read_polarized(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
+def read_polarized(path: PathLike, options: ReadOptions | None = None) -> AngleTable:
     """Return the intensity of a file's Mueller matrices; raise :class:`FileError` with the field of the first fault."""
     arrays = unpack(read_bytes(path, _LARGEST), path)
     axes = {name: _axis(path, arrays, name, most) for name, most in _AXES.items()}

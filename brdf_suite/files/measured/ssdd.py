@@ -23,7 +23,7 @@ from brdf_suite.files.bounded_reading import LONGEST_LINE, number_in, read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.goniometer_rows import check_bands, one_line
 from brdf_suite.files.measured.grid_values import Meaning, check_axis, check_count, grid_of
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid, Coordinates
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable, Coordinates
 
 _LARGEST = 1 << 30
 _MOST_ANGLES = 100_000
@@ -46,14 +46,14 @@ _LEFT_OUT = {
 }
 
 
-def read_ssdd(path: PathLike, options: ReadOptions | None = None) -> AngleGrid:
+def read_ssdd(path: PathLike, options: ReadOptions | None = None) -> AngleTable:
     """Return the BRDF of a file; raise :class:`FileError` with the line or byte of the first fault."""
     observer_deg = (options or ReadOptions()).observer_deg
     reader = _Reader(path, read_bytes(path, _LARGEST))
     header = reader.entries("DATA_TYPE")
     if "VERSION" not in header:
         raise FileError(path, "does not begin with VERSION", "line 1")
-    found: AngleGrid | None = None
+    found: AngleTable | None = None
     left_out: list[str] = []
     seen: list[str] = []
     while reader.more():
@@ -186,7 +186,7 @@ class _Table:
             raise self._block.fail("PARAM4_LIST", "an offset is beyond 90°")
         return np.asarray(np.radians(found))
 
-    def grid(self, values: _Values, facts: dict[str, object], observer_deg: int) -> AngleGrid:
+    def grid(self, values: _Values, facts: dict[str, object], observer_deg: int) -> AngleTable:
         """Return the table of the values."""
         # The first parameter runs fastest.
         numbers = values.numbers.reshape(*self.shape[3::-1], self.shape[4]).transpose(3, 2, 1, 0, 4)

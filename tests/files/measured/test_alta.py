@@ -214,7 +214,7 @@ def test_every_variant_gives_the_pairs_of_its_coordinates(tmp_path: Path, name: 
     for light, view, (inputs, _) in zip(value.wi, value.wo, rows, strict=True):
         found = np.array(DEFINED[variant.system](light, view))
         wanted = np.array(inputs)
-        # Isotropic systems do not tell a pair from its mirror image.
+        # In isotropic systems a pair and its mirror image are the same.
         assert np.abs(found) == pytest.approx(np.abs(wanted), abs=1e-7)
     stored = np.array([found for _, found in rows])
     if variant.output == "INV_STERADIAN_COSINE_FACTOR":

@@ -11,7 +11,7 @@ import pytest
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured import read_measured, sniff
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _turned = load_module(Path(__file__).parent / "turned_pairs.py")
 
@@ -135,7 +135,7 @@ def test_every_variant_holds_its_values_at_its_directions(tmp_path: Path, name: 
     path = written(tmp_path, variant.text())
     assert sniff(path).name == "lighttools"
     grid = read_measured(path)
-    assert isinstance(grid, AngleGrid)
+    assert isinstance(grid, AngleTable)
     pairs = [
         variant.pair(incidence, azimuth, radial)
         for incidence in variant.incidences

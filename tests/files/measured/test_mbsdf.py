@@ -14,7 +14,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.lambertian import Lambertian
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _turned = load_module(Path(__file__).parent / "turned_pairs.py")
 REC709_TO_2020 = np.array([[0.6274, 0.3293, 0.0433], [0.0691, 0.9195, 0.0114], [0.0164, 0.0880, 0.8956]])
@@ -90,7 +90,7 @@ def test_every_variant_holds_its_values_at_its_nodes(tmp_path: Path, name: str) 
     path = written(tmp_path, variant.content())
     assert sniff(path).name == "mbsdf"
     grid = read_measured(path)
-    assert isinstance(grid, AngleGrid)
+    assert isinstance(grid, AngleTable)
     nodes = [
         (a, b, c)
         for a in range(variant.theta)
@@ -152,7 +152,7 @@ def test_what_turns_with_the_sample_is_not_written(tmp_path: Path) -> None:
     values = np.ones((2, 4, 2, 4, 1), np.float32)
     values[:, 1] = 3.0
     axes = (np.array([0.1, 1.5]), np.radians([0.0, 90.0, 180.0, 270.0]))
-    grid = AngleGrid("spherical", (*axes, *axes), values)
+    grid = AngleTable("spherical", (*axes, *axes), values)
     with pytest.raises(FileError, match="isotropic"):
         write_measured(grid, tmp_path / "a.mbsdf")
 

@@ -13,7 +13,7 @@ import pytest
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured import read_measured, sniff
-from brdf_suite.reflectance.tabulated.angle_grid import AngleGrid
+from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _turned = load_module(Path(__file__).parent / "turned_pairs.py")
 PUBLISHED = (450, 500, 550, 600, 650)
@@ -120,7 +120,7 @@ def test_every_variant_holds_its_intensity_at_its_nodes(tmp_path: Path, name: st
     path = written(tmp_path, variant.content())
     assert sniff(path).name == "pbsdf"
     grid = read_measured(path)
-    assert isinstance(grid, AngleGrid)
+    assert isinstance(grid, AngleTable)
     assert grid.isotropic
     assert grid.wavelengths_nm.tolist() == list(variant.bands)
     nodes = [

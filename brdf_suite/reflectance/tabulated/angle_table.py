@@ -42,7 +42,7 @@ _SPECTRAL_BLOCK = 2048
 
 
 @dataclass(frozen=True, eq=False)
-class AngleGrid(HalfVectorSampled):
+class AngleTable(HalfVectorSampled):
     """A table of colours or spectra over four angles.
 
     Attributes
