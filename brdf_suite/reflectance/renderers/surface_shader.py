@@ -143,7 +143,7 @@ class SurfaceShader(mixture.MixtureSampled):
         if rough == 0.0:
             return np.broadcast_to(colour / math.pi, (len(wi), 3))
         cos_i, cos_o = wi[:, 2], wo[:, 2]
-        s = np.einsum("ni,ni->n", wi, wo).clip(_TINY) - cos_i * cos_o
+        s = np.einsum("ni,ni->n", wi, wo) - cos_i * cos_o
         over = s / np.maximum(cos_i, cos_o)
         if not self.compensated:
             square = rough * rough
