@@ -27,7 +27,6 @@ from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.goniometer_rows import one_line
 from brdf_suite.files.measured.grid_values import check_count, grid_of
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
@@ -112,6 +111,8 @@ def write_mbsdf(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
     Raises :class:`FileError`: the reflectance is not isotropic or not finite, or the file cannot be written.
     """
+    from brdf_suite.reflectance.checks import is_isotropic  # only writers need it, and it brings every model
+
     if not is_isotropic(value):
         reason = "changes when the sample is turned; only isotropic reflectances are written in this format"
         raise FileError(path, f"cannot be written: the reflectance {reason}")
