@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import struct
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,23 +15,8 @@ from brdf_suite.files.measured import read_measured, sniff
 from brdf_suite.reflectance.tabulated.angle_table import AngleTable
 
 _turned = load_module(Path(__file__).parent / "turned_pairs.py")
+tensor_file = load_module(Path(__file__).parent / "tensor_files.py").tensor_file
 PUBLISHED = (450, 500, 550, 600, 650)
-KINDS = {np.dtype(np.uint16): 3, np.dtype(np.float32): 10, np.dtype(np.float64): 11, np.dtype(np.uint8): 1}
-
-
-def tensor_file(
-    fields: dict[str, np.ndarray], *, aligned: int = 8, version: tuple[int, int] = (1, 0)
-) -> bytes:
-    """The container: a table of fields with absolute offsets, then their bytes."""
-    size = 18 + sum(13 + len(name) + 8 * array.ndim for name, array in fields.items())
-    table, data = b"", b""
-    for name, array in fields.items():
-        data += b"\0" * (-(size + len(data)) % aligned)
-        table += struct.pack("<H", len(name)) + name.encode()
-        table += struct.pack("<HBQ", array.ndim, KINDS[array.dtype], size + len(data))
-        table += struct.pack(f"<{array.ndim}Q", *array.shape)
-        data += array.tobytes()
-    return b"tensor_file\0" + struct.pack("<BBI", *version, len(fields)) + table + data
 
 
 @dataclass(frozen=True)
