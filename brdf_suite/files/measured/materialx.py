@@ -158,6 +158,7 @@ class _Document:
     def __init__(self, path: PathLike, root: Element) -> None:
         self.path, self.root = path, root
         self.parents: dict[int, Element] = {}
+        self._names: dict[int, dict[str, Element]] = {}
         self.elements = list(root.walk())
         for element in self.elements:
             for child in element.children:
@@ -201,9 +202,11 @@ class _Document:
         return shader, name, [one_line(other) or "(no name)" for other, _ in others]
 
     def named(self, name: str, within: Element) -> Element | None:
-        return next(
-            (e for e in within.children if e.attributes.get("name") == name and e.name != "input"), None
-        )
+        """Return the node of that name among the children of an element, or None."""
+        if id(within) not in self._names:
+            nodes = (child for child in reversed(within.children) if child.name != "input")
+            self._names[id(within)] = {node.attributes.get("name", ""): node for node in nodes}
+        return self._names[id(within)].get(name)
 
     def connected(self, place: Element) -> Element | None:
         """Return the element that an input or output is connected to, or None."""
