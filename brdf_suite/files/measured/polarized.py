@@ -67,7 +67,8 @@ def _field(path: PathLike, arrays: Arrays, name: str, kind: type, dimensions: in
 
 
 def _axis(path: PathLike, arrays: Arrays, name: str, most: float) -> Floats:
-    axis = _field(path, arrays, name, np.float32, 2).astype(np.float64)
+    with np.errstate(invalid="ignore"):  # a signalling NaN is refused below, as any other
+        axis = _field(path, arrays, name, np.float32, 2).astype(np.float64)
     least = -most if name == "phi_d" else 0.0
     place = f"the field {name!r}"
     if axis.shape[0] != 1:

@@ -158,6 +158,13 @@ def test_the_reflectance_is_that_of_mitsuba(tmp_path: Path) -> None:
         (lambda fields: fields.update(theta_d=-fields["theta_d"]), "rise", "the field 'theta_d'"),
         (lambda fields: fields.update(theta_h=fields["theta_h"] * 3.0), "rise", "the field 'theta_h'"),
         (lambda fields: fields.update(wvls=fields["wvls"][::-1].copy()), "rise", "the field 'wvls'"),
+        (
+            lambda fields: (
+                fields["theta_d"].view(np.uint32).__setitem__((0, 1), 0x7F800001)
+            ),  # a signalling NaN
+            "rise",
+            "the field 'theta_d'",
+        ),
         (lambda fields: fields["M"].fill(np.nan), "NaN alone", "the field 'M'"),
         (lambda fields: fields["M"].fill(np.inf), "no finite reflectance", "the field 'M'"),
     ],
