@@ -17,6 +17,31 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.tensor.tabulate import tabulate
 
+_GRID = (
+    """VERSION 0.2
+DATA_TYPE brdf
+COLOR_MODEL rgb
+PARAM_TYPE specular_coordinate_system
+REDUCTION_TYPE bilateral_symmetry
+PARAM0_LIST 0 60
+PARAM2_LIST 0 15 90 180
+PARAM3_LIST 0 180
+DATA ascii
+"""
+    + 2
+    * "0.9 0.8 0.7\n0.9 0.8 0.7\n0.3 0.2 0.1\n0.3 0.2 0.1\n0.2 0.1 0.05\n0.2 0.1 0.05\n0.2 0.1 0.05\n0.2 0.1 0.05\n"
+)
+_SHADER = """<?xml version="1.0"?>
+<materialx version="1.39" colorspace="lin_rec709">
+  <open_pbr_surface name="surface" type="surfaceshader">
+    <input name="base_color" type="color3" value="0.5, 0.1, 0.05"/>
+    <input name="specular_roughness" type="float" value="0.5"/>
+    <input name="coat_weight" type="float" value="1"/>
+    <input name="coat_roughness" type="float" value="0.2"/>
+  </open_pbr_surface>
+</materialx>
+"""
+
 
 def make_materials(folder: Path) -> dict[str, str]:
     """Return a name or file of each kind; files are written to ``folder``."""
@@ -32,6 +57,8 @@ def make_materials(folder: Path) -> dict[str, str]:
     satin = tabulate(load_material("satin_blue").reflectance, incidences=24, resolution=64)
     write_measured(satin, folder / "satin.bsdf")
     write_measured(_scattered(), folder / "samples.astm")
+    (folder / "grid.ssdd").write_text(_GRID)
+    (folder / "coated.mtlx").write_text(_SHADER)
     two = Palette("Two", (Entry(red, id="1"), Entry(silver, id="2")))
     save_palette(two, folder / "two.brdfpalette")
     save_palette(Palette("One", (Entry(red, id="1"),)), folder / "one.brdfpalette")
@@ -42,6 +69,8 @@ def make_materials(folder: Path) -> dict[str, str]:
         "factored file": "factored.brdfpaint",
         "RGL file": "satin.bsdf",
         "scattered file": "samples.astm",
+        "table over angles": "grid.ssdd",
+        "surface shader": "coated.mtlx",
         "palette entry": "two.brdfpalette#2",
         "palette of one": "one.brdfpalette",
     }

@@ -42,6 +42,7 @@ _LOOK_EVERY_MS = 50
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
     "*.brdfpaint *.brdfpalette *.brdftable *.binary *.merl *.bsdf *.brdf *.py *.dat *.bin *.json *.astm *.alta *.txt "
+    "*.ssdd *.mbsdf *.pbsdf *.mtlx "
     "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
 )
 

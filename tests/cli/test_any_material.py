@@ -24,6 +24,8 @@ KINDS = (
     "factored file",
     "RGL file",
     "scattered file",
+    "table over angles",
+    "surface shader",
     "palette entry",
     "palette of one",
 )

@@ -20,7 +20,7 @@ from brdf_suite.files.meshes.reading import MESH_ENDINGS
 
 _MEASURED = (
     *(".alta", ".astm", ".bin", ".binary", ".brdf", ".brdftable"),
-    *(".bsdf", ".dat", ".json", ".merl", ".py", ".txt"),
+    *(".bsdf", ".dat", ".json", ".mbsdf", ".merl", ".mtlx", ".pbsdf", ".py", ".ssdd", ".txt"),
 )
 """They stand here and are not asked of their readers, which are much to import."""
 ENDINGS: dict[str, tuple[str, ...]] = {

@@ -17,12 +17,14 @@ from brdf_suite.files.measured import (
     brdftable,
     cook_torrance,
     cornell,
+    materialx,
+    mbsdf,
     merl,
     model_text,
     pgii,
+    polarized,
     rgl,
     utia,
-    zemax,
 )
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
@@ -30,18 +32,24 @@ from brdf_suite.files.measured.format import (
     ReadOptions,
     WrittenMeasurement,
 )
+from brdf_suite.files.measured.optics import lighttools, ssdd, zemax
 from brdf_suite.plugins import Call, Plugin, Registry
 from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 from brdf_suite.regular_files import open_regular, within_memory
 
 _BUILT_IN = (
+    polarized.FORMAT,
     rgl.FORMAT,
+    mbsdf.FORMAT,
     brdftable.FORMAT,
     merl.FORMAT,
     utia.FORMAT,
     cook_torrance.FORMAT,
+    materialx.FORMAT,
     bird.FORMAT,
     zemax.FORMAT,
+    lighttools.FORMAT,
+    ssdd.FORMAT,
     astm.FORMAT,
     alta.FORMAT,
     pgii.FORMAT,
@@ -82,6 +90,7 @@ FORMATS = Registry(
 """In the order in which they are tried; the ones that a few bytes settle come first, those of plug-ins last."""
 
 _HEAD = 1 << 16
+_HDF5 = b"\x89HDF\r\n\x1a\n"
 _LARGEST = 8 << 30
 
 
@@ -95,6 +104,11 @@ def sniff(path: PathLike) -> MeasuredFormat:
         size = stream.seek(0, 2)
     if not head:
         raise FileError(path, "is empty", "byte 0")
+    if head.startswith(_HDF5) or Path(path).suffix.lower() == ".axf":
+        reason = (
+            "is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3"
+        )
+        raise FileError(path, reason, "byte 0")
     found = [known for known in FORMATS if known.sniff(head, size)]
     ending = Path(path).suffix.lower()
     for known in found:

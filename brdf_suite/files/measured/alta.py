@@ -1,15 +1,17 @@
-"""ALTA text: a header of ``#KEY values`` lines, then columns of inputs and outputs.
+"""ALTA: a header of ``#KEY values`` lines, then rows of inputs and outputs, as text or binary.
 
-``#DIM nx ny`` counts the columns; ``#PARAM_IN`` names the coordinates and ``#PARAM_OUT`` what the values are
-(default 1/sr); ``#VS`` says how many columns of intervals follow each output, which are skipped. Angles are in
-radians. L is the light, V the view. The projected coordinates are (θ cos Δφ, θ sin Δφ), with Δφ = 0 on the
-light's own side. The cosine of ``INV_STERADIAN_COSINE_FACTOR`` is that of the output direction, the view.
+``#DIM nx ny`` counts the columns; ``#PARAM_IN`` names the coordinates
+(:mod:`brdf_suite.files.measured.alta_coordinates`) and ``#PARAM_OUT`` what the values are (default 1/sr); ``#VS`` says
+how many columns of intervals follow the outputs, which are skipped. Angles are in radians. L is the light, V the view.
+The projected coordinates are (θ cos Δφ, θ sin Δφ), with Δφ = 0 on the light's own side. The cosine of
+``INV_STERADIAN_COSINE_FACTOR`` is that of the output direction, the view.
+
+Binary files (``#FORMAT binary``, ``#VERSION 0``) name ``#PRECISION ieee754-double``, ``#ENDIAN`` and ``#SAMPLE_COUNT``;
+behind ``#BEGIN_STREAM`` stand the rows, with ny columns of intervals for ``#VS 1`` and 2 ny for ``#VS 2``, and
+``#END_STREAM`` (layout from ``data_storage.cpp`` of ALTA).
 """
 
 from __future__ import annotations
-
-import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -17,77 +19,32 @@ from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import number_in, numbered_lines
+from brdf_suite.files.bounded_reading import MOST_SAMPLES, number_in, numbered_lines
+from brdf_suite.files.measured.alta_coordinates import SYSTEMS, AltaSystem
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.goniometer_rows import (
     SampleRows,
     angles,
     as_samples,
     columns,
-    directions,
     one_azimuth,
     one_line,
     rgb_values,
     samples,
     sampling_notes,
 )
-from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.regular_files import open_regular, read_bytes
 
 _LARGEST = 256 << 20
 # Of values stored with the cosine nothing can be recovered at a view closer to the horizon than this.
 _LEAST_COSINE = 1e-3
 
-_Pair = tuple[Floats, Floats]
-
-
-def _projected(rows: SampleRows, x: Floats) -> _Pair:
-    zero = np.zeros(len(x))
-    wo = directions(rows, np.hypot(x[:, 1], x[:, 2]), np.arctan2(x[:, 2], x[:, 1]))
-    return directions(rows, x[:, 0], zero), wo
-
-
-def _half_angles(rows: SampleRows, theta_h: Floats, phi_h: Floats, theta_d: Floats, phi_d: Floats) -> _Pair:
-    pair = from_half_angle_coordinates(theta_h, phi_h, theta_d, phi_d)
-    return _unit(rows, pair[0]), _unit(rows, pair[1])
-
-
-def _unit(rows: SampleRows, w: Floats) -> Floats:
-    length = np.sqrt(np.einsum("ni,ni->n", w, w))
-    wrong = np.flatnonzero((np.abs(length - 1.0) > 1e-3) | (w[:, 2] < -1e-3))
-    if wrong.size:
-        at = int(wrong[0])
-        reason = "the coordinates give no direction above the surface"
-        raise FileError(rows.path, reason, rows.place(at))
-    w = w / length[:, None]
-    w[:, 2] = np.maximum(w[:, 2], 0.0)
-    w /= np.sqrt(np.einsum("ni,ni->n", w, w))[:, None]
-    return w
-
-
-_INPUTS: dict[str, tuple[int, Callable[[SampleRows, Floats], _Pair]]] = {
-    "ISOTROPIC_TL_TV_PROJ_DPHI": (3, _projected),
-    "ISOTROPIC_TV_TL_DPHI": (
-        3, lambda rows, x: (directions(rows, x[:, 1], x[:, 2]), directions(rows, x[:, 0], 0.0 * x[:, 0]))
-    ),
-    "ISOTROPIC_TV_TL": (
-        2, lambda rows, x: (directions(rows, x[:, 1], 0.0 * x[:, 0]), directions(rows, x[:, 0], 0.0 * x[:, 0]))
-    ),
-    "SPHERICAL_TL_PL_TV_PV": (
-        4, lambda rows, x: (directions(rows, x[:, 0], x[:, 1]), directions(rows, x[:, 2], x[:, 3]))
-    ),
-    "CARTESIAN": (6, lambda rows, x: (_unit(rows, x[:, 3:]), _unit(rows, x[:, :3]))),
-    "RUSIN_TH_TD_PD": (3, lambda rows, x: _half_angles(rows, x[:, 0], 0.0 * x[:, 0], x[:, 1], x[:, 2])),
-    "RUSIN_TH_PH_TD_PD": (4, lambda rows, x: _half_angles(rows, x[:, 0], x[:, 1], x[:, 2], x[:, 3])),
-    "RUSIN_TH_TD": (
-        2,
-        lambda rows, x: _half_angles(
-            rows, x[:, 0], 0.0 * x[:, 0], x[:, 1], np.full(len(x), 0.5 * math.pi)
-        ),
-    ),
-}  # fmt: skip
-_ANISOTROPIC = {"SPHERICAL_TL_PL_TV_PV", "CARTESIAN", "RUSIN_TH_PH_TD_PD"}
+# The rounding of a file may put a direction this far below the horizon.
+_BELOW = 1e-3
+_HEAD = 1 << 16
+_BEGIN = b"#BEGIN_STREAM"
 _OUTPUTS = {"INV_STERADIAN", "INV_STERADIAN_COSINE_FACTOR", "RGB_COLOR", "XYZ_COLOR"}
 
 
@@ -96,9 +53,11 @@ class _Header:
 
     def __init__(self, path: PathLike) -> None:
         self.path = path
-        self.inputs, self.outputs, self.intervals = 0, 0, 0
+        self.inputs, self.outputs = 0, 0
+        self.intervals = 0
         self.param_in, self.param_out = "", "INV_STERADIAN"
         self.name = ""
+        self.others: dict[str, str] = {}
 
     def take(self, text: str, number: int) -> None:
         """Keep a line of the header."""
@@ -114,6 +73,11 @@ class _Header:
             self.param_out = words[0]
         elif key == "SAMPLE":
             self.name = rest.strip().strip('"')[:500]
+        elif key == "FUNC":
+            reason = f"is a function that ALTA fitted ({(*words, '')[0][:60]}), not data; export its samples from ALTA"
+            raise FileError(self.path, reason, f"line {number}")
+        elif key and words and len(self.others) < 50:
+            self.others[key] = words[0]
 
     def _small(self, word: str, number: int) -> int:
         value = number_in(self.path, word, number, "a number of columns")
@@ -121,29 +85,72 @@ class _Header:
             raise FileError(self.path, f"{word[:20]} is no number of columns", f"line {number}")
         return int(value)
 
-    def check(self, number: int) -> None:
-        """Raise :class:`FileError` where the header does not describe columns that are known."""
+    def check(self, number: int) -> AltaSystem:
+        """Return the coordinates; raise :class:`FileError` where the header describes no columns that are known."""
         place = f"the header, before line {number}"
-        if self.param_in not in _INPUTS:
-            known = ", ".join(sorted(_INPUTS))
+        if self.param_in not in SYSTEMS:
+            known = ", ".join(sorted(SYSTEMS))
             found = self.param_in[:60] or "nothing"
             raise FileError(self.path, f"PARAM_IN is {found}; expected one of {known}", place)
         if self.param_out not in _OUTPUTS:
             known = ", ".join(sorted(_OUTPUTS))
             raise FileError(self.path, f"PARAM_OUT is {self.param_out[:60]}; expected one of {known}", place)
-        if self.inputs != _INPUTS[self.param_in][0]:
-            wanted = _INPUTS[self.param_in][0]
-            raise FileError(self.path, f"{self.param_in} has {wanted} inputs; DIM says {self.inputs}", place)
+        system = SYSTEMS[self.param_in]
+        if self.inputs != system.inputs:
+            reason = f"{self.param_in} has {system.inputs} inputs; DIM says {self.inputs}"
+            raise FileError(self.path, reason, place)
         wanted_outputs = (3,) if self.param_out.endswith("COLOR") else (1, 3)
         if self.outputs not in wanted_outputs:
             raise FileError(self.path, f"{self.outputs} outputs; {wanted_outputs} are known", place)
+        return system
+
+
+class _BinaryRows(SampleRows):
+    """Rows of a binary file, by their first byte."""
+
+    def place(self, row: int) -> str:
+        return f"byte {self._lines[row]}"
 
 
 def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSamples:
     """Return the samples of an ALTA file; one output is grey, three are Rec. 709 (or XYZ where it says so).
 
-    Raises :class:`FileError`: with the line of the first fault.
+    Raises :class:`FileError`: with the line, or the byte, of the first fault.
     """
+    with open_regular(path, _LARGEST) as stream:
+        binary = _BEGIN in stream.read(_HEAD)
+    header, rows = _read_binary(path) if binary else _read_text(path)
+    system = SYSTEMS[header.param_in]
+    facts: dict[str, object] = {
+        "format": "ALTA binary" if binary else "ALTA text",
+        "name": header.name,
+        "coordinates": header.param_in,
+    }
+    wi, wo, kept = _directions(rows, system, header.param_in)
+    if not kept.all():
+        facts["rows below the horizon left out"] = int(np.count_nonzero(~kept))
+        rows, wi, wo = rows.only(kept), wi[kept], wo[kept]
+    numbers = rows.table[:, header.inputs :]
+    if header.param_out == "INV_STERADIAN_COSINE_FACTOR":
+        kept = wo[:, 2] >= _LEAST_COSINE
+        if not kept.all():
+            facts["rows with the view on the horizon left out"] = int(np.count_nonzero(~kept))
+            rows, wi, wo, numbers = rows.only(kept), wi[kept], wo[kept], numbers[kept]
+        numbers = numbers / wo[:, 2:]
+    meaning = "grey" if header.outputs == 1 else "xyz" if header.param_out == "XYZ_COLOR" else "rgb"
+    turning = system.anisotropic and not one_azimuth(np.arctan2(wi[:, 1], wi[:, 0]))
+    return samples(
+        rows,
+        wi,
+        wo,
+        rgb=rgb_values(numbers, meaning),
+        isotropic=not turning,
+        observer_deg=(options or ReadOptions()).observer_deg,
+        facts=facts | {"colour": {"grey": "grey", "rgb": "RGB, Rec. 709", "xyz": "XYZ"}[meaning]},
+    )
+
+
+def _read_text(path: PathLike) -> tuple[_Header, SampleRows]:
     header = _Header(path)
     rows: SampleRows | None = None
     number = 0
@@ -165,31 +172,72 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
         rows.add(found[: rows.width], number)
     if rows is None:
         raise FileError(path, "the file ends before the first row", f"line {number}")
-    table = rows.table
-    wi, wo = _INPUTS[header.param_in][1](rows, table[:, : header.inputs])
-    numbers = table[:, header.inputs :]
-    facts: dict[str, object] = {
-        "format": "ALTA text",
-        "name": header.name,
-        "coordinates": header.param_in,
-    }
-    if header.param_out == "INV_STERADIAN_COSINE_FACTOR":
-        kept = wo[:, 2] >= _LEAST_COSINE
-        if not kept.all():
-            facts["rows with the view on the horizon left out"] = int(np.count_nonzero(~kept))
-            rows, wi, wo, numbers = rows.only(kept), wi[kept], wo[kept], numbers[kept]
-        numbers = numbers / wo[:, 2:]
-    meaning = "grey" if header.outputs == 1 else "xyz" if header.param_out == "XYZ_COLOR" else "rgb"
-    turning = header.param_in in _ANISOTROPIC and not one_azimuth(np.arctan2(wi[:, 1], wi[:, 0]))
-    return samples(
-        rows,
-        wi,
-        wo,
-        rgb=rgb_values(numbers, meaning),
-        isotropic=not turning,
-        observer_deg=(options or ReadOptions()).observer_deg,
-        facts=facts | {"colour": {"grey": "grey", "rgb": "RGB, Rec. 709", "xyz": "XYZ"}[meaning]},
-    )
+    return header, rows
+
+
+def _read_binary(path: PathLike) -> tuple[_Header, SampleRows]:
+    content = read_bytes(path, _LARGEST)
+    head, _, _ = content.partition(_BEGIN)
+    header = _Header(path)
+    lines = head.decode("utf-8", "replace").splitlines()
+    for number, text in enumerate(lines, 1):
+        if text.strip().startswith("#"):
+            header.take(text.strip(), number)
+    last = len(lines) + 1
+    header.check(last)
+    place = f"the header, before line {last}"
+    for key, known in (("FORMAT", "binary"), ("VERSION", "0"), ("PRECISION", "ieee754-double")):
+        if header.others.get(key, known) != known:
+            raise FileError(path, f"{key} is {header.others[key][:40]}; {known} is known", place)
+    order = header.others.get("ENDIAN", "little")
+    if order not in ("little", "big"):
+        raise FileError(path, f"ENDIAN is {order[:40]}; expected little or big", place)
+    count = number_in(path, header.others.get("SAMPLE_COUNT", ""), last, "SAMPLE_COUNT")
+    if not (count.is_integer() and 1 <= count <= MOST_SAMPLES):
+        reason = f"SAMPLE_COUNT is {count:g}; expected 1 to {MOST_SAMPLES:,}"
+        raise FileError(path, reason, place)
+    if header.intervals > 2:
+        raise FileError(path, f"VS is {header.intervals}; expected 0, 1 or 2", place)
+    start = content.find(b"\n", len(head)) + 1
+    width = header.inputs + header.outputs * (1 + header.intervals)
+    needed = int(count) * width
+    if start == 0 or start + 8 * needed > len(content):
+        reason = f"is cut off: {int(count):,} rows of {width} numbers take {8 * needed:,} bytes"
+        raise FileError(path, reason, f"byte {start or len(content)}")
+    tail = content[start + 8 * needed :].strip()
+    if tail not in (b"", b"#END_STREAM"):
+        raise FileError(path, "holds more bytes than its rows take", f"byte {start + 8 * needed}")
+    table = np.frombuffer(content, "<f8" if order == "little" else ">f8", needed, start).reshape(-1, width)
+    wrong = np.flatnonzero(~np.isfinite(table).all(axis=1))
+    if wrong.size:
+        raise FileError(
+            path, "holds a number that is not finite", f"byte {start + 8 * width * int(wrong[0])}"
+        )
+    rows = _BinaryRows(path, header.inputs + header.outputs)
+    rows.extend(table[:, : rows.width], start + 8 * width * np.arange(len(table)))
+    return header, rows
+
+
+def _directions(rows: SampleRows, system: AltaSystem, name: str) -> tuple[Floats, Floats, np.ndarray]:
+    """Return light and view (n, 3), unit and above the horizon, and which rows (n,) have such a pair."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        pair = system.pair(np.asarray(rows.table[:, : system.inputs]))
+        lengths = [np.sqrt(np.einsum("ni,ni->n", w, w)) for w in pair]
+    # A NaN fails each comparison: there the coordinates stand for no pair.
+    unit = [np.abs(length - 1.0) <= 1e-3 for length in lengths]
+    above = [w[:, 2] >= -_BELOW for w in pair]
+    kept = unit[0] & unit[1] & above[0] & above[1]
+    if not system.gridded and not kept.all():
+        at = int(np.argmin(kept))
+        numbers = ", ".join(f"{number:.6g}" for number in rows.table[at, : system.inputs])
+        reason = f"{name} ({numbers}) gives no pair of directions above the surface"
+        raise FileError(rows.path, reason, rows.place(at))
+    found = []
+    for w, length in zip(pair, lengths, strict=True):
+        w = np.where(kept[:, None], w / np.where(kept, length, 1.0)[:, None], (0.0, 0.0, 1.0))
+        w[:, 2] = np.maximum(w[:, 2], 0.0)
+        found.append(w / np.sqrt(np.einsum("ni,ni->n", w, w))[:, None])
+    return found[0], found[1], kept
 
 
 def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
@@ -221,7 +269,7 @@ def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
 FORMAT = MeasuredFormat(
     name="alta",
-    title="ALTA text",
+    title="ALTA (text, binary)",
     endings=(".alta", ".dat"),
     sniff=lambda head, _size: b"#PARAM_IN" in head or head.startswith(b"#DIM") or b"\n#DIM" in head,
     read=read_alta,

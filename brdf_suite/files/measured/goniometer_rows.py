@@ -55,9 +55,18 @@ class SampleRows:
         """The rows (n, width)."""
         return np.frombuffer(self._numbers, np.float64).reshape(-1, self.width)
 
+    def extend(self, table: Floats, lines: npt.NDArray[np.int64]) -> None:
+        """Keep the rows of ``table`` (n, ``width``), each with what :meth:`place` names; errors as :meth:`add`."""
+        if len(self._lines) + len(table) > MOST_SAMPLES:
+            raise FileError(
+                self.path, f"has more than {MOST_SAMPLES:,} rows of samples", "the number of rows"
+            )
+        self._numbers.frombytes(np.ascontiguousarray(table, np.float64).tobytes())
+        self._lines.frombytes(lines.astype(np.int64).tobytes())
+
     def only(self, kept: npt.NDArray[np.bool_]) -> SampleRows:
         """Return the rows where ``kept`` (n,) is true."""
-        found = SampleRows(self.path, self.width)
+        found = type(self)(self.path, self.width)
         found._numbers.frombytes(self.table[kept].tobytes())
         found._lines.frombytes(np.frombuffer(self._lines, np.int64)[kept].tobytes())
         return found

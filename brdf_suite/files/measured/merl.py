@@ -4,14 +4,17 @@ Layout (Matusik, Pfister, Brand and McMillan, "A Data-Driven Reflectance Model",
 the bins along (θh, θd, φd); then three planes of float64, red, green and blue, each with the place
 φd + n_φd·(θd + n_θd·θh). A stored value is f_r·1500 / (1, 1.15, 1.66) of linear Rec. 709; a negative one, in any
 channel, is a hole. Met as well: φd over 360° (both orders of a pair apart, or with MERL's own header of 360 above
-180 bins), and tables that hold f_r itself. Which of the two is decided by energy: a surface of more than
-0.2 % reflectance, taken without the factors, would reflect more light than it got.
+180 bins), single and half precision, and tables that hold f_r itself. Precision follows from the file's size; where two
+fit, a header of 360 above 180 bins and a narrower type, the one counts in which neighbours differ less. The factors are
+decided by energy: a surface of more than 0.2 % reflectance, taken without them, would reflect more light than it got.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import struct
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -37,6 +40,9 @@ _MOST_ALONG = 4096
 # No reflectance is larger: a mirror of the finest bin has 1e8 per steradian.
 _LARGEST_VALUE = 1e20
 _BLOCK = 1 << 15
+# Of the first numbers of a file whose size fits two types.
+_TRIED = 1 << 18
+_FEWEST_PAIRS = 16
 
 # Taken without factors: real tables of f_r stay below the first albedo, tables with factors above the second.
 _SURELY_PLAIN, _DIVIDE, _SURELY_SCALED = 1.5, 3.0, 9.0
@@ -163,20 +169,31 @@ def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Floats, list[str]]:
     """Return the bins, the stored values (3, bins), and notes."""
     with open_regular(path, _LARGEST) as stream:
         size = os.fstat(stream.fileno()).st_size
-        head = stream.read(_HEADER.size)
-        grid, notes = _grid_of(path, head, size)
-        stored = np.fromfile(stream, "<f8", 3 * grid.bins)
-    if stored.size != 3 * grid.bins:
+        layout = _layout_of(path, stream.read(_HEADER.size), size, stream.read(_TRIED))
+        stream.seek(_HEADER.size)
+        stored = np.fromfile(stream, layout.kind, 3 * layout.grid.bins)
+    if stored.size != 3 * layout.grid.bins:
         raise FileError(path, "became shorter while it was read")
-    planes = stored.reshape(3, grid.bins)
+    with np.errstate(invalid="ignore"):  # a damaged NaN is refused just below
+        planes = stored.astype(np.float64, copy=False).reshape(3, layout.grid.bins)
     # A NaN fails the comparison, as it should.
     if not (planes.max() <= _LARGEST_VALUE and planes.min() >= -_LARGEST_VALUE):
         at = int(np.argmax(~(np.abs(planes.reshape(-1)) <= _LARGEST_VALUE)))
-        raise FileError(path, "holds a value that is no finite reflectance", f"byte {_HEADER.size + 8 * at}")
-    return grid, planes, notes
+        place = f"byte {_HEADER.size + stored.itemsize * at}"
+        raise FileError(path, "holds a value that is no finite reflectance", place)
+    return layout.grid, planes, layout.notes
 
 
-def _grid_of(path: PathLike, head: bytes, size: int) -> tuple[HalfAngleGrid, list[str]]:
+@dataclass(frozen=True)
+class _Layout:
+    """Bins, type of the stored numbers, and notes."""
+
+    grid: HalfAngleGrid
+    kind: str
+    notes: list[str]
+
+
+def _layout_of(path: PathLike, head: bytes, size: int, start: bytes) -> _Layout:
     if len(head) < _HEADER.size:
         raise FileError(path, f"is cut off: {size} bytes are less than a header", "byte 0")
     theta_h, theta_d, phi_d = _HEADER.unpack(head)
@@ -184,25 +201,54 @@ def _grid_of(path: PathLike, head: bytes, size: int) -> tuple[HalfAngleGrid, lis
         raise FileError(
             path, f"claims {theta_h} × {theta_d} × {phi_d} bins, so it is not a MERL table", "byte 0"
         )
-    wanted = _HEADER.size + 24 * theta_h * theta_d * phi_d
-    round_ = phi_d == 4 * theta_d
-    if size == wanted and (round_ or phi_d == 2 * theta_d):
-        return HalfAngleGrid(theta_h, theta_d, phi_d, reciprocal=not round_), []
-    if round_ and size == _HEADER.size + 12 * theta_h * theta_d * phi_d:
-        note = f"its header names {phi_d} bins of φd; the file holds {phi_d // 2}, over 180°"
-        return HalfAngleGrid(theta_h, theta_d, phi_d // 2), [note]
-    if size == wanted:
+    found = _fitting(theta_h, theta_d, phi_d, size)
+    if found and (found[0][1] != phi_d or phi_d in (2 * theta_d, 4 * theta_d)):
+        rough = [_roughness(start, kind) for kind, _ in found] if len(found) > 1 else [0.0]
+        # Where nothing can be compared, MERL's own type.
+        kind, bins = found[int(np.argmin(rough)) if min(rough) < math.inf else -1]
+        notes = []
+        if bins != phi_d:
+            notes.append(f"its header names {phi_d} bins of φd; the file holds {bins}, over 180°")
+        if kind != "<f8":
+            notes.append(f"it stores {'single' if kind == '<f4' else 'half'} precision")
+        return _Layout(HalfAngleGrid(theta_h, theta_d, bins, reciprocal=bins != 4 * theta_d), kind, notes)
+    if found:
         raise FileError(
             path,
             f"has {phi_d} bins of φd beside {theta_d} of θd; {2 * theta_d} (over 180°) or {4 * theta_d} are known",
             "byte 8",
         )
+    wanted = _HEADER.size + 24 * theta_h * theta_d * phi_d
     state = "cut off" if size < wanted else "too long"
     raise FileError(
         path,
         f"is {state}: {theta_h} × {theta_d} × {phi_d} bins take {wanted:,} bytes, the file has {size:,}",
         f"byte {min(size, wanted)}",
     )
+
+
+def _fitting(theta_h: int, theta_d: int, phi_d: int, size: int) -> list[tuple[str, int]]:
+    """Return the types, narrowest first, and bins of φd for which a file of ``size`` bytes is whole."""
+    counts = (phi_d, phi_d // 2) if phi_d == 4 * theta_d else (phi_d,)
+    return [
+        (kind, bins)
+        for kind, width in (("<f2", 2), ("<f4", 4), ("<f8", 8))
+        for bins in counts
+        if size == _HEADER.size + 3 * width * theta_h * theta_d * bins
+    ]
+
+
+def _roughness(start: bytes, kind: str) -> float:
+    """Return the median of |log2| of the ratio of neighbours, of the first numbers; infinite where there are few."""
+    width = np.dtype(kind).itemsize
+    with np.errstate(invalid="ignore"):  # of bytes that are no numbers of this type
+        numbers = np.frombuffer(start[: len(start) // width * width], kind).astype(np.float64)
+        usable = (numbers > 0.0) & (numbers < np.inf)
+    pairs = usable[:-1] & usable[1:]
+    if np.count_nonzero(pairs) < _FEWEST_PAIRS:
+        return math.inf
+    logs = np.log2(np.where(usable, numbers, 1.0))
+    return float(np.median(np.abs(np.diff(logs)[pairs])))
 
 
 def _to_working(
@@ -223,10 +269,9 @@ def _sniff(head: bytes, size: int) -> bool:
     theta_h, theta_d, phi_d = _HEADER.unpack_from(head)
     if not all(2 <= n <= _MOST_ALONG for n in (theta_h, theta_d, phi_d)):
         return False
-    whole = 24 * theta_h * theta_d * phi_d
     # A cut-off file of the usual size is still one, and its reader says what is wrong.
     usual = (theta_h, theta_d) == (90, 90) and phi_d in (180, 360)
-    return usual or size - _HEADER.size in (whole, whole // 2)
+    return usual or bool(_fitting(theta_h, theta_d, phi_d, size))
 
 
 FORMAT = MeasuredFormat(

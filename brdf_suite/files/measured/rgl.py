@@ -280,7 +280,8 @@ FORMAT = MeasuredFormat(
     name="rgl",
     title="RGL material (adaptive parameterization)",
     endings=(".bsdf",),
-    sniff=lambda head, _size: head.startswith(MAGIC),
+    # A polarimetric file is of the same container, and has other fields.
+    sniff=lambda head, _size: head.startswith(MAGIC) and b"wvls" not in head[:4096],
     read=read_rgl,
     write=write_rgl,
 )

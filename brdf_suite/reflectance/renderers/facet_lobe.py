@@ -80,7 +80,7 @@ class RendererLobe:
         plain, once, twice = (terms[:, k, None] for k in range(3))
         rest = f90 - f0
         single = f0 * plain + rest * once
-        lost = self._lost(cos_o)[:, None]
+        lost = self.lost(cos_o)[:, None]
         if self.compensation == "turquin":
             return np.asarray(
                 single + lost * (f0 * f0 * plain + 2.0 * f0 * rest * once + rest * rest * twice)
@@ -95,7 +95,8 @@ class RendererLobe:
         risen = single_scattering_albedo("ggx", self.alpha, cos_o, self.rise)
         return np.asarray(f0 + (f90 - f0) * np.clip(risen / once, 0.0, 1.0)[:, None])
 
-    def _lost(self, cos_o: Floats) -> Floats:
+    def lost(self, cos_o: Floats) -> Floats:
+        """Return (1 - E) / E (n,) for views of cosine (n,)."""
         once = single_scattering_albedo("ggx", self.alpha, cos_o)
         return np.asarray((1.0 - once).clip(0.0) / once)
 

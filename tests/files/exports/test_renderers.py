@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
@@ -20,11 +21,11 @@ from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.realtime.gl.context import create_context, release_context
 from brdf_suite.reflectance.instruments.rendered_sphere import sphere_difference
 from brdf_suite.reflectance.renderers.facet_lobe import normal_reflectance
 from brdf_suite.reports.handover import item_of
-from tools.evaluation.materialx_picture import generate_shader
+
+_shader = load_module(Path(__file__).parent / "materialx_shader.py")
 
 LABS = {15.0: (86.1, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
 PAINT = Paint(
@@ -102,20 +103,6 @@ def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
     assert surfaces[0].getInputValue("coat_ior") == pytest.approx(found.coat_ior)
 
 
-_ONE_POINT = """#version 400
-out VertexData { %s } vd;
-void main() {
-    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
-    vec3 normalWorld = vec3(0.0, 0.0, 1.0), tangentWorld = vec3(1.0, 0.0, 0.0);
-    vec3 bitangentWorld = vec3(0.0, 1.0, 0.0);
-    vec3 positionWorld = vec3(1e-3 * corner, 0.0);  // not all the same: a derivative divides by its change
-    %s
-}
-"""
-"""To be completed with what the pixel's shader takes, and its values."""
-
-
 _USD_PREVIEW = """<?xml version="1.0"?>
 <materialx version="1.39" colorspace="lin_rec709">
   <UsdPreviewSurface name="surface" type="surfaceshader">{inputs}</UsdPreviewSurface>
@@ -129,7 +116,7 @@ _USD_PREVIEW = """<?xml version="1.0"?>
 def test_the_shader_of_materialx_reflects_as_the_fitted_openpbr(tmp_path: Path) -> None:
     path = tmp_path / "a.mtlx"
     BY_NAME["openpbr"].write([ExportItem(PAINT)], path, None)
-    wi, wo, found = _shaded(path)
+    wi, wo, found = _shader.shade(path)
     ratio = found / (fit_coated_facets(ExportItem(PAINT), "openpbr").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
     assert np.abs(ratio - 1.0).max() < 0.03
     # Only towards grazing are its formulas for albedos, which are approximations, off by more than a percent.
@@ -146,41 +133,11 @@ def test_the_shader_of_materialx_reflects_as_the_fitted_usd_preview(tmp_path: Pa
     ]
     path = tmp_path / "a.mtlx"
     path.write_text(_USD_PREVIEW.format(inputs="".join(lines)))
-    wi, wo, found = _shaded(path)
+    wi, wo, found = _shader.shade(path)
     ratio = found / (fit_coated_facets(ExportItem(PAINT), "usd").model.eval(wi, wo) @ TO_709 * wi[:, 2:])
     # Its metal is a conductor, ours rises after Schlick; the two differ most in dark channels.
     assert np.abs(ratio - 1.0).max() < 0.08
     assert np.abs(ratio - 1.0).mean() < 0.02
-
-
-def _shaded(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Directions (n, 3) to light and view, and the light (n, 3) that MaterialX's shader of the file reflects."""
-    pytest.importorskip("MaterialX")
-    source = generate_shader(path, environment=False).pixel
-    angles = np.array([(45.0, 15.0), (45.0, 45.0), (45.0, 75.0), (45.0, 110.0), (20.0, 30.0), (65.0, 60.0)])
-    wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
-    gl = create_context()
-    try:
-        taken = re.findall(r"vec3 (\w+);", source[source.index("in VertexData") :].split("}")[0])
-        declared = " ".join(f"vec3 {name};" for name in taken)
-        vertex = _ONE_POINT % (declared, " ".join(f"vd.{name} = {name};" for name in taken))
-        program = gl.program(vertex_shader=vertex, fragment_shader=source)
-        target = gl.framebuffer([gl.texture((2, 2), 4, dtype="f4")])
-        points = gl.vertex_array(program, [])
-        program["u_numActiveLightSources"].value = 1
-        program["u_lightData[0].type"].value = 1
-        program["u_lightData[0].color"].value = (1.0, 1.0, 1.0)
-        program["u_lightData[0].intensity"].value = 1.0
-        found = []
-        for to_light, to_view in zip(wi, wo, strict=True):
-            program["u_viewPosition"].value = tuple(1e3 * to_view)
-            program["u_lightData[0].direction"].value = tuple(-to_light)
-            target.use()
-            points.render(gl.TRIANGLES, vertices=3)
-            found.append(np.frombuffer(target.read(components=3, dtype="f4"), np.float32)[:3])
-    finally:
-        release_context(gl)
-    return wi, wo, np.array(found)
 
 
 def test_usd_is_valid_to_its_own_checks(tmp_path: Path) -> None:

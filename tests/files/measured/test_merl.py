@@ -299,3 +299,66 @@ def test_random_damage_is_refused_or_read(
         return
     assert np.isfinite(table.values).all()
     assert table.values.min() >= 0.0
+
+
+def table_bytes(
+    theta_h: int, theta_d: int, phi: int, kind: str, *, scaled: bool, header: int = 0, holes: bool = True
+) -> bytes:
+    """A table of any bins and type; the place of a value is φd + bins·(θd + n·θh), a plane per channel."""
+    bin_h, bin_d, bin_p = np.ogrid[:theta_h, :theta_d, :phi]
+    high, wide = (
+        np.radians((bin_h + 0.5) ** 2 * 90.0 / theta_h**2),
+        np.radians((bin_d + 0.5) * 90.0 / theta_d),
+    )
+    around = (bin_p + 0.5) * np.pi / (2 * theta_d)
+    planes = model(high, wide, around)
+    if scaled:
+        planes *= 1500.0 / np.array([1.0, 1.15, 1.66])[:, None, None, None]
+    if holes:
+        deep = np.abs(np.sin(high) * np.sin(wide) * np.cos(around)) >= np.cos(high) * np.cos(wide)
+        planes[:, deep] = -1.0
+    return struct.pack("<3i", theta_h, theta_d, header or phi) + planes.astype(kind).tobytes()
+
+
+LAYOUTS = {
+    f"{n} × {d} × {phi} {kind} {'scaled' if scaled else 'plain'}{' of 360' if header else ''}": (
+        n, d, phi, kind, scaled, header,
+    )
+    for n, d in ((90, 45), (30, 30), (45, 20))
+    for phi, header in ((2 * d, 0), (4 * d, 0), (2 * d, 4 * d))
+    for kind in ("<f8", "<f4", "<f2")
+    for scaled in (True, False)
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_every_layout_and_precision_is_recognised_and_holds_its_values(name: str, file: WriteFile) -> None:
+    n, d, phi, kind, scaled, header = LAYOUTS[name]
+    path = file(table_bytes(n, d, phi, kind, scaled=scaled, header=header))
+    content = path.read_bytes()
+    assert FORMAT.sniff(content[:64], len(content))
+    table = read_merl(path)
+    assert table.grid.shape == (n, d, phi)
+    assert table.reciprocal == (phi == 2 * d)
+    said = {"<f8": "", "<f4": "single precision", "<f2": "half precision"}[kind]
+    assert [note for note in table.facts["notes"] if "precision" in note] == (
+        [f"it stores {said}"] if said else []
+    )
+    assert table.facts["scale_factors"] is scaled
+    bin_h, bin_d, bin_p = np.meshgrid(range(n), range(d), range(phi), indexing="ij")
+    angles = (
+        np.radians((bin_h + 0.5) ** 2 * 90.0 / n**2), np.radians((bin_d + 0.5) * 90.0 / d),
+        (bin_p + 0.5) * np.pi / (2 * d),
+    )  # fmt: skip
+    expected = np.moveaxis(model(*angles), 0, -1) @ BT2087.T
+    known = ~np.asarray(table.holes)
+    assert np.count_nonzero(known) > known.size // 3
+    tolerance = 2e-3 if kind == "<f2" else 5e-4  # BT.2087 has four decimals
+    assert np.allclose(table.values[known], expected[known], rtol=tolerance)
+
+
+def test_an_even_table_in_single_precision_is_not_taken_for_one_of_half_the_azimuths(file: WriteFile) -> None:
+    planes = np.full((3, 20, 20, 80), 0.25, "<f4")
+    table = read_merl(file(struct.pack("<3i", 20, 20, 80) + planes.tobytes()))
+    assert table.grid.shape == (20, 20, 80)
+    assert table.values[..., 1] == pytest.approx(0.25, rel=1e-5)

@@ -62,6 +62,15 @@ def test_what_is_no_measurement_is_refused(shared_data: Path, tmp_path: Path) ->
 # --- Cornell ---------------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize(
+    ("name", "content"), [("a.axf", b"anything"), ("b.dat", b"\x89HDF\r\n\x1a\n" + bytes(90))]
+)
+def test_axf_is_refused_with_the_way_through_cxf3(tmp_path: Path, name: str, content: bytes) -> None:
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(FileError, match="export its measurements as CxF3"):
+        read_measured(tmp_path / name)
+
+
 def test_the_first_row_of_cayman_is_what_the_file_says(shared_data: Path) -> None:
     value = read_measured(shared_data / "brdf" / "cayman.brdf")
     assert value.facts["samples"] == 1439

@@ -122,3 +122,53 @@ def test_a_row_that_is_too_short_is_refused(tmp_path: Path) -> None:
     last = text.splitlines()[-2]
     with pytest.raises(FileError, match="expected 6 values, not 5"):
         read_measured(written(tmp_path, text.replace(last, last.rpartition("\t")[0])))
+
+
+def varied(**changes: object) -> str:
+    """The document, changed: words of the head replaced, lines cut, spelled, or separated in other ways."""
+    text = document()
+    for old, new in changes.get("words", {}).items():
+        assert old in text
+        text = text.replace(old, new)
+    if "each_line" in changes:
+        text = "\n".join(changes["each_line"](line) for line in text.splitlines()) + "\n"
+    return text.replace("\n", changes.get("ends", "\n"))
+
+
+VARIANTS = {
+    "plain": varied(),
+    "carriage returns": varied(ends="\r\n"),
+    "tabs": varied(each_line=lambda line: "\t".join(line.split())),
+    "wide spaces": varied(each_line=lambda line: "    ".join(line.split())),
+    "leading spaces": varied(each_line=lambda line: "  " + line),
+    "lower case": varied(each_line=str.lower),
+    "upper case": varied(each_line=str.upper),
+    "comments": varied(each_line=lambda line: line + "\n# and so on"),
+    "comments behind": varied(each_line=lambda line: line + " # said here"),
+    "blank lines": varied(each_line=lambda line: line + "\n"),
+    "asymmetrical": varied(words={"PlaneSymmetrical": "Asymmetrical"}),
+    "asymmetrical in 4D": varied(words={"PlaneSymmetrical": "Asymmetrical4D"}),
+    "spelled ASymmetrical": varied(words={"PlaneSymmetrical": "ASymmetrical"}),
+    "without source": varied(words={"Source  Measured\n": ""}),
+    "another source": varied(words={"Source  Measured": "Source  Simulated"}),
+    "without scatter type": varied(words={"ScatterType  BRDF\n": ""}),
+    "turned once": varied(words={"SampleRotation  1\n0\n": "SampleRotation  1\n90\n"}),
+    "angles over lines": varied(words={"0 20 45 60": "0 20\n45\n60", "0 45 90 135 180": "0\n45 90\n135 180"}),
+    "angles with decimals": varied(words={"0 20 45 60": "0.000 2.0E+01 4.5E+1 60.0"}),
+    "without a blank line": varied(words={"100\n\nMonochrome": "100\nMonochrome"}),
+    "a dark TIS": varied(words={"TIS 0.5": "TIS 0"}),
+    "a byte order mark": "\ufeff" + varied(),
+    "a long comment": "# " + 3000 * "x" + "\n" + varied(),
+}
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_every_variant_holds_the_same_values(tmp_path: Path, name: str) -> None:
+    path = written(tmp_path, VARIANTS[name])
+    assert sniff(path).name == "zemax"
+    value = read_measured(path)
+    plain = read_measured(written(tmp_path, VARIANTS["plain"]))
+    assert np.array_equal(value.wi, plain.wi)
+    assert np.array_equal(value.wo, plain.wo)
+    assert value.values == pytest.approx(plain.values, rel=1e-12)
+    assert len(value.values) > 60

@@ -12,6 +12,9 @@ from brdf_suite.reflectance.albedo import white_furnace
 from brdf_suite.reflectance.renderers.carpaint import CarPaint
 from brdf_suite.reflectance.renderers.coated_facets import CoatedFacets
 from brdf_suite.reflectance.renderers.facet_lobe import RendererLobe, index_of, normal_reflectance
+from brdf_suite.reflectance.renderers.surface_shader import SurfaceShader
+
+Model = CoatedFacets | CarPaint | SurfaceShader
 
 BLACK, WHITE = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 RED, BLUE = (0.6, 0.05, 0.02), (0.02, 0.1, 0.5)
@@ -21,16 +24,24 @@ MODELS = {
     "openpbr": CoatedFacets("openpbr", RED, BLUE, 0.2, 1.6, 0.1, grey=0.4),
     "usd": CoatedFacets("usd", RED, BLACK, 0.2, 1.6, 0.01),
     "usd_metal": CoatedFacets("usd", RED, BLACK, 0.2, 1.6, 0.01, metal=True),
+    "coated plastic": SurfaceShader(
+        base=RED, base_roughness=0.4, specular=1.0, specular_ior=1.5, alpha=0.1, coat=1.0, coat_alpha=0.02
+    ),
+    "openpbr base": SurfaceShader(base=RED, base_roughness=0.9, compensated=True, subsurface=BLUE),
+    "edged metal": SurfaceShader(metalness=1.0, metal_f0=(0.9, 0.6, 0.2), metal_edge=RED, alpha=0.2),
+    "conductor": SurfaceShader(
+        base=RED, metalness=0.6, metal_f0=(0.9, 0.6, 0.2), metal_edge=RED, conductor=True, alpha=0.2
+    ),
     "carpaint": CarPaint(RED, (BLUE, (0.1, 0.0, 0.0), WHITE), (1.0, 0.5, 0.04), (0.5, 0.2, 0.01)),
 }
 
 
 @pytest.fixture(params=MODELS)
-def model(request: pytest.FixtureRequest) -> CoatedFacets | CarPaint:
+def model(request: pytest.FixtureRequest) -> Model:
     return MODELS[request.param]
 
 
-def test_values_are_finite_and_nothing_is_reflected_below_the_horizon(model: CoatedFacets | CarPaint) -> None:
+def test_values_are_finite_and_nothing_is_reflected_below_the_horizon(model: Model) -> None:
     theta, phi = np.meshgrid(np.linspace(0.0, np.pi, 37), np.linspace(0.0, 6.0, 7), indexing="ij")
     wi, wo = spherical(theta, phi).reshape(-1, 1, 3), spherical(theta[:, 0], 0.3)[None]
     value = model.eval(wi, wo)
@@ -42,7 +53,7 @@ def test_values_are_finite_and_nothing_is_reflected_below_the_horizon(model: Coa
     assert value[inside].max(axis=-1).min() > 0.0
 
 
-def test_directions_are_drawn_by_their_density(model: CoatedFacets | CarPaint) -> None:
+def test_directions_are_drawn_by_their_density(model: Model) -> None:
     """What is drawn brings as much light as even directions do: the mean of f cos / pdf against the albedo."""
     wo = illumination(40.0)
     u = np.random.default_rng(3).random((200_000, 3))
@@ -64,6 +75,29 @@ def test_white_paint_returns_what_it_gets(kind: str, alpha: float) -> None:
     if kind == "usd":
         lobe = replace(matt, metal=True)
     np.testing.assert_allclose(white_furnace(lobe, views), 1.0, atol=0.03)
+
+
+def test_an_energy_compensated_white_base_returns_what_it_gets() -> None:
+    """Fujii's form, of any roughness: the rough lobe alone loses light."""
+    views = illumination(np.array([0.0, 30.0, 60.0, 80.0]))
+    for rough in (0.3, 1.0):
+        white = SurfaceShader(base=WHITE, base_roughness=rough, compensated=True)
+        np.testing.assert_allclose(white_furnace(white, views), 1.0, atol=5e-3)
+        assert white_furnace(replace(white, compensated=False), views).min() < 0.98
+
+
+def test_a_metal_has_its_colours_along_the_normal_and_at_the_edge() -> None:
+    gold, edge = np.array([0.9, 0.6, 0.2]), np.array([0.5, 0.7, 0.9])
+    cosines = np.array([1.0, 1.0 / 7.0, 0.0])
+    schlick = SurfaceShader(metalness=1.0, metal_f0=tuple(gold), metal_edge=tuple(edge))
+    plain = replace(schlick, metal_edge=WHITE)
+    along, at_edge, grazing = schlick.metal_fresnel(cosines)
+    assert along == pytest.approx(gold)
+    assert at_edge == pytest.approx(edge * plain.metal_fresnel(cosines)[1])
+    assert grazing == pytest.approx([1.0] * 3)
+    along, _, grazing = replace(schlick, conductor=True).metal_fresnel(cosines)
+    assert along == pytest.approx(gold)
+    assert grazing == pytest.approx([1.0] * 3)
 
 
 def test_a_narrow_lobe_at_the_normal_has_its_known_peak() -> None:

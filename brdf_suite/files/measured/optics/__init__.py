@@ -1,0 +1,1 @@
+"""Scattering files of programs that design optics."""
