@@ -13872,10 +13872,6 @@ h {hue}°</translation>
         <translation>die Endung {0} nennt kein Format, das hier geschrieben wird ({1})</translation>
     </message>
     <message>
-        <source>the coordinates give no direction above the surface</source>
-        <translation>die Koordinaten ergeben keine Richtung über der Oberfläche</translation>
-    </message>
-    <message>
         <source>a number of columns</source>
         <translation>eine Anzahl von Spalten</translation>
     </message>
@@ -16568,10 +16564,6 @@ h {hue}°</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: cannot be read: {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>another batch is running in this folder</source>
         <translation type="unfinished"></translation>
     </message>
@@ -16652,6 +16644,10 @@ h {hue}°</translation>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>expected the id {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cannot be collected: it {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -16681,6 +16677,374 @@ h {hue}°</translation>
     </message>
     <message>
         <source>holds numbers over {0}, which are neither shares nor directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a function that ALTA fitted ({0}), not data; export its samples from ALTA</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ALTA binary</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is {1}; {2} is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ENDIAN is {0}; expected little or big</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SAMPLE_COUNT is {0}; expected 1 to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VS is {0}; expected 0, 1 or 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is cut off: {0} rows of {1} numbers take {2} bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds more bytes than its rows take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} ({1}) gives no pair of directions above the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ALTA (text, binary)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>announces {0} values, more than the {1} allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is cut off: {0} values are announced, at most {1} follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected {0} that rise from 0 to at most {1}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected the root materialx, not {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The document holds {0} materials; “{1}” was read, not {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the version {0} is none of MaterialX</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no surface shader that is known ({0}); found: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} {1} to {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} to 0…1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} {1} to its inverse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connections of an input go round, or are too deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a connection to nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an interface without a value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is {1}; expected {2} finite numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The colour space “{0}” is not known; its colours were taken as linear Rec. 709.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (a map)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Textures and computed inputs are not read; defaults stand for {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MaterialX surface shader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds transmission alone, no reflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends within the size of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind {0}, {1} × {2} × {3} nodes are no table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds more bytes than its table takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out: its transmission.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written: the reflectance {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tabulated every {0}°, as an isotropic reflectance; narrower highlights are widened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be written: the reflectance gives values that are not finite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} colours lie outside Rec. 709; their negative channel was written as 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stores single precision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stores half precision</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the value of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is {1}; expected one of {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no reflection (BRDF) of the front side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several planes of incidence (POI); only isotropic files are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out: {0} blocks of transmission or of the back side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angles of incidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} blocks; {1} incidences of {2} channels are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a block of the content XYZ has no TristimulusValue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a block is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radial angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an angle of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a word of a block, not {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than {0} blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last block has no values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LightTools BSDF text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>transmission (BTDF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reflectance of a mirror direction alone (specular_reflectance)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>specular transmittance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not begin with VERSION</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the block {0} is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no BRDF; it has {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the list of blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an entry, not {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is given twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has {1} numbers; expected 1 to {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an entry of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the colour model spectrum needs WAVELENGTH_LIST</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>angles of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reduction {0} is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reciprocity is a reduction of the half-difference system alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bilateral symmetry of an anisotropic table in the spherical system is ambiguous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with the reduction {0} angles reach at most {1}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PARAM4_LIST wants the specular system, and as many offsets as PARAM0_LIST has angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an offset is beyond 90°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has more than {0} blocks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file ends after {0} of {1} colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SSDD (surface scattering distribution data)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field &apos;wvls&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected the shape {0}, not {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the field &apos;M&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>polarimetric BRDF (pBSDF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The polarization was left out; the reflectance is that of unpolarized light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of {1} dimensions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected {0}, not {1} of the shape {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected the shape (1, n), not {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected angles that rise within {0} to {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds NaN alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polarimetric BRDF (intensity)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -19234,6 +19598,14 @@ h {hue}°</translation>
     <message>
         <source>changes when the sample is turned; only isotropic reflectances are written in this format</source>
         <translation>ändert sich, wenn die Probe gedreht wird; in diesem Format werden nur isotrope Reflexionen geschrieben</translation>
+    </message>
+    <message>
+        <source>must be one or more angles that rise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this table holds colours only, no spectra</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>on a test grid</source>
