@@ -22,7 +22,7 @@ from changed import changed_files, select
 from prepare import ROOT, prepare
 
 SCREEN = ("tests/viewer", "tests/qt_gl", "tests/lobes_gl", "tests/swatch_gl", "tests/extras")
-EXTRAS = ("acquisition", "dev", "meshes", "reference", "speed", "video")
+EXTRAS = ("acquisition", "batches", "dev", "meshes", "reference", "speed", "video")
 FRESH_SEEDS = "--hypothesis-profile=nightly"
 
 
