@@ -75,6 +75,10 @@ class FileError(SuiteError):
         where = f", at {place}" if place else ""
         super().__init__(f"{self.path}{where}: {reason}" + ("" if reason.endswith("?") else "."))
 
+    def __reduce__(self) -> tuple[type[FileError], tuple[str, str, str | None]]:
+        """Return what makes it again, for processes that hand it on."""
+        return type(self), (self.path, self.reason, self.place)
+
 
 class DocumentError(FileError):
     """A document of ours (paint, palette, view) whose content is not valid; ``place`` names the field."""
@@ -90,6 +94,10 @@ class ValueRangeError(SuiteError, ValueError):
         self.place = place
         self.reason = reason
         super().__init__(f"{place}: {reason}.")
+
+    def __reduce__(self) -> tuple[type[ValueRangeError], tuple[str, str]]:
+        """Return what makes it again, for processes that hand it on."""
+        return type(self), (self.place, self.reason)
 
 
 class UnreachableError(SuiteError):
@@ -121,6 +129,10 @@ class ExtraError(SuiteError):
     def __init__(self, reason: str) -> None:
         self.reason = reason
         super().__init__(f"{reason[:1].upper()}{reason[1:]}.")
+
+    def __reduce__(self) -> tuple[type[ExtraError], tuple[str]]:
+        """Return what makes it again, for processes that hand it on."""
+        return type(self), (self.reason,)
 
 
 class MissingExtraError(ExtraError):

@@ -243,7 +243,7 @@ class Designer(Program):
         window, controller, documents = self.window, self.controller, self.documents
         window.new_requested.connect(documents.new)
         window.open_requested.connect(documents.open)
-        window.files_dropped.connect(lambda paths: documents.open(paths[0]))
+        window.files_dropped.connect(lambda paths: [documents.open(path) for path in paths])
         window.shipped_requested.connect(
             lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
         )

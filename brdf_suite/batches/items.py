@@ -11,9 +11,10 @@ import json
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
-from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, entry_from_json, entry_to_json
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.documents.studio import STUDIO_ENDING
@@ -31,16 +32,15 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.regular_files import open_regular
 
-_BLOCK = 1 << 20
 LIGHTS = (".exr", ".hdr", STUDIO_ENDING)
-_PAINTS = frozenset(
-    {
-        PAINT_ENDING,
-        PALETTE_ENDING,
-        *(end for known in MEASURED for end in known.endings),
-        *(end for known in PALETTES for end in known.endings),
-    }
-)
+
+
+@cache
+def paint_endings() -> frozenset[str]:
+    """Return the endings of all files that are paints, palettes or measured; looks for plug-ins."""
+    measured = (ending for known in MEASURED for ending in known.endings)
+    palettes = (ending for known in PALETTES for ending in known.endings)
+    return frozenset({PAINT_ENDING, PALETTE_ENDING, *measured, *palettes})
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class BatchItem:
     source
         A shipped name, or the absolute path of a file.
     key
-        SHA-256 of label and content, hexadecimal.
+        SHA-256 of name and content, hexadecimal.
     entry
         The JSON of a palette's entry; empty where ``source`` itself is loaded.
     fault
@@ -77,6 +77,14 @@ def load_item(item: BatchItem) -> Material:
     return load_material(item.source)
 
 
+def is_folder(text: str) -> bool:
+    """Return whether there is such a folder; False also for a name that the file system does not take."""
+    try:
+        return Path(text).is_dir()
+    except (OSError, ValueError):
+        return False
+
+
 def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:
     """Return the paints of sources, in their order; what is there twice, once.
 
@@ -91,7 +99,8 @@ def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
     Raises
     ------
     FileError
-        A source is not there, or a folder holds nothing.
+        A palette of the sources cannot be read, or a folder holds nothing. What else cannot be loaded is an item that
+        says so when it is worked on.
     """
     return _without_repeats(item for source in sources for item in _paints_of(os.fspath(source), besides))
 
@@ -111,8 +120,8 @@ def read_list(lines: Iterable[str], folder: Path) -> list[str]:
     for line in lines:
         text = line.strip()
         if text and not text.startswith("#"):
-            path = folder / text.partition(ENTRY_MARK)[0]
-            sources.append(str(folder / text) if path.exists() else text)
+            path = str(folder / text.partition(ENTRY_MARK)[0])
+            sources.append(str(folder / text) if is_file(path) or is_folder(path) else text)
     return sources
 
 
@@ -121,27 +130,36 @@ def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[B
 
 
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
-    if not Path(source).is_dir():
-        if not is_file(source):
-            yield _named_item(source)
-        elif file_kind(source) == "palette":
-            yield from _entries(Path(source), load_palette_file(source).palette)
-        else:
-            yield _file_item(Path(source))
+    if not is_folder(source):
+        yield from _paints_in(source)
         return
-    for path in _files_of(Path(source), _PAINTS, besides):
+    for path in _files_of(Path(source), paint_endings(), besides):
         try:
-            if file_kind(path) == "palette":
-                yield from _entries(path, load_palette_file(path).palette)
-                continue
+            yield from _paints_in(str(path))
         except SuiteError as error:
-            yield BatchItem(path.name, str(path.absolute()), _key(path.name, b""), fault=str(error))
-            continue
-        yield _file_item(path)
+            yield _bad_item(path, str(error))
+
+
+def _paints_in(source: str) -> Iterator[BatchItem]:
+    """Return the paints of a file, of an entry of a palette, or of a shipped name."""
+    file, mark, wanted = source.rpartition(ENTRY_MARK)
+    if is_file(source):
+        path = Path(source)
+        if file_kind(path) == "palette":
+            yield from _entries(path, load_palette_file(path).palette.entries)
+        else:
+            yield _file_item(path)
+    elif mark and is_file(file):
+        found = [entry for entry in load_palette_file(file).palette.entries if entry.id == wanted]
+        if not found:
+            raise FileError(file, f"has no paint {wanted!r}")
+        yield from _entries(Path(file), found)
+    else:
+        yield _named_item(source)
 
 
 def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> list[Path]:
-    if not source.is_dir():
+    if not is_folder(str(source)):
         return [source]
     found = sorted(
         path
@@ -156,8 +174,8 @@ def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> lis
     return found
 
 
-def _entries(path: Path, palette: Palette) -> Iterator[BatchItem]:
-    for entry in palette.entries:
+def _entries(path: Path, entries: Iterable[Entry]) -> Iterator[BatchItem]:
+    for entry in entries:
         content = json.dumps(entry_to_json(entry), ensure_ascii=False).encode()
         label = f"{path.name}{ENTRY_MARK}{entry.id}"
         yield BatchItem(label, str(path.absolute()), _key(label, content), content)
@@ -165,13 +183,24 @@ def _entries(path: Path, palette: Palette) -> Iterator[BatchItem]:
 
 def _file_item(path: Path) -> BatchItem:
     try:
-        with open_regular(path) as file:
-            digest = hashlib.sha256(f"{path.name}\0".encode())
-            while block := file.read(_BLOCK):
-                digest.update(block)
+        return BatchItem(_label(path), str(path.absolute()), _key(path.name, content_hash(path).encode()))
     except FileError as error:
-        return BatchItem(path.name, str(path.absolute()), _key(path.name, b""), fault=str(error))
-    return BatchItem(path.name, str(path.absolute()), digest.hexdigest())
+        return _bad_item(path, str(error))
+
+
+def content_hash(path: Path) -> str:
+    """Return the SHA-256 of a file, hexadecimal; raise :class:`FileError` where it cannot be read."""
+    with open_regular(path) as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _bad_item(path: Path, fault: str) -> BatchItem:
+    return BatchItem(_label(path), str(path.absolute()), _key(str(path.absolute()), b""), fault=fault)
+
+
+def _label(path: Path) -> str:
+    """Return the name of a file as text, also where its bytes are none."""
+    return os.fsencode(path.name).decode("utf-8", "backslashreplace")
 
 
 def _named_item(name: str) -> BatchItem:
@@ -179,4 +208,4 @@ def _named_item(name: str) -> BatchItem:
 
 
 def _key(label: str, content: bytes) -> str:
-    return hashlib.sha256(f"{label}\0".encode() + content).hexdigest()
+    return hashlib.sha256(os.fsencode(label) + b"\0" + content).hexdigest()

@@ -49,7 +49,7 @@ class Journal:
         lines = []
         for one in done:
             self.finished[one.key] = one
-            lines.append(json.dumps({"step": self._step, **asdict(one)}, ensure_ascii=False))
+            lines.append(json.dumps({"step": self._step, **asdict(one)}))
         try:
             with self.path.open("a", encoding="utf-8") as file:
                 file.write("".join(line + "\n" for line in lines))
@@ -97,11 +97,15 @@ def journal_of(folder: Path, step: str) -> Iterator[Journal]:
     FileError
         The folder cannot be made, or another batch is running in it.
     """
+    lock = FileLock(folder / _LOCK)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with FileLock(folder / _LOCK, timeout=0):
-            yield Journal(folder, step)
+        lock.acquire(blocking=False)
     except Timeout as error:
         raise FileError(folder, "another batch is running in this folder") from error
     except OSError as error:
         raise FileError(folder, f"cannot be written: {error.strerror or error}") from error
+    try:
+        yield Journal(folder, step)
+    finally:
+        lock.release()

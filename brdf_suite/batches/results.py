@@ -12,18 +12,16 @@ from importlib import import_module
 from pathlib import Path
 from statistics import median
 
-from brdf_suite.batches.items import BatchItem, load_item
+from brdf_suite.batches.items import BatchItem
 from brdf_suite.batches.journal import Finished
 from brdf_suite.batches.steps import Value
 from brdf_suite.documents.atomic import replacing, write_atomically
-from brdf_suite.documents.cook_torrance import CookTorrancePaint
-from brdf_suite.documents.factored import FactoredPaint
-from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Palette
 from brdf_suite.documents.palette_store import entry_from_json, save_palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
 from brdf_suite.foreign_text import guard_formula
+from brdf_suite.pipeline.material import document_kind, is_file, load_document
 
 CSV, PARQUET, PALETTE, SUMMARY = "results.csv", "results.parquet", "results.brdfpalette", "summary.html"
 _FIRST = ("item", "problem")
@@ -70,9 +68,18 @@ def _write_csv(path: Path, columns: Sequence[str], done: Iterable[Finished]) -> 
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     for one in done:
-        row: Mapping[str, Value] = {"item": one.label, "problem": one.problem, **one.row}
+        row = _row(one)
         writer.writerow([_cell(row.get(column)) for column in columns])
     write_atomically(path, text.getvalue().encode())
+
+
+def _row(one: Finished) -> dict[str, Value]:
+    """Return all of a row; names of files whose bytes are no text are written so that they are."""
+    row = {"item": one.label, "problem": one.problem, **one.row}
+    return {
+        key: value.encode("utf-8", "backslashreplace").decode() if isinstance(value, str) else value
+        for key, value in row.items()
+    }
 
 
 def _cell(value: Value) -> str:
@@ -86,7 +93,7 @@ def _cell(value: Value) -> str:
 def _write_parquet(path: Path, columns: Sequence[str], done: Iterable[Finished]) -> None:
     arrow = import_extra("pyarrow", purpose="a Parquet table")
     parquet = import_module("pyarrow.parquet")
-    rows = [{"item": one.label, "problem": one.problem, **one.row} for one in done]
+    rows = [_row(one) for one in done]
     table = arrow.Table.from_pydict({column: [row.get(column) for row in rows] for column in columns})
     with replacing(path) as temporary:
         parquet.write_table(table, temporary, compression="zstd")
@@ -108,10 +115,12 @@ def _entries(items: Iterable[BatchItem]) -> Iterator[Entry]:
             yield entry_from_json(json.loads(item.entry), item.source)
             continue
         try:
-            document = load_item(item).document
+            if is_file(item.source) and document_kind(item.source) != "paint":
+                continue  # a measured file
+            document = load_document(item.source)
         except SuiteError:  # it has changed since
             continue
-        if isinstance(document, Paint | CookTorrancePaint | FactoredPaint):
+        if document is not None:
             yield Entry(document)
 
 

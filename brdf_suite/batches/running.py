@@ -34,14 +34,14 @@ _LOST_S = 30.0
 
 @dataclass(frozen=True)
 class BatchResult:
-    """What a batch has done: of ``items``, how many now and how many in runs before, and the problems by item."""
+    """What a batch has done: of ``items``, how many now and how many in runs before; problems with the item's source."""
 
     folder: Path
     step: str
     items: int
     done: int
     done_before: int
-    problems: dict[str, str]
+    problems: tuple[tuple[str, str], ...]
     seconds: float
 
 
@@ -79,7 +79,8 @@ def run_batch(
         raise ValueRangeError("group", f"expected 1 to {MOST_IN_A_GROUP:,}, not {group}")
     start = monotonic()
     folder = folder.absolute()
-    with journal_of(folder, fingerprint(step)) as journal:
+    key = fingerprint(step)
+    with journal_of(folder, key) as journal:
         before = sum(item.key in journal.finished for item in items)
         left = [item for item in items if item.key not in journal.finished]
         journal.append(())  # the workers look for it
@@ -87,16 +88,13 @@ def run_batch(
             step.prepare(subrange(progress, 0.0, 0.05))
             report(progress, 0.05, "starting the workers")
             with hire() as workers:
-                _Run(step, folder, workers, journal, group, subrange(progress, 0.05, 0.98)).do(left)
+                _Run(step, key, folder, workers, journal, group, subrange(progress, 0.05, 0.98)).do(left)
         report(progress, 0.98, "writing the results")
         seconds = monotonic() - start
         write_results(folder, step.name, items, journal.finished, seconds)
         report(progress, 1.0, "written")
-        problems = {
-            item.label: journal.finished[item.key].problem
-            for item in items
-            if journal.finished[item.key].problem
-        }
+        done = [(item, journal.finished[item.key]) for item in items]
+        problems = tuple((item.source, one.problem) for item, one in done if one.problem)
     return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds)
 
 
@@ -106,6 +104,7 @@ class _Run:
     def __init__(
         self,
         step: BatchStep,
+        key: str,
         folder: Path,
         workers: BatchWorkers,
         journal: Journal,
@@ -113,6 +112,7 @@ class _Run:
         progress: Progress | None,
     ) -> None:
         self._step = step
+        self._key = key
         self._folder = folder
         self._workers = workers
         self._journal = journal
@@ -155,13 +155,13 @@ class _Run:
                 self._submit(self._suspects.popleft())
             return
         size = self._group or self._size(done)
-        while len(self._out) < _AHEAD * self._workers.width and self._waiting:
+        while len(self._out) < _AHEAD * self._workers.width() and self._waiting:
             self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
 
     def _submit(self, group: list[BatchItem]) -> None:
         try:
             future = self._workers.executor.submit(
-                do_items, self._step, group, str(self._folder), __version__
+                do_items, self._step, self._key, group, str(self._folder), __version__
             )
         except RuntimeError as error:  # the executor is shut down or broken
             raise self._lost() from error
@@ -171,7 +171,7 @@ class _Run:
         """Return how many items take a worker about two seconds, by those that are done; at first a few."""
         if done == 0:
             return 1
-        each = (monotonic() - self._start) * self._workers.width / done
+        each = (monotonic() - self._start) * self._workers.width() / done
         return max(1, min(MOST_IN_A_GROUP, round(_GROUP_S / max(each, 1e-6))))
 
     def _collected(self, future: Future[list[Finished]], alone: bool) -> list[Finished]:

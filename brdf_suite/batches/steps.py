@@ -10,12 +10,12 @@ import hashlib
 import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import ClassVar, Protocol, TypeAlias
 
 from brdf_suite.appearance.geometries import geometry_set
-from brdf_suite.batches.items import BatchItem, load_item
+from brdf_suite.batches.items import BatchItem, content_hash, load_item
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.homomorphic.reflectance_fit import (
@@ -30,7 +30,7 @@ from brdf_suite.output.picture_file import PictureSettings, picture_metadata, wr
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
-from brdf_suite.pipeline.material import under_illuminant
+from brdf_suite.pipeline.material import is_file, under_illuminant
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.instruments.aperture import aperture
@@ -69,8 +69,23 @@ class BatchStep(Protocol):
 
 
 def fingerprint(step: BatchStep) -> str:
-    """Return a hash of a step with its options and of the release; items are done anew where it changes."""
-    return hashlib.sha256(f"{__version__} {step!r}".encode()).hexdigest()
+    """Return a hash of the release, a step, its options and the files that they name; all is done anew where it changes.
+
+    Raises :class:`FileError`: one of the files cannot be read.
+    """
+    digest = hashlib.sha256(f"{__version__} {step!r}".encode())
+    for text in sorted(_texts(asdict(step))):
+        if is_file(text):
+            digest.update(content_hash(Path(text)).encode())
+    return digest.hexdigest()
+
+
+def _texts(value: object) -> set[str]:
+    """Return all texts within a value that is made of dictionaries and sequences."""
+    if isinstance(value, str):
+        return {value}
+    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list | tuple) else ()
+    return {text for one in inside for text in _texts(one)}
 
 
 @dataclass(frozen=True)

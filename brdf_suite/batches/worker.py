@@ -12,12 +12,16 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from socket import gethostname
+from threading import Timer
+from time import monotonic
 
 from brdf_suite.batches.items import BatchItem
 from brdf_suite.batches.journal import JOURNAL, Finished
-from brdf_suite.batches.steps import BatchStep, Work, fingerprint
+from brdf_suite.batches.steps import BatchStep, Work
 from brdf_suite.errors import SuiteError
 from brdf_suite.release import __version__
+
+_IDLE_S = 60.0
 
 
 @dataclass
@@ -27,6 +31,7 @@ class _Open:
     step: str
     work: Work
     stack: ExitStack
+    used: float = 0.0
 
 
 _thread = ThreadPoolExecutor(1, "batch")
@@ -34,18 +39,22 @@ _open: list[_Open] = []
 """One at most; only ``_thread`` changes it."""
 
 
-def do_items(step: BatchStep, items: Sequence[BatchItem], folder: str, release: str) -> list[Finished]:
-    """Do items and return what came of each; a problem with one stands in its place.
+def do_items(
+    step: BatchStep, key: str, items: Sequence[BatchItem], folder: str, release: str
+) -> list[Finished]:
+    """Do items and return what came of each; a problem with one stands in its place. ``key`` is the step's fingerprint.
 
     Raises
     ------
     SuiteError
         The worker has another release, does not see the folder of the results, or cannot do the step at all.
     """
-    return _thread.submit(_do_items, step, items, folder, release).result()
+    return _thread.submit(_do_items, step, key, items, folder, release).result()
 
 
-def _do_items(step: BatchStep, items: Sequence[BatchItem], folder: str, release: str) -> list[Finished]:
+def _do_items(
+    step: BatchStep, key: str, items: Sequence[BatchItem], folder: str, release: str
+) -> list[Finished]:
     if release != __version__:
         raise SuiteError(
             f"The worker on {gethostname()} has BRDF Suite {__version__}, the batch is of {release}; install the same."
@@ -54,18 +63,39 @@ def _do_items(step: BatchStep, items: Sequence[BatchItem], folder: str, release:
         raise SuiteError(
             f"The worker on {gethostname()} does not see {folder}; results go to a folder that all workers share."
         )
-    work = _opened(step)
-    return [_finished(work, item, Path(folder)) for item in items]
+    work = _opened(step, key)
+    try:
+        return [_finished(work, item, Path(folder)) for item in items]
+    finally:
+        _close_when_idle()
 
 
-def _opened(step: BatchStep) -> Work:
-    wanted = fingerprint(step)
-    if _open and _open[0].step != wanted:
-        _open.pop().stack.close()
+def _opened(step: BatchStep, key: str) -> Work:
+    if _open and _open[0].step != key:
+        _close()
     if not _open:
         stack = ExitStack()
-        _open.append(_Open(wanted, stack.enter_context(step.open()), stack))
+        _open.append(_Open(key, stack.enter_context(step.open()), stack))
+    _open[0].used = monotonic()
     return _open[0].work
+
+
+def _close() -> None:
+    if _open:
+        _open.pop().stack.close()
+
+
+def _close_when_idle() -> None:
+    """Close the step once a minute has passed without an item: the scene of a batch that has ended takes memory."""
+    _open[0].used = monotonic()
+    timer = Timer(_IDLE_S, _thread.submit, [_close_if_idle])
+    timer.daemon = True
+    timer.start()
+
+
+def _close_if_idle() -> None:
+    if _open and monotonic() - _open[0].used >= _IDLE_S:
+        _close()
 
 
 def _finished(work: Work, item: BatchItem, folder: Path) -> Finished:

@@ -37,10 +37,10 @@ JOB_SYSTEMS = ("htcondor", "local", "lsf", "moab", "oar", "pbs", "sge", "slurm")
 
 @dataclass(frozen=True)
 class BatchWorkers:
-    """An executor, how many items it works on at once, and whether it can still be reached."""
+    """An executor, how many items it works on at once, which may change, and whether it can still be reached."""
 
     executor: Executor
-    width: int
+    width: Callable[[], int]
     reached: Callable[[], bool] = lambda: True
 
 
@@ -74,11 +74,12 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
             processes=True,
             memory_limit=limit,
             dashboard_address=None,
+            security=True,  # other users of this machine can reach its ports
             silence_logs=logging.CRITICAL,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
-        yield _workers_of(client, count)
+        yield _workers_of(client)
 
 
 @contextmanager
@@ -91,7 +92,8 @@ def scheduler_workers(address: str) -> Iterator[BatchWorkers]:
         except (OSError, ValueError, TimeoutError) as error:
             raise SuiteError(f"No scheduler answers at {address}: {error}") from error
         with client:
-            yield _workers_of(client, _wait_for_workers(client, address))
+            _wait_for_workers(client, address)
+            yield _workers_of(client)
 
 
 @contextmanager
@@ -121,7 +123,8 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
         except (ValueError, OSError) as error:
             raise SuiteError(f"{system}: {error}; see dask-jobqueue's configuration file.") from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:
-            yield _workers_of(client, _wait_for_workers(client, system))
+            _wait_for_workers(client, system)
+            yield _workers_of(client)
 
 
 @contextmanager
@@ -166,14 +169,18 @@ def _settings() -> dict[str, object]:
     }
 
 
-def _wait_for_workers(client: Any, where: str) -> int:
-    """Return how many threads the workers have together, once the first of them is there."""
+def _wait_for_workers(client: Any, where: str) -> None:
+    """Wait for the first worker; raise :class:`SuiteError` where none comes."""
     try:
         client.wait_for_workers(1, timeout=_WORKERS_S)
     except TimeoutError as error:
         raise SuiteError(f"{where}: no worker is there after {_WORKERS_S:g} s.") from error
-    return sum(client.nthreads().values())
 
 
-def _workers_of(client: Any, width: int) -> BatchWorkers:
+def _workers_of(client: Any) -> BatchWorkers:
+    def width() -> int:
+        # Workers of a cluster come and go; what the client knows of them is renewed every few seconds.
+        found = client.scheduler_info(n_workers=-1)["workers"].values()
+        return max(1, sum(int(one["nthreads"]) for one in found))
+
     return BatchWorkers(client.get_executor(pure=False), width, lambda: client.status == "running")

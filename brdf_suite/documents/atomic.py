@@ -51,12 +51,10 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     temporary: Path | None = None
     try:
         mode = _mode_of(target)
-        unused = target.parent / f".{target.stem[:80]}.{secrets.token_hex(8)}{target.suffix}"
         remove_unfinished(target)
-        # "x" refuses a file that is already there; the user's umask applies as to any new file.
-        with unused.open("xb") as file:
-            temporary = unused
-            if not _lock(file):
+        temporary, file = _unused(target)
+        with file:
+            if not _LOCKS:
                 file.close()  # Windows renames no open file
             yield temporary
             with temporary.open("rb+") as written:
@@ -93,32 +91,61 @@ def documents_in(folder: Path, ending: str, *, within: bool = False) -> Iterator
 def remove_unfinished(target: Path, stem: str | None = None) -> None:
     """Remove what writers of the file ``target`` left that were ended by force; what one is writing now stays.
 
-    A writer holds a lock on its temporary file, which the system frees with the process. Where the file goes before
-    its lock is taken, the writer makes it again by its name. ``stem`` is a pattern of :mod:`glob` in place of the
-    target's name without its ending, where that changes with the content.
+    A writer holds a lock on its temporary file, which the system frees with the process. ``stem`` is a pattern of
+    :mod:`glob` in place of the target's name without its ending, where that changes with the content.
     """
-    stem = escape(target.stem[:80]) if stem is None else stem
+    stem = escape(_short(target.stem)) if stem is None else stem
     try:
         beside = [
             path for path in target.parent.glob(f".{stem}.*{escape(target.suffix)}") if is_unfinished(path)
         ]
         for path in beside:
+            if not stat.S_ISREG(path.lstat().st_mode):
+                continue  # a pipe would be waited for without end
             with path.open("rb") as file:
-                age = time.time() - os.fstat(file.fileno()).st_mtime
-                forgotten = _lock(file) if _LOCKS else age > _FORGOTTEN_S
-            if forgotten:
+                try:
+                    forgotten = _lock(file) or time.time() - os.fstat(file.fileno()).st_mtime > _FORGOTTEN_S
+                except BlockingIOError:
+                    continue
+                if forgotten and _LOCKS:
+                    path.unlink(missing_ok=True)  # while it is locked: no writer can take it for its own
+            if forgotten and not _LOCKS:
                 path.unlink(missing_ok=True)
     except OSError:
         pass  # nothing that the task needs: the next writer tries again
 
 
+def _unused(target: Path) -> tuple[Path, IO[bytes]]:
+    """Make an empty temporary file beside ``target``, locked where there are locks; return its path and it, open."""
+    while True:
+        path = target.parent / f".{_short(target.stem)}.{secrets.token_hex(8)}{target.suffix}"
+        # "x" refuses a file that is already there; the user's umask applies as to any new file.
+        file = path.open("xb")
+        try:
+            if not _lock(file) or os.fstat(file.fileno()).st_nlink:
+                return path, file
+        except BlockingIOError:
+            pass  # another writer takes it for a forgotten one, and removes it
+        file.close()
+
+
+def _short(stem: str) -> str:
+    """Return as much of a name as leaves room for what is added: names have at most 255 bytes."""
+    return os.fsencode(stem)[:80].decode("utf-8", "ignore")
+
+
 def _lock(file: IO[bytes]) -> bool:
-    """Try to lock an open file for this process, without waiting; False where another has it, or there are no locks."""
+    """Lock an open file for this process, without waiting; False where there are no locks.
+
+    Raises :class:`BlockingIOError`: another process has it.
+    """
     if not _LOCKS:
         return False
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:  # another has it, or the file system knows no locks
+    except BlockingIOError:
+        raise
+    except OSError:  # the file system knows no locks
         return False
     return True
 

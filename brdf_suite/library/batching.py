@@ -78,7 +78,7 @@ def batch(
     >>> with concurrent.futures.ThreadPoolExecutor(1) as one:
     ...     done = bs.batch("measure", ["blue", "copper"], tempfile.mkdtemp(), executor=one)
     >>> done.items, done.problems
-    (2, {})
+    (2, ())
     """
     steps: dict[str, Callable[[], BatchStep]] = {
         "measure": lambda: Measure(geometry, aperture),
@@ -94,7 +94,7 @@ def batch(
     find = list_lights if step == "prefilter" else list_paints
     items = find(given, Path(folder))
     if executor is not None:
-        hired = BatchWorkers(executor, workers or 1)
+        hired = BatchWorkers(executor, lambda: workers or 1)
         return run_batch(
             steps[step](), items, Path(folder), lambda: nullcontext(hired), group=group, progress=progress
         )

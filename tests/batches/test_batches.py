@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import json
+import os
+import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
 from contextlib import AbstractContextManager, nullcontext
@@ -37,7 +39,7 @@ Hire = Callable[[], AbstractContextManager[BatchWorkers]]
 @pytest.fixture
 def hire() -> Iterator[Hire]:
     with ThreadPoolExecutor(1) as pool:
-        yield lambda: nullcontext(BatchWorkers(pool, 1))
+        yield lambda: nullcontext(BatchWorkers(pool, lambda: 1))
 
 
 @pytest.fixture
@@ -104,7 +106,7 @@ def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
 def test_measuring_gives_what_the_library_reads(paints: Path, tmp_path: Path, hire: Hire) -> None:
     out = tmp_path / "out"
     done = run_batch(Measure("e2194"), list_paints([paints]), out, hire)
-    assert (done.items, done.done, done.problems) == (4, 4, {})
+    assert (done.items, done.done, done.problems) == (4, 4, ())
     rows = rows_of(out)
     read = bs.measure(paints / "blue.brdfpaint", geometry="e2194")
     blue = next(row for row in rows if row["item"] == "blue.brdfpaint")
@@ -131,7 +133,7 @@ def test_a_fit_writes_the_weights(tmp_path: Path, hire: Hire) -> None:
 def test_pictures_are_those_that_render_makes(tmp_path: Path, hire: Hire) -> None:
     view = replace(default_view("overcast"), surface="sphere")
     done = run_batch(Render(view, (48, 32)), list_paints(["blue", "red"]), tmp_path / "out", hire)
-    assert done.problems == {}
+    assert done.problems == ()
     for row in rows_of(tmp_path / "out"):
         made = np.asarray(Image.open(tmp_path / "out" / row["picture"]).convert("RGB"), int)
         alone = bs.render(row["item"], size=(48, 32), view=view).pixels
@@ -144,7 +146,7 @@ def test_environments_are_filtered_into_the_cache(tmp_path: Path, hire: Hire) ->
     light.parent.mkdir()
     bs.save(bs.Environment("even", np.ones((64, 128, 3), np.float32)), light)
     done = run_batch(Prefilter(), list_lights([light.parent]), tmp_path / "out", hire)
-    assert done.problems == {}
+    assert done.problems == ()
     assert [(row["columns"], row["rows"]) for row in rows_of(tmp_path / "out")] == [("128", "64")]
 
 
@@ -166,8 +168,9 @@ def test_a_bad_item_is_reported_and_the_rest_done(paints: Path, tmp_path: Path, 
     (paints / "bad.brdfpaint").write_text('{"format": "brdfpaint", "version": 99', encoding="utf-8")
     (paints / "torn.ase").write_bytes(b"ASEF\x00\x01\x00\x00\x00\x00\x00\x09")
     done = run_batch(Measure(), list_paints([paints, "no such paint"]), tmp_path / "out", hire)
-    assert {*done.problems} == {"bad.brdfpaint", "torn.ase", "no such paint"}
-    assert "bad.brdfpaint" in done.problems["bad.brdfpaint"]
+    problems = {Path(source).name: problem for source, problem in done.problems}
+    assert {*problems} == {"bad.brdfpaint", "torn.ase", "no such paint"}
+    assert "bad.brdfpaint" in problems["bad.brdfpaint"]
     assert [row["item"] for row in rows_of(tmp_path / "out") if not row["problem"]] == [
         "copper.brdfpaint",
         "blue.brdfpaint",
@@ -256,7 +259,7 @@ class Broken(Executor):
 
 def test_lost_workers_are_reported_and_nothing_is_lost(tmp_path: Path, hire: Hire) -> None:
     run_batch(Measure(), list_paints(["blue"]), tmp_path, hire)
-    lost = BatchWorkers(Broken(), 1)
+    lost = BatchWorkers(Broken(), lambda: 1)
     with pytest.raises(SuiteError, match="goes on where it was"):
         run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, lambda: nullcontext(lost))
     assert run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, hire).done_before == 1
@@ -282,7 +285,7 @@ class Odd:
 
 def test_an_error_of_the_program_is_one_items_problem(tmp_path: Path, hire: Hire) -> None:
     done = run_batch(Odd(), list_paints(["blue", "red"]), tmp_path, hire)
-    assert done.problems == {"red": "ZeroDivisionError: by nothing"}
+    assert done.problems == (("red", "ZeroDivisionError: by nothing"),)
 
 
 _DONE = [
@@ -308,3 +311,56 @@ def test_a_journal_that_was_cut_off_anywhere_gives_whole_items(
     assert len(kept) >= whole - 1
     again.append(_DONE)
     assert [*Journal(tmp_path, "step").finished.values()] == _DONE
+
+
+def test_problems_of_files_with_one_name_are_all_reported(tmp_path: Path, hire: Hire) -> None:
+    for name in ("a", "b"):
+        (tmp_path / "paints" / name).mkdir(parents=True)
+        (tmp_path / "paints" / name / "same.ase").write_bytes(b"ASEF\x00\x01\x00\x00\x00\x00\x00\x09")
+    done = run_batch(Measure(), list_paints([tmp_path / "paints"]), tmp_path / "out", hire)
+    assert len({source for source, _ in done.problems}) == 2
+    assert len(rows_of(tmp_path / "out")) == 2
+
+
+def test_one_entry_of_a_palette_is_known_by_its_content(paints: Path, tmp_path: Path, hire: Hire) -> None:
+    source = f"{paints / 'two.brdfpalette'}#7"
+    (before,) = list_paints([source])
+    assert (before.label, before.entry != b"") == ("two.brdfpalette#7", True)
+    bs.save(Palette("Two", (Entry(bs.load("copper", bs.Paint), "7"),)), paints / "two.brdfpalette")
+    (after,) = list_paints([source])
+    assert before.key != after.key
+    run_batch(Measure(), [after], tmp_path / "out", hire)
+    assert rows_of(tmp_path / "out")[0]["name"] == "Copper"
+    with pytest.raises(FileError, match="no paint '9'"):
+        list_paints([source[:-1] + "9"])
+
+
+def test_a_changed_environment_draws_all_anew(tmp_path: Path, hire: Hire) -> None:
+    light = tmp_path / "even.exr"
+    bs.save(bs.Environment("even", np.ones((32, 64, 3), np.float32)), light)
+    view = replace(default_view(), environment=str(light), surface="sphere")
+    step = Render(view, (16, 16))
+    run_batch(step, list_paints(["blue"]), tmp_path / "out", hire)
+    assert run_batch(step, list_paints(["blue"]), tmp_path / "out", hire).done == 0
+    bs.save(bs.Environment("red", np.ones((32, 64, 3), np.float32) * (1.0, 0.1, 0.1)), light)
+    before = np.asarray(Image.open(tmp_path / "out" / rows_of(tmp_path / "out")[0]["picture"]), int)
+    assert run_batch(step, list_paints(["blue"]), tmp_path / "out", hire).done == 1
+    after = np.asarray(Image.open(tmp_path / "out" / rows_of(tmp_path / "out")[0]["picture"]), int)
+    assert np.abs(before - after).max() > 20
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="names of files are bytes on Linux")
+def test_a_name_that_is_no_text_is_an_item_like_others(tmp_path: Path, hire: Hire) -> None:
+    folder = tmp_path / "paints"
+    folder.mkdir()
+    bs.save(bs.load("blue", bs.Paint), folder / "a.brdfpaint")
+    os.rename(os.fsencode(folder / "a.brdfpaint"), os.fsencode(folder) + b"/gr\xfcn.brdfpaint")  # noqa: PTH104
+    done = run_batch(Measure(), list_paints([folder]), tmp_path / "out", hire)
+    assert done.problems == ()
+    assert rows_of(tmp_path / "out")[0]["item"] == "gr\\xfcn.brdfpaint"
+
+
+def test_names_that_no_file_system_takes_are_items_that_fail(tmp_path: Path, hire: Hire) -> None:
+    sources = read_list(["x" * 300, "blue"], tmp_path)
+    done = run_batch(Measure(), list_paints(sources), tmp_path / "out", hire)
+    assert [source for source, _ in done.problems] == ["x" * 300]

@@ -25,7 +25,7 @@ from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
 from brdf_suite.batches.workers import local_workers, scheduler_workers
 from brdf_suite.documents.palette import Entry, Palette
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
 
@@ -184,12 +184,32 @@ def test_a_worker_that_does_not_see_the_folder_says_so(cluster: Cluster, tmp_pat
     from brdf_suite.release import __version__
 
     with scheduler_workers(cluster.address) as workers:
-        asked = workers.executor.submit(do_items, Measure(), [], str(tmp_path / "nowhere"), __version__)
+        asked = workers.executor.submit(do_items, Measure(), "", [], str(tmp_path / "nowhere"), __version__)
         with pytest.raises(SuiteError, match="does not see"):
             asked.result(_PATIENCE_S)
-        older = workers.executor.submit(do_items, Measure(), [], str(tmp_path), "0.0.1")
+        older = workers.executor.submit(do_items, Measure(), "", [], str(tmp_path), "0.0.1")
         with pytest.raises(SuiteError, match=r"the batch is of 0\.0\.1"):
             older.result(_PATIENCE_S)
+
+
+def test_a_step_that_a_worker_cannot_begin_ends_the_batch_with_its_reason(
+    cluster: Cluster, tmp_path: Path
+) -> None:
+    @dataclass(frozen=True)
+    class NoLight:
+        name: ClassVar[str] = "no light"
+
+        def prepare(self, _progress: Progress | None) -> None:
+            """There is nothing to prepare."""
+
+        def open(self) -> AbstractContextManager[Work]:
+            raise FileError("/home/me/sky.hdr", "there is no such file")
+
+    with pytest.raises(FileError, match="/home/me/sky.hdr: there is no such file"):
+        run_batch(
+            NoLight(), list_paints(["blue", "red"]), tmp_path, lambda: scheduler_workers(cluster.address)
+        )
+    assert lines_of(tmp_path) == []
 
 
 def test_no_scheduler_is_one_line() -> None:
@@ -230,8 +250,9 @@ def test_an_item_that_kills_its_worker_is_reported_and_the_rest_done(tmp_path: P
         done = run_batch(Deadly(), list_paints(names), tmp_path, lambda: local_workers(1), group=4)
     finally:
         cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
-    assert {*done.problems} == {"red"}
-    assert "the process that worked on it ended" in done.problems["red"]
+    ((source, problem),) = done.problems
+    assert source == "red"
+    assert "the process that worked on it ended" in problem
 
 
 def test_planted_modules_are_not_imported_by_workers(tmp_path: Path) -> None:

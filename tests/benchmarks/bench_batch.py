@@ -175,7 +175,9 @@ def _empty_tasks(one: BatchWorkers, place: Path) -> float:
     start = perf_counter()
     ahead = 200
     for _ in range(TASKS // ahead):
-        sent = [one.executor.submit(do_items, Measure(), [], str(place), __version__) for _ in range(ahead)]
+        sent = [
+            one.executor.submit(do_items, Measure(), "", [], str(place), __version__) for _ in range(ahead)
+        ]
         for future in sent:
             future.result()
     return 1e3 * (perf_counter() - start) / TASKS

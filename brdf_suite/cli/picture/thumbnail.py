@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from brdf_suite.cli.arguments import add_arguments, add_output, whole_number
 from brdf_suite.cli.output import print_done
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.errors import FileError, GraphicsError
+from brdf_suite.errors import FileError, GraphicsError, SuiteError
 from brdf_suite.files.images.png import write_png
 from brdf_suite.palettes.swatches.look import LARGEST, SMALLEST, Content, SwatchLook
 from brdf_suite.palettes.swatches.pictures import SwatchPainter
@@ -71,6 +71,8 @@ def _drawn(contents: list[Content], form: str, size: int) -> NDArray[np.uint8]:
     with SwatchPainter() as painter:
         look = SwatchLook(form=form, size=max(SMALLEST, side))
         pictures = painter.draw(contents[: across**2], look)
+    if all(picture.pixels is None for picture in pictures):
+        raise SuiteError(pictures[0].problem)
     whole = np.zeros((size, size, 4), np.uint8)
     for place, picture in enumerate(pictures):
         if picture.pixels is None:

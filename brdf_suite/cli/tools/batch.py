@@ -161,12 +161,12 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
                 "items": done.items,
                 "done": done.done,
                 "done_before": done.done_before,
-                "problems": done.problems,
+                "problems": [{"source": source, "problem": problem} for source, problem in done.problems],
                 "seconds": done.seconds,
             }
         )
         return
-    shown = [f"{label}: {problem}" for label, problem in done.problems.items()]
+    shown = [f"{source}: {problem}" for source, problem in done.problems]
     print_notes(shown[:_MOST_PROBLEMS], "problem")
     more = f"; {len(shown):,} with a problem, all in results.csv" if shown else ""
     before = f", {done.done_before:,} done before" if done.done_before else ""

@@ -137,6 +137,8 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             facts["rows with the view on the horizon left out"] = int(np.count_nonzero(~kept))
             rows, wi, wo, numbers = rows.only(kept), wi[kept], wo[kept], numbers[kept]
         numbers = numbers / wo[:, 2:]
+    if not kept.any():
+        raise FileError(path, "no row has light and view above the horizon", "the table")
     meaning = "grey" if header.outputs == 1 else "xyz" if header.param_out == "XYZ_COLOR" else "rgb"
     turning = system.anisotropic and not one_azimuth(np.arctan2(wi[:, 1], wi[:, 0]))
     return samples(

@@ -470,7 +470,7 @@ def _openpbr(inputs: _Inputs) -> SurfaceShader:
     # What the coat sends back to the base is reflected again, and darkens it.
     back = 1.0 - (1.0 - normal_reflectance(coat_index)) / coat_index**2
     albedo = metalness * colour * weight + (1.0 - metalness) * ((1.0 - below) * colour + below * under)
-    dark = (1.0 - back) / (1.0 - albedo * back)
+    dark = (1.0 - back) / (1.0 - np.clip(albedo, 0.0, 1.0) * back)
     darkening = 1.0 + coat * inputs.number("coat_darkening") * (dark - 1.0)
     return SurfaceShader(
         base=_rgb(passed * (1.0 - below) * base * colour),

@@ -159,7 +159,10 @@ def compute_formulas(model: ModelText, wi: Floats, wo: Floats, values: Mapping[s
     ModelTextError
         The text holds something that is not allowed, or takes too many operations; with the line.
     """
-    return _Run(_checked(model.text), len(wi)).brdf(model, wi, wo, values)
+    try:
+        return _Run(_checked(model.text), len(wi)).brdf(model, wi, wo, values)
+    except RecursionError as error:
+        raise ModelTextError("functions call each other too deeply") from error
 
 
 def check_formulas(model: ModelText) -> None:

@@ -79,12 +79,10 @@ class ShaderProcess:
                 ],
                 "pairs": len(pairs),
             }
-            process = self._started()
             try:
+                process = self._started()
                 answer, content, late = _ask(process, request, pairs.tobytes(), SECONDS)
-            except (
-                BaseException
-            ):  # an interrupt: the answer that is still to come belongs to no later request
+            except BaseException:  # an interrupt: an answer that is still to come belongs to no later request
                 self.end()
                 raise
             if answer is None:

@@ -201,6 +201,12 @@ def _declared(name: str, kind: Kind, numbers: list[float], before: list[Declared
     return Declared(name, kind, tuple(numbers))
 
 
+def _shortest(value: float, number: Parameter) -> str:
+    """Return a number in six digits, in all of them where six are outside of the parameter's range."""
+    short = f"{value:.6g}"
+    return short if number.low <= float(short) <= number.high else repr(value)
+
+
 def write_defaults(model: ModelText, values: Mapping[str, float]) -> str:
     """Return the text with these values as the defaults of its parameters; all else stays as it is.
 
@@ -209,7 +215,9 @@ def write_defaults(model: ModelText, values: Mapping[str, float]) -> str:
     'def brdf(L, V, N, X, Y, a=number(0, 1, 0.25)):'
     """
     wanted = {
-        one.name: [f"{values.get(key, number.default):.6g}" for key, number in one.numbers().items()]
+        one.name: [
+            _shortest(values.get(key, number.default), number) for key, number in one.numbers().items()
+        ]
         for one in model.declared
     }
     lines = model.text.split("\n")

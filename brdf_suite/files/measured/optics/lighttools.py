@@ -118,10 +118,11 @@ class _Reader:
         numbers = np.empty(shape)
         lines = np.zeros(shape[0], np.int64)
         filled = np.zeros((shape[0], shape[3]), bool)
+        place = {incidence: at for at, incidence in enumerate(incidences)}
         for block, key in zip(blocks, keys, strict=True):
             if key not in channels:
                 raise self._fail("a block of the content XYZ has no TristimulusValue", block.line)
-            at, channel = incidences.index(block.aoi), channels.index(key)
+            at, channel = place[block.aoi], channels.index(key)
             if filled[at, channel] or block.values is None:
                 raise self._fail("a block is given twice", block.line)
             numbers[at, ..., channel] = block.values

@@ -29,6 +29,7 @@ from brdf_suite.regular_files import read_bytes
 _LARGEST = 1 << 30
 _MOST_ANGLES = 100_000
 _MOST_BLOCKS = 4
+_MOST_ENTRIES = 1000
 
 _TYPES = ("brdf", "btdf", "specular_reflectance", "specular_transmittance")
 _SYSTEMS: dict[str, tuple[Coordinates, tuple[float, float, float, float]]] = {
@@ -261,12 +262,17 @@ class _Reader:
     def entries(self, last: str) -> _Block:
         """Return the entries to the one called ``last``: before it where a block begins, with it where data do."""
         block = _Block(self._path)
+        first = self._line
         while True:
             at, line = self._at, self._line
             text = self._next()
             block.line = self._line
             if text is None:
                 raise FileError(self._path, f"the file ends before {last}", f"line {self._line}")
+            if self._line - first > _MOST_ENTRIES:
+                raise FileError(
+                    self._path, f"more than {_MOST_ENTRIES} entries before {last}", f"line {self._line}"
+                )
             key, rest = (*text.split(None, 1), "")[:2]
             if key == last == "DATA_TYPE":
                 self._at, self._line = at, line
