@@ -34,7 +34,7 @@ _LOST_S = 30.0
 
 @dataclass(frozen=True)
 class BatchResult:
-    """What a batch has done: of ``items``, how many now and how many in runs before; problems with the item's source."""
+    """What a batch has done: of ``items``, how many now and how many before; problems with the item's source."""
 
     folder: Path
     step: str

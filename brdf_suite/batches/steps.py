@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import ClassVar, Protocol, TypeAlias
+from typing import Any, ClassVar, Protocol, TypeAlias
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.batches.items import BatchItem, content_hash, load_item
@@ -57,9 +57,10 @@ Work: TypeAlias = Callable[[BatchItem, Path], Outcome]
 
 
 class BatchStep(Protocol):
-    """What a batch does; ``name`` is the word of the command."""
+    """What a batch does, a dataclass; ``name`` is the word of the command."""
 
     name: ClassVar[str]
+    __dataclass_fields__: ClassVar[dict[str, Any]]
 
     def prepare(self, _progress: Progress | None, /) -> None:
         """Do once, before any worker starts, what all of them would do otherwise."""
@@ -69,7 +70,7 @@ class BatchStep(Protocol):
 
 
 def fingerprint(step: BatchStep) -> str:
-    """Return a hash of the release, a step, its options and the files that they name; all is done anew where it changes.
+    """Return a hash of the release, a step, its options and the files that they name; all is done again with another.
 
     Raises :class:`FileError`: one of the files cannot be read.
     """

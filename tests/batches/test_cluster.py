@@ -205,7 +205,7 @@ def test_a_step_that_a_worker_cannot_begin_ends_the_batch_with_its_reason(
         def open(self) -> AbstractContextManager[Work]:
             raise FileError("/home/me/sky.hdr", "there is no such file")
 
-    with pytest.raises(FileError, match="/home/me/sky.hdr: there is no such file"):
+    with pytest.raises(FileError, match=r"/home/me/sky\.hdr: there is no such file"):
         run_batch(
             NoLight(), list_paints(["blue", "red"]), tmp_path, lambda: scheduler_workers(cluster.address)
         )
