@@ -317,7 +317,7 @@ def test_values_beyond_their_range_are_limited_and_named(tmp_path: Path) -> None
     assert value.base == (1.0, 0.5, 0.0)
     assert value.metalness == 1.0
     assert value.specular_ior == 2.0
-    (note,) = [note for note in value.facts["notes"] if note.startswith("Limited")]
+    (note,) = [note for note in value.facts["notes"] if note.startswith("Values limited")]
     assert all(name in note for name in given)
 
 
