@@ -748,6 +748,10 @@
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>{place}, in {folder}</source>
+        <translation>{place}, in {folder}</translation>
+    </message>
+    <message>
         <source>Internal error: {fault}</source>
         <translation>Interner Fehler: {fault}</translation>
     </message>
@@ -12641,7 +12645,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the top level</source>
-        <translation>der obersten Ebene</translation>
+        <translation>oberste Ebene</translation>
     </message>
     <message>
         <source>the field &quot;{0}&quot; is missing</source>
@@ -12829,7 +12833,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>, at {0}</source>
-        <translation>, bei {0}</translation>
+        <translation>, {0}</translation>
     </message>
     <message>
         <source>Assimp (assimp-py)</source>
@@ -14289,7 +14293,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the lines that begin with #</source>
-        <translation>den Zeilen, die mit # beginnen</translation>
+        <translation>die Zeilen, die mit # beginnen</translation>
     </message>
     <message>
         <source>no header names the format</source>

@@ -129,7 +129,7 @@ def test_a_file_error_tells_what_where_and_what_to_do():
     )
     assert (message.what, message.where, message.todo) == (
         "a.brdfpaint: expected a number.",
-        "paints, gloss.gu_20",
+        "gloss.gu_20, in paints",
         "Mend it.",
     )
 

@@ -58,10 +58,13 @@ class Message:
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
-        folder, name = os.path.split(error.path)
-        place = "" if error.place is None else tr_core(error.place)
-        where = ", ".join(part for part in (folder, place) if part)
-        return Message(key, f"{name}: {tr_core(error.reason)}.", where=where, todo=todo, severity="error")
+        folder, name = os.path.split(error.path.rstrip("/\\"))
+        reason = tr_core(error.reason)
+        what = f"{name}: {reason}" if name else f"{reason[:1].upper()}{reason[1:]}"
+        what += "" if reason.endswith("?") else "."
+        place = tr_core(error.place or "")
+        both = tr("{place}, in {folder}").format(place=place, folder=folder)
+        return Message(key, what, where=both if place and folder else place or folder, todo=todo, severity="error")
     if isinstance(error, SuiteError):
         return Message(key, tr_core(str(error)), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")

@@ -256,7 +256,7 @@ def test_the_documents_of_the_suite_read_back(tmp_path: Path) -> None:
     path = tmp_path / "gold.mtlx"
     next(known for known in FORMATS if known.name == "openpbr").write([ExportItem(paint)], path, None)
     material = load_material(path)
-    model = fit_coated_facets(paint, "openpbr").model
+    model = fit_coated_facets(ExportItem(paint), "openpbr").model
     wi, wo = (
         _shader.illumination(np.full(4, 45.0)),
         _shader.aspecular_view(45.0, np.array([15, 25, 45, 110.0])),
