@@ -102,7 +102,7 @@ def test_numbers_within_have_the_comma(german) -> None:
 def test_a_bad_file_is_refused_with_its_place(german) -> None:
     what, where, todo = german["message"]
     assert what == "bad.brdfpaint: das Feld „measurements“ fehlt."
-    assert where == "oberste Ebene, in FOLDER"
+    assert where == "Oberste Ebene, in FOLDER"
     assert todo.endswith("ist unverändert.")
 
 

@@ -60,16 +60,24 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     if isinstance(error, FileError):
         folder, name = os.path.split(error.path.rstrip("/\\"))
         reason = tr_core(error.reason)
-        what = f"{name}: {reason}" if name else f"{reason[:1].upper()}{reason[1:]}"
+        what = f"{name}: {reason}" if name else _capitalized(reason)
         what += "" if reason.endswith("?") else "."
         place = tr_core(error.place or "")
+        if " " in place:  # no name of a field
+            place = _capitalized(place)
         both = tr("{place}, in {folder}").format(place=place, folder=folder)
-        return Message(key, what, where=both if place and folder else place or folder, todo=todo, severity="error")
+        return Message(
+            key, what, where=both if place and folder else place or folder, todo=todo, severity="error"
+        )
     if isinstance(error, SuiteError):
         return Message(key, tr_core(str(error)), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")
     todo = todo or tr("Your document is unchanged; save it. The log has the details.")
     return Message(key, what, todo=todo, severity="error")
+
+
+def _capitalized(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 class _Row(QFrame):
