@@ -14552,6 +14552,14 @@ h {hue}°</translation>
         <translation>ein Wert</translation>
     </message>
     <message>
+        <source>{0} would take {1}; {2} GiB is allowed ({3} can allow more)</source>
+        <translation>{0}: nötig wäre {1}; erlaubt ist {2} GiB ({3} kann mehr erlauben)</translation>
+    </message>
+    <message>
+        <source>{0} (given by a map)</source>
+        <translation>{0} (durch eine Karte)</translation>
+    </message>
+    <message>
         <source>expected DataEnd</source>
         <translation>erwartet wurde DataEnd</translation>
     </message>
@@ -16572,14 +16580,6 @@ h {hue}°</translation>
         <translation>Arrow (pyarrow)</translation>
     </message>
     <message>
-        <source>{0} GiB is allowed ({1} can allow more)</source>
-        <translation>erlaubt ist {0} GiB ({1} kann mehr erlauben)</translation>
-    </message>
-    <message>
-        <source>{0} would take {1}; {2}</source>
-        <translation>{0}: nötig wäre {1}; {2}</translation>
-    </message>
-    <message>
         <source>The clearcoat is that of a designed paint with the same gloss.</source>
         <translation>Der Klarlack ist der eines entworfenen Lacks mit demselben Glanz.</translation>
     </message>
@@ -16690,10 +16690,6 @@ h {hue}°</translation>
     <message>
         <source>The colour space “{0}” is not known; its colours were taken as linear Rec. 709.</source>
         <translation>Der Farbraum „{0}“ ist nicht bekannt; seine Farben gelten als lineares Rec. 709.</translation>
-    </message>
-    <message>
-        <source>{0} (a map)</source>
-        <translation>{0} (eine Karte)</translation>
     </message>
     <message>
         <source>Textures and computed inputs are not read; defaults stand for {0}.</source>

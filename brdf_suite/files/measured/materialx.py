@@ -387,7 +387,7 @@ class _Inputs:
             elif any(word in name for word in _GEOMETRY) and {"nodename", "nodegraph"} & set(
                 place.attributes
             ):
-                self.lost.append(f"{name} (a map)")
+                self.lost.append(f"{name} (given by a map)")
         for name in _BEYOND:
             if name in self._defaults and (share := self.number(name)) > 0.0:
                 self.lost.append(f"{name} ({share:g})")
@@ -407,7 +407,7 @@ class _Inputs:
 
 
 def _listed(names: Iterable[str]) -> str:
-    return ", ".join(dict.fromkeys(names))
+    return "; ".join(dict.fromkeys(names))
 
 
 def _shown(value: _Value | None) -> str:

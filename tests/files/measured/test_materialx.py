@@ -298,7 +298,7 @@ def test_textures_and_normal_maps_are_named(tmp_path: Path) -> None:
     assert value.base == (0.8, 0.8, 0.8)
     notes = " ".join(value.facts["notes"])
     assert "base_color (image)" in notes
-    assert "normal (a map)" in notes
+    assert "normal (given by a map)" in notes
 
 
 def test_the_first_of_several_materials_is_read_and_the_others_named(tmp_path: Path) -> None:
