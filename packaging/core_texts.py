@@ -14,14 +14,17 @@ from itertools import product
 from pathlib import Path
 
 UNSEEN = (
+    "batches",
     "cli",
     "command_parser.py",
+    "library",
     "notebook.py",
+    "testing.py",
     "variables.py",
     "tracing/agreement",
     "files/tables/columns.py",
 )
-"""Parts of the core whose texts only the command prints."""
+"""Parts of the core whose texts no window shows: those of the command, of notebooks, of checks of plug-ins."""
 DOCUMENTS = ("reports/paint_report", "reports/contact_sheet", "reports/pdf_pen.py", "reports/sheet_text.py")
 """Texts of documents for others, which are English; errors and progress of their making are shown."""
 _FAULTS = (
@@ -29,12 +32,12 @@ _FAULTS = (
     "ValueError"
 )
 _PLUMBING = (
-    "add_argument add_arguments cast child_command compile debug endswith error exception execute executescript find "
-    "fullmatch get getLogger index info Literal match namedtuple partition print removeprefix removesuffix replace "
-    "search split startswith strptime Struct sub TypeVar warn warning while_loop"
+    "add_argument add_arguments Call cast child_command compile debug endswith error exception execute "
+    "executescript find fullmatch get getLogger index info Literal match namedtuple partition print removeprefix "
+    "removesuffix replace search split startswith strptime Struct sub TypeVar warn warning while_loop"
 )
 _NOT_SHOWN = {*_FAULTS.split(), *_PLUMBING.split()}
-"""Calls that take no text for a user of a window."""
+"""Calls that take no text for a user of a window; a ``Call`` says to the author of a plug-in what it has to return."""
 _SENTENCES = {
     *(
         "AcquisitionError",

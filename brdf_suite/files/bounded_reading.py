@@ -91,5 +91,6 @@ def check_made(path: PathLike, size: int, what: str, place: str | None = None) -
     allowed = most_made_bytes()
     if size > allowed:
         taken = f"{size / 2**30:,.1f} GiB" if size < 1 << 60 else "more memory than there is"
-        more = f"{allowed / 2**30:,.3g} GiB is allowed ({variables.READ_MB} can allow more)"
-        raise FileError(path, f"{what} would take {taken}; {more}", place)
+        most = f"{allowed / 2**30:,.3g}"
+        reason = f"{what} would take {taken}; {most} GiB is allowed ({variables.READ_MB} can allow more)"
+        raise FileError(path, reason, place)

@@ -748,6 +748,10 @@
         <translation>Fehler</translation>
     </message>
     <message>
+        <source>{place}, in {folder}</source>
+        <translation>{place}, in {folder}</translation>
+    </message>
+    <message>
         <source>Internal error: {fault}</source>
         <translation>Interner Fehler: {fault}</translation>
     </message>
@@ -12641,7 +12645,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the top level</source>
-        <translation>der obersten Ebene</translation>
+        <translation>oberste Ebene</translation>
     </message>
     <message>
         <source>the field &quot;{0}&quot; is missing</source>
@@ -12829,7 +12833,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>, at {0}</source>
-        <translation>, bei {0}</translation>
+        <translation>, {0}</translation>
     </message>
     <message>
         <source>Assimp (assimp-py)</source>
@@ -13025,7 +13029,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>expected a finite number for {0}, not {1}</source>
-        <translation>erwartet wurde eine endliche Zahl für {0}, nicht {1}</translation>
+        <translation>erwartet wurde eine endliche Zahl ({0}), nicht {1}</translation>
     </message>
     <message>
         <source>more memory than there is</source>
@@ -13194,14 +13198,6 @@ h {hue}°</translation>
     <message>
         <source>line {0}, {1}</source>
         <translation>Zeile {0}, {1}</translation>
-    </message>
-    <message>
-        <source>a tuple of sentences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>True or False</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>holds no paints in a format that is read here ({0})</source>
@@ -13860,10 +13856,6 @@ h {hue}°</translation>
         <translation>enthält Zahlen, die nicht endlich sind</translation>
     </message>
     <message>
-        <source>notes or None</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>is of no measured format that is known here ({0})</source>
         <translation>hat kein hier bekanntes Messformat ({0})</translation>
     </message>
@@ -14269,19 +14261,19 @@ h {hue}°</translation>
     </message>
     <message>
         <source>is no text in UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>ist kein Text in UTF-8</translation>
     </message>
     <message>
         <source>its text</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text</translation>
     </message>
     <message>
         <source>its shader</source>
-        <translation type="unfinished"></translation>
+        <translation>der Shader</translation>
     </message>
     <message>
         <source>Model text (GLSL of the BRDF Explorer, or Python’s notation)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelltext (GLSL des BRDF Explorer oder Schreibweise von Python)</translation>
     </message>
     <message>
         <source>the incident angle</source>
@@ -14301,7 +14293,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the lines that begin with #</source>
-        <translation>den Zeilen, die mit # beginnen</translation>
+        <translation>die Zeilen, die mit # beginnen</translation>
     </message>
     <message>
         <source>no header names the format</source>
@@ -14485,7 +14477,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the file ends before {0}</source>
-        <translation>die Datei endet vor {0}</translation>
+        <translation>die Datei endet, bevor {0} kommt</translation>
     </message>
     <message>
         <source>the block {0}</source>
@@ -14558,6 +14550,14 @@ h {hue}°</translation>
     <message>
         <source>a value</source>
         <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>{0} would take {1}; {2} GiB is allowed ({3} can allow more)</source>
+        <translation>{0}: nötig wäre {1}; erlaubt ist {2} GiB ({3} kann mehr erlauben)</translation>
+    </message>
+    <message>
+        <source>{0} (given by a map)</source>
+        <translation>{0} (durch eine Karte)</translation>
     </message>
     <message>
         <source>expected DataEnd</source>
@@ -14910,10 +14910,6 @@ h {hue}°</translation>
     <message>
         <source>the paint</source>
         <translation>der Lack</translation>
-    </message>
-    <message>
-        <source>(palette, notes)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No palette format is called {0}; there are {1}.</source>
@@ -15682,6 +15678,10 @@ h {hue}°</translation>
     <message>
         <source>does not begin with {0}</source>
         <translation>beginnt nicht mit {0}</translation>
+    </message>
+    <message>
+        <source>Values limited: {0}.</source>
+        <translation>Werte begrenzt: {0}.</translation>
     </message>
     <message>
         <source>the line has more than {0} characters</source>
@@ -16560,500 +16560,404 @@ h {hue}°</translation>
         <translation>erwartet wurde 1 bis {0}, nicht {1}</translation>
     </message>
     <message>
-        <source>holds no file that a batch can work on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another batch is running in this folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a Parquet table</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>batch {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>starting the workers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>writing the results</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the process that worked on it ended ({0})</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The workers are lost; what they finished is kept, and the same batch goes on where it was.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} of {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, {0} a second, {1} left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>, {0} with a problem</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The worker on {0} has BRDF Suite {1}, the batch is of {2}; install the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The worker on {0} does not see {1}; results go to a folder that all workers share.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a batch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} is no amount of memory; write it as 2GB.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No scheduler answers at {0}: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a batch on a job system</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1}; see dask-jobqueue&apos;s configuration file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: no worker is there after {1} s.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>cannot be written whole; the disk is full, or refuses it</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht vollständig schreiben; der Datenträger ist voll oder nimmt es nicht an</translation>
     </message>
     <message>
         <source>the textures of the paint cannot be read: it {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Texturen des Lacks lassen sich nicht lesen: Die Datei {0}</translation>
     </message>
     <message>
         <source>expected the id {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde die Kennung {0}</translation>
     </message>
     <message>
         <source>cannot be collected: it {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht einsammeln: Die Datei {0}</translation>
     </message>
     <message>
         <source>Arrow (pyarrow)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} GiB is allowed ({1} can allow more)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} would take {1}; {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrow (pyarrow)</translation>
     </message>
     <message>
         <source>The clearcoat is that of a designed paint with the same gloss.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Klarlack ist der eines entworfenen Lacks mit demselben Glanz.</translation>
     </message>
     <message>
         <source>One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Farbe, die eines Metalls oder einer matten Schicht, und eine Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
     </message>
     <message>
         <source>has a curve with the exponent {0}, which is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Kurve mit dem Exponenten {0}, der nicht positiv ist</translation>
     </message>
     <message>
         <source>holds numbers over {0}, which are neither shares nor directions</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält Zahlen über {0}, die weder Anteile noch Richtungen sind</translation>
     </message>
     <message>
         <source>is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3</source>
-        <translation type="unfinished"></translation>
+        <translation>ist ein AxF-Material oder ein anderer HDF5-Container und wird nicht gelesen; exportieren Sie die Messwerte als CxF3</translation>
     </message>
     <message>
         <source>is a function that ALTA fitted ({0}), not data; export its samples from ALTA</source>
-        <translation type="unfinished"></translation>
+        <translation>ist eine von ALTA angepasste Funktion ({0}), keine Messdaten; exportieren Sie die Messpunkte aus ALTA</translation>
     </message>
     <message>
         <source>ALTA binary</source>
-        <translation type="unfinished"></translation>
+        <translation>ALTA, binär</translation>
     </message>
     <message>
         <source>{0} is {1}; {2} is known</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}; bekannt ist {2}</translation>
     </message>
     <message>
         <source>ENDIAN is {0}; expected little or big</source>
-        <translation type="unfinished"></translation>
+        <translation>ENDIAN ist {0}; erwartet wurde little oder big</translation>
     </message>
     <message>
         <source>SAMPLE_COUNT is {0}; expected 1 to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>SAMPLE_COUNT ist {0}; erwartet wurde 1 bis {1}</translation>
     </message>
     <message>
         <source>VS is {0}; expected 0, 1 or 2</source>
-        <translation type="unfinished"></translation>
+        <translation>VS ist {0}; erwartet wurde 0, 1 oder 2</translation>
     </message>
     <message>
         <source>is cut off: {0} rows of {1} numbers take {2} bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>ist abgeschnitten: {0} Zeilen mit {1} Zahlen brauchen {2} Byte</translation>
     </message>
     <message>
         <source>holds more bytes than its rows take</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält mehr Bytes, als seine Zeilen brauchen</translation>
     </message>
     <message>
         <source>{0} ({1}) gives no pair of directions above the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ({1}) ergibt kein Paar von Richtungen über der Oberfläche</translation>
     </message>
     <message>
         <source>ALTA (text, binary)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALTA (Text, binär)</translation>
     </message>
     <message>
         <source>the number of rows</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahl der Zeilen</translation>
     </message>
     <message>
         <source>announces {0} values, more than the {1} allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>kündigt {0} Werte an, mehr als die erlaubten {1}</translation>
     </message>
     <message>
         <source>is cut off: {0} values are announced, at most {1} follow</source>
-        <translation type="unfinished"></translation>
+        <translation>ist abgeschnitten: {0} Werte sind angekündigt, höchstens {1} folgen</translation>
     </message>
     <message>
         <source>expected {0} that rise from 0 to at most {1}°</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurden {0}, die von 0 bis höchstens {1}° steigen</translation>
     </message>
     <message>
         <source>expected the root materialx, not {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde das Wurzelelement materialx, nicht {0}</translation>
     </message>
     <message>
         <source>The document holds {0} materials; “{1}” was read, not {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Dokument enthält {0} Materialien; gelesen wurde „{1}“, nicht {2}.</translation>
     </message>
     <message>
         <source>the version {0} is none of MaterialX</source>
-        <translation type="unfinished"></translation>
+        <translation>die Version {0} ist keine von MaterialX</translation>
     </message>
     <message>
         <source>holds no surface shader that is known ({0}); found: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} {1} to {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} to 0…1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} {1} to its inverse</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält keinen bekannten Oberflächenshader ({0}); gefunden: {1}</translation>
     </message>
     <message>
         <source>the connections of an input go round, or are too deep</source>
-        <translation type="unfinished"></translation>
+        <translation>die Verbindungen eines Eingangs laufen im Kreis oder sind zu tief</translation>
     </message>
     <message>
         <source>a connection to nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Verbindung ins Leere</translation>
     </message>
     <message>
         <source>an interface without a value</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Schnittstelle ohne Wert</translation>
     </message>
     <message>
         <source>{0} is {1}; expected {2} finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}; erwartet wurden {2} endliche Zahlen</translation>
     </message>
     <message>
         <source>The colour space “{0}” is not known; its colours were taken as linear Rec. 709.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} (a map)</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Farbraum „{0}“ ist nicht bekannt; seine Farben gelten als lineares Rec. 709.</translation>
     </message>
     <message>
         <source>Textures and computed inputs are not read; defaults stand for {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Texturen und berechnete Eingänge werden nicht gelesen; Vorgaben gelten für {0}.</translation>
     </message>
     <message>
         <source>Left out: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelassen: {0}.</translation>
     </message>
     <message>
         <source>MaterialX surface shader</source>
-        <translation type="unfinished"></translation>
+        <translation>MaterialX-Oberflächenshader</translation>
     </message>
     <message>
         <source>holds transmission alone, no reflection</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält nur Transmission, keine Reflexion</translation>
     </message>
     <message>
         <source>the file ends within the size of the table</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet innerhalb der Größe der Tabelle</translation>
     </message>
     <message>
         <source>kind {0}, {1} × {2} × {3} nodes are no table</source>
-        <translation type="unfinished"></translation>
+        <translation>Art {0} mit {1} × {2} × {3} Knoten ist keine Tabelle</translation>
     </message>
     <message>
         <source>holds more bytes than its table takes</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält mehr Bytes, als seine Tabelle braucht</translation>
     </message>
     <message>
         <source>Left out: its transmission.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelassen: die Transmission.</translation>
     </message>
     <message>
         <source>cannot be written: the reflectance {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht schreiben: Die Reflexion {0}</translation>
     </message>
     <message>
         <source>Tabulated every {0}°, as an isotropic reflectance; narrower highlights are widened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle {0}° tabelliert, als isotrope Reflexion; schmalere Glanzlichter werden verbreitert.</translation>
     </message>
     <message>
         <source>cannot be written: the reflectance gives values that are not finite</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht schreiben: Die Reflexion ergibt Werte, die nicht endlich sind</translation>
     </message>
     <message>
         <source>{0} colours lie outside Rec. 709; their negative channel was written as 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Farben liegen außerhalb von Rec. 709; ihr negativer Kanal wurde als 0 geschrieben.</translation>
     </message>
     <message>
         <source>it stores single precision</source>
-        <translation type="unfinished"></translation>
+        <translation>es speichert einfache Genauigkeit</translation>
     </message>
     <message>
         <source>it stores half precision</source>
-        <translation type="unfinished"></translation>
+        <translation>es speichert halbe Genauigkeit</translation>
     </message>
     <message>
         <source>the value of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wert von {0}</translation>
     </message>
     <message>
         <source>{0} is {1}; expected one of {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}; erwartet wurde eines von {2}</translation>
     </message>
     <message>
         <source>holds no reflection (BRDF) of the front side</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält keine Reflexion (BRDF) der Vorderseite</translation>
     </message>
     <message>
         <source>several planes of incidence (POI); only isotropic files are read</source>
-        <translation type="unfinished"></translation>
+        <translation>mehrere Einfallsebenen (POI); gelesen werden nur isotrope Dateien</translation>
     </message>
     <message>
         <source>Left out: {0} blocks of transmission or of the back side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgelassen: {0} Blöcke der Transmission oder der Rückseite.</translation>
     </message>
     <message>
         <source>angles of incidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfallswinkel</translation>
     </message>
     <message>
         <source>{0} blocks; {1} incidences of {2} channels are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Blöcke; erwartet wurden {1} Einfälle mit {2} Kanälen</translation>
     </message>
     <message>
         <source>a block of the content XYZ has no TristimulusValue</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Block mit dem Inhalt XYZ hat keinen TristimulusValue</translation>
     </message>
     <message>
         <source>a block is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Block ist zweimal angegeben</translation>
     </message>
     <message>
         <source>radial angles</source>
-        <translation type="unfinished"></translation>
+        <translation>Radialwinkel</translation>
     </message>
     <message>
         <source>an angle of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Winkel von {0}</translation>
     </message>
     <message>
         <source>expected a word of a block, not {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde ein Wort eines Blocks, nicht {0}</translation>
     </message>
     <message>
         <source>more than {0} blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als {0} Blöcke</translation>
     </message>
     <message>
         <source>the last block has no values</source>
-        <translation type="unfinished"></translation>
+        <translation>der letzte Block hat keine Werte</translation>
     </message>
     <message>
         <source>LightTools BSDF text</source>
-        <translation type="unfinished"></translation>
+        <translation>LightTools-BSDF-Text</translation>
     </message>
     <message>
         <source>transmission (BTDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Transmission (BTDF)</translation>
     </message>
     <message>
         <source>the reflectance of a mirror direction alone (specular_reflectance)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflexionsgrad nur der Spiegelrichtung (specular_reflectance)</translation>
     </message>
     <message>
         <source>specular transmittance</source>
-        <translation type="unfinished"></translation>
+        <translation>gerichteter Transmissionsgrad</translation>
     </message>
     <message>
         <source>does not begin with VERSION</source>
-        <translation type="unfinished"></translation>
+        <translation>beginnt nicht mit VERSION</translation>
     </message>
     <message>
         <source>the block {0} is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>der Block {0} ist zweimal angegeben</translation>
     </message>
     <message>
         <source>no block</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Block</translation>
     </message>
     <message>
         <source>holds no BRDF; it has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält keine BRDF; vorhanden: {0}</translation>
     </message>
     <message>
         <source>the list of blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>die Liste der Blöcke</translation>
     </message>
     <message>
         <source>expected an entry, not {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde ein Eintrag, nicht {0}</translation>
     </message>
     <message>
         <source>{0} is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>{0} is missing; expected one of {1}</source>
+        <translation>{0} fehlt; erwartet wurde eines von {1}</translation>
     </message>
     <message>
         <source>{0} has {1} numbers; expected 1 to {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat {1} Zahlen; erwartet wurden 1 bis {2}</translation>
     </message>
     <message>
         <source>an entry of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Eintrag von {0}</translation>
     </message>
     <message>
         <source>the colour model spectrum needs WAVELENGTH_LIST</source>
-        <translation type="unfinished"></translation>
+        <translation>das Farbmodell spectrum braucht WAVELENGTH_LIST</translation>
     </message>
     <message>
         <source>{0} is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} fehlt</translation>
     </message>
     <message>
         <source>angles of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel von {0}</translation>
     </message>
     <message>
         <source>the reduction {0} is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>die Reduktion {0} ist nicht bekannt</translation>
     </message>
     <message>
         <source>reciprocity is a reduction of the half-difference system alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Reziprozität ist nur im System der Halb- und Differenzwinkel eine Reduktion</translation>
     </message>
     <message>
         <source>bilateral symmetry of an anisotropic table in the spherical system is ambiguous</source>
-        <translation type="unfinished"></translation>
+        <translation>bilaterale Symmetrie einer anisotropen Tabelle im sphärischen System ist mehrdeutig</translation>
     </message>
     <message>
         <source>with the reduction {0} angles reach at most {1}°</source>
-        <translation type="unfinished"></translation>
+        <translation>mit der Reduktion {0} reichen die Winkel bis höchstens {1}°</translation>
     </message>
     <message>
         <source>PARAM4_LIST wants the specular system, and as many offsets as PARAM0_LIST has angles</source>
-        <translation type="unfinished"></translation>
+        <translation>PARAM4_LIST verlangt das System der Spiegelrichtung und so viele Versätze, wie PARAM0_LIST Winkel hat</translation>
     </message>
     <message>
         <source>an offset is beyond 90°</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Versatz liegt jenseits von 90°</translation>
     </message>
     <message>
         <source>has more than {0} blocks</source>
-        <translation type="unfinished"></translation>
+        <translation>hat mehr als {0} Blöcke</translation>
     </message>
     <message>
         <source>the file ends after {0} of {1} colours</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei endet nach {0} von {1} Farben</translation>
     </message>
     <message>
         <source>SSDD (surface scattering distribution data)</source>
-        <translation type="unfinished"></translation>
+        <translation>SSDD (surface scattering distribution data)</translation>
     </message>
     <message>
         <source>the field &apos;wvls&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>das Feld „wvls“</translation>
     </message>
     <message>
         <source>expected the shape {0}, not {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde die Form {0}, nicht {1}</translation>
     </message>
     <message>
         <source>the field &apos;M&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>das Feld „M“</translation>
     </message>
     <message>
         <source>polarimetric BRDF (pBSDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>polarimetrische BRDF (pBSDF)</translation>
     </message>
     <message>
         <source>The polarization was left out; the reflectance is that of unpolarized light.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Polarisation ist ausgelassen; die Reflexion ist die von unpolarisiertem Licht.</translation>
     </message>
     <message>
         <source>{0} of {1} dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mit {1} Dimensionen</translation>
     </message>
     <message>
         <source>expected {0}, not {1} of the shape {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde {0}, nicht {1} der Form {2}</translation>
     </message>
     <message>
         <source>expected the shape (1, n), not {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde die Form (1, n), nicht {0}</translation>
     </message>
     <message>
         <source>expected angles that rise within {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurden Winkel, die innerhalb von {0} bis {1} steigen</translation>
     </message>
     <message>
         <source>holds NaN alone</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält nur NaN</translation>
     </message>
     <message>
         <source>Polarimetric BRDF (intensity)</source>
-        <translation type="unfinished"></translation>
+        <translation>Polarimetrische BRDF (Intensität)</translation>
     </message>
     <message>
         <source>needs {0} beside it, which {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>braucht {0} daneben; diese Datei {1}</translation>
     </message>
     <message>
         <source>is no material library in the folder of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Materialbibliothek im Ordner des Netzes</translation>
     </message>
     <message>
         <source>expected {0} to {1} texels, not {2}</source>
@@ -17526,98 +17430,6 @@ h {hue}°</translation>
     <message>
         <source>looking for flakes</source>
         <translation>Flakes werden gesucht</translation>
-    </message>
-    <message>
-        <source>a drawing is written as SVG; give a name that ends in .svg</source>
-        <translation>eine Zeichnung wird als SVG geschrieben; geben Sie einen Namen an, der auf .svg endet</translation>
-    </message>
-    <message>
-        <source>Cook-Torrance lobes</source>
-        <translation>Cook-Torrance-Keulen</translation>
-    </message>
-    <message>
-        <source>{0}, aspecular angles from 15 to 110°, light at 45°</source>
-        <translation>{0}, Aspekularwinkel von 15 bis 110°, Licht bei 45°</translation>
-    </message>
-    <message>
-        <source>aspecular angle, degrees; light at 45°</source>
-        <translation>Aspekularwinkel, Grad; Licht bei 45°</translation>
-    </message>
-    <message>
-        <source>luminous reflectance factor</source>
-        <translation>Lichtreflexionsfaktor</translation>
-    </message>
-    <message>
-        <source>{0}: given, and fitted {1}</source>
-        <translation>{0}: vorgegeben, und angepasst {1}</translation>
-    </message>
-    <message>
-        <source>, of which {0} are shown</source>
-        <translation>, von denen {0} gezeigt sind</translation>
-    </message>
-    <message>
-        <source>{0}: {1} entry{2}</source>
-        <translation>{0}: {1} Eintrag{2}</translation>
-    </message>
-    <message>
-        <source>{0}: {1} entries{2}</source>
-        <translation>{0}: {1} Einträge{2}</translation>
-    </message>
-    <message>
-        <source>wo and values</source>
-        <translation>wo und Werte</translation>
-    </message>
-    <message>
-        <source>give one subject, or all of wi, wo and values</source>
-        <translation>geben Sie einen Gegenstand an, oder alle von wi, wo und values</translation>
-    </message>
-    <message>
-        <source>; there are {0}</source>
-        <translation>; es gibt {0}</translation>
-    </message>
-    <message>
-        <source>module &apos;brdf_suite&apos; has no attribute {0}{1}</source>
-        <translation>das Modul „brdf_suite“ hat kein Attribut {0}{1}</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>das Bild</translation>
-    </message>
-    <message>
-        <source>this picture is {0}; give a name that ends in {1}</source>
-        <translation>dieses Bild ist {0}; geben Sie einen Namen an, der auf {1} endet</translation>
-    </message>
-    <message>
-        <source>expected {0} to {1} pixels, not {2}</source>
-        <translation>erwartet wurden {0} bis {1} Pixel, nicht {2}</translation>
-    </message>
-    <message>
-        <source>the documents cannot be read ({0})</source>
-        <translation>die Dokumente sind nicht lesbar ({0})</translation>
-    </message>
-    <message>
-        <source>kind: expected Material, Palette, Paint, Environment or View, not {0}.</source>
-        <translation>kind: Erwartet wurde Material, Palette, Paint, Environment oder View, nicht {0}.</translation>
-    </message>
-    <message>
-        <source>is no paint that is designed by its readings; load it as a Material</source>
-        <translation>ist kein über seine Messwerte entworfener Lack; laden Sie ihn als Material</translation>
-    </message>
-    <message>
-        <source>an environment goes into an .exr; give it that ending</source>
-        <translation>eine Umgebung kommt in ein .exr; geben Sie ihr diese Endung</translation>
-    </message>
-    <message>
-        <source>what is given is no paint; make one with fit_cook_torrance or factorize, or choose a measured format</source>
-        <translation>das Angegebene ist kein Lack; machen Sie einen mit fit_cook_torrance oder factorize, oder wählen Sie ein Messformat</translation>
-    </message>
-    <message>
-        <source>is no palette and no paint, which a palette&apos;s format could hold</source>
-        <translation>ist keine Palette und kein Lack, den das Format einer Palette enthalten könnte</translation>
-    </message>
-    <message>
-        <source>{0}: a palette holds paints; give one of its entries, as palette.entries[0].</source>
-        <translation>{0}: Eine Palette enthält Lacke; geben Sie einen ihrer Einträge an, wie palette.entries[0].</translation>
     </message>
     <message>
         <source>must have shape (h, w, 3), at least (4, 8, 3), not {0}</source>
@@ -18345,23 +18157,23 @@ h {hue}°</translation>
     </message>
     <message>
         <source>plug-in {0} ({1}, {2})</source>
-        <translation type="unfinished"></translation>
+        <translation>Plug-in {0} ({1}, {2})</translation>
     </message>
     <message>
         <source>The {0} failed: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das {0} ist fehlgeschlagen: {1}.</translation>
     </message>
     <message>
         <source>the name {0} is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name {0} ist vergeben</translation>
     </message>
     <message>
         <source>The {0} is skipped: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das {0} wird übergangen: {1}.</translation>
     </message>
     <message>
         <source>unknown package</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekanntes Paket</translation>
     </message>
     <message>
         <source>the table of look-ups cannot be read; install brdf-suite again</source>
@@ -18585,7 +18397,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>the driver gives no reason</source>
-        <translation type="unfinished"></translation>
+        <translation>der Treiber nennt keinen Grund</translation>
     </message>
     <message>
         <source>pictures of palettes have 8 bits</source>
@@ -18949,7 +18761,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>The {0} failed: its values have the shape {1}, the directions {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das {0} ist fehlgeschlagen: Seine Werte haben die Form {1}, die Richtungen {2}.</translation>
     </message>
     <message>
         <source>expected a half-angle from 0 to {0}°, not {1}°</source>
@@ -19013,195 +18825,195 @@ h {hue}°</translation>
     </message>
     <message>
         <source>attributes are not allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Attribute sind nicht erlaubt</translation>
     </message>
     <message>
         <source>imports are not allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Importe sind nicht erlaubt</translation>
     </message>
     <message>
         <source>loops are not allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleifen sind nicht erlaubt</translation>
     </message>
     <message>
         <source>write a function by def</source>
-        <translation type="unfinished"></translation>
+        <translation>schreiben Sie eine Funktion mit def</translation>
     </message>
     <message>
         <source>the text has too many formulas</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text hat zu viele Formeln</translation>
     </message>
     <message>
         <source>decorators and annotations are not allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>Dekoratoren und Annotationen sind nicht erlaubt</translation>
     </message>
     <message>
         <source>the function {0} is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>die Funktion {0} gibt es schon</translation>
     </message>
     <message>
         <source>a function takes plain names</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Funktion nimmt einfache Namen</translation>
     </message>
     <message>
         <source>return stands at the end, with a value</source>
-        <translation type="unfinished"></translation>
+        <translation>return steht am Ende, mit einem Wert</translation>
     </message>
     <message>
         <source>{0} returns nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} gibt nichts zurück</translation>
     </message>
     <message>
         <source>assign to one name at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>weisen Sie jeweils nur einem Namen zu</translation>
     </message>
     <message>
         <source>the formula is nested too deeply; assign parts of it to names</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formel ist zu tief verschachtelt; weisen Sie Teile davon Namen zu</translation>
     </message>
     <message>
         <source>expected a number</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde eine Zahl</translation>
     </message>
     <message>
         <source>there is no {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt {0} nicht</translation>
     </message>
     <message>
         <source>a component is [0], [1] or [2]</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Komponente ist [0], [1] oder [2]</translation>
     </message>
     <message>
         <source>only functions are called, with values in their order</source>
-        <translation type="unfinished"></translation>
+        <translation>aufgerufen werden nur Funktionen, mit Werten in deren Reihenfolge</translation>
     </message>
     <message>
         <source>there is no function {0} above this line</source>
-        <translation type="unfinished"></translation>
+        <translation>über dieser Zeile gibt es keine Funktion {0}</translation>
     </message>
     <message>
         <source>{0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} bis {1}</translation>
     </message>
     <message>
         <source>{0} takes {1} values, not {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} nimmt {1} Werte, nicht {2}</translation>
     </message>
     <message>
         <source>a function returns nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Funktion gibt nichts zurück</translation>
     </message>
     <message>
         <source>the formulas take more than {0} operations</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formeln brauchen mehr als {0} Rechenschritte</translation>
     </message>
     <message>
         <source>Model text, GLSL</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelltext, GLSL</translation>
     </message>
     <message>
         <source>Model text, Python’s notation</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelltext, Schreibweise von Python</translation>
     </message>
     <message>
         <source>The text gives no finite value for {0} % of the directions; they are black.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Text ergibt für {0} % der Richtungen keinen endlichen Wert; sie sind schwarz.</translation>
     </message>
     <message>
         <source>computed in linear sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>in linearem sRGB berechnet</translation>
     </message>
     <message>
         <source>The model takes longer than {0} s for {1} pairs of directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell braucht länger als {0} s für {1} Richtungspaare.</translation>
     </message>
     <message>
         <source>The graphics driver broke down on this model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Grafiktreiber ist an diesem Modell abgestürzt.</translation>
     </message>
     <message>
         <source>No process could be started for the model ({0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Für das Modell ließ sich kein Prozess starten ({0}).</translation>
     </message>
     <message>
         <source>minimum, maximum and default</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimum, Maximum und Vorgabe</translation>
     </message>
     <message>
         <source>0 or 1</source>
-        <translation type="unfinished"></translation>
+        <translation>0 oder 1</translation>
     </message>
     <message>
         <source>three numbers from 0 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>drei Zahlen von 0 bis 1</translation>
     </message>
     <message>
         <source>the text has {0} characters, more than the {1} allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text hat {0} Zeichen, mehr als die erlaubten {1}</translation>
     </message>
     <message>
         <source>the text has a null character</source>
-        <translation type="unfinished"></translation>
+        <translation>der Text hat ein Nullzeichen</translation>
     </message>
     <message>
         <source>expected “::begin parameters” or “::begin shader”, each once</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde „::begin parameters“ oder „::begin shader“, jedes einmal</translation>
     </message>
     <message>
         <source>there is no section {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Abschnitt {0}</translation>
     </message>
     <message>
         <source>expected “::end {0}”</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde „::end {0}“</translation>
     </message>
     <message>
         <source>nothing has begun</source>
-        <translation type="unfinished"></translation>
+        <translation>es hat kein Abschnitt begonnen</translation>
     </message>
     <message>
         <source>{0} stands in no section</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} steht in keinem Abschnitt</translation>
     </message>
     <message>
         <source>“::end {0}” is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>„::end {0}“ fehlt</translation>
     </message>
     <message>
         <source>{0} NAME with {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} NAME mit {1}</translation>
     </message>
     <message>
         <source>expected one of: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartet wurde eines von: {0}</translation>
     </message>
     <message>
         <source>{0} cannot be the name of a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kann nicht der Name eines Parameters sein</translation>
     </message>
     <message>
         <source>the parameter {0} is declared twice</source>
-        <translation type="unfinished"></translation>
+        <translation>der Parameter {0} ist zweimal deklariert</translation>
     </message>
     <message>
         <source>more than {0} parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als {0} Parameter</translation>
     </message>
     <message>
         <source>the parameter {0} needs {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>der Parameter {0} braucht {1}</translation>
     </message>
     <message>
         <source>the formulas are nested too deeply ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>die Formeln sind zu tief verschachtelt ({0})</translation>
     </message>
     <message>
         <source>brdf takes L, V, N, X, Y, and then the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>brdf nimmt L, V, N, X, Y und dann die Parameter</translation>
     </message>
     <message>
         <source>{0}: expected a number</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: erwartet wurde eine Zahl</translation>
     </message>
     <message>
         <source>wi and wo</source>
@@ -19601,11 +19413,11 @@ h {hue}°</translation>
     </message>
     <message>
         <source>must be one or more angles that rise</source>
-        <translation type="unfinished"></translation>
+        <translation>müssen ein oder mehr steigende Winkel sein</translation>
     </message>
     <message>
         <source>this table holds colours only, no spectra</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Tabelle enthält nur Farben, keine Spektren</translation>
     </message>
     <message>
         <source>on a test grid</source>
@@ -19617,7 +19429,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>it is a link to a file that is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>es ist ein Verweis auf eine Datei, die es nicht gibt</translation>
     </message>
     <message>
         <source>holds {0} paints; a sheet takes {1}</source>
@@ -19846,62 +19658,6 @@ h {hue}°</translation>
     <message>
         <source>{0}: made {1} normals that were missing or not finite</source>
         <translation>{0}: {1} Normalen erzeugt, die fehlten oder nicht endlich waren</translation>
-    </message>
-    <message>
-        <source>it claims what does not hold: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the example is not recognised</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>read returns (palette, notes)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>notes are a tuple of sentences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what is written does not come back the same</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>losses are sentences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>write returns sentences</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the paint is not read back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>directions broadcast to (13, 7, 3), values are {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a value is not finite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a value is negative</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>light from below the horizon is reflected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>one pair of directions gives (3,)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no directions give (0, 3)</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Without LLVM there are no single flakes, no relief and no mask: the first paint is shown there, smooth.</source>

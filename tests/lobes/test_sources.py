@@ -201,7 +201,7 @@ def test_a_file_that_cannot_be_read_leaves_what_was_shown_and_a_message(
     with qtbot.waitSignal(program.sources.failed):
         program.sources.open(bad)
     (message,) = program.window.messages.shown().values()
-    assert (message.severity, message.where) == ("error", f"{tmp_path}, byte 0")
+    assert (message.severity, message.where) == ("error", f"Byte 0, in {tmp_path}")
     assert message.what.startswith("bad.binary: ")
     assert [s.title for s in program.session.subjects] == ["Matt"]
     assert program.window.progress.jobs == ()

@@ -69,7 +69,7 @@ def main() -> int:
     bake(load_shaped("sphere", SurfaceLook()), follow)
     found = {
         "losses": losses,
-        "message": [message.what, message.where.replace(str(bad), "FILE"), message.todo],
+        "message": [message.what, message.where.replace(str(folder), "FOLDER"), message.todo],
         "progress": list(dict.fromkeys(words)),
         "palettes": {name: _refusal(folder / name, content) for name, content in BROKEN.items()},
         "foreign": tr_core("Ganz normaler Satz: Light and dark."),

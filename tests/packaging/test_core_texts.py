@@ -101,8 +101,8 @@ def test_numbers_within_have_the_comma(german) -> None:
 
 def test_a_bad_file_is_refused_with_its_place(german) -> None:
     what, where, todo = german["message"]
-    assert what == "Das Feld „measurements“ fehlt."
-    assert where == "FILE, bei der obersten Ebene"
+    assert what == "bad.brdfpaint: das Feld „measurements“ fehlt."
+    assert where == "Oberste Ebene, in FOLDER"
     assert todo.endswith("ist unverändert.")
 
 
@@ -114,14 +114,14 @@ def test_steps_of_work_are_shown_in_the_strip(german) -> None:
 def test_errors_of_files_are_translated_and_names_are_not(german) -> None:
     refused = german["palettes"]
     assert refused["cut.ase"] == (
-        "FOLDER/cut.ase, bei Byte 12: ein Block von 256 Byte reicht über das Ende der Datei hinaus."
+        "FOLDER/cut.ase, Byte 12: ein Block von 256 Byte reicht über das Ende der Datei hinaus."
     )
     assert refused["Light and dark.gpl"] == (
-        "FOLDER/Light and dark.gpl, bei Zeile 2: erwartet wurden drei Zahlen und ein Name, nicht '300 0 x'."
+        "FOLDER/Light and dark.gpl, Zeile 2: erwartet wurden drei Zahlen und ein Name, nicht '300 0 x'."
     )
     formats = refused["hex.txt"]
     assert formats.startswith(
-        "FOLDER/hex.txt, bei Byte 0: hat kein hier bekanntes Palettenformat (BRDF-Suite-Palette"
+        "FOLDER/hex.txt, Byte 0: hat kein hier bekanntes Palettenformat (BRDF-Suite-Palette"
     )
     assert "SCSS-, Sass- und LESS-Variablen, Sketch-Palette" in formats
     assert german["foreign"] == "Ganz normaler Satz: Light and dark."

@@ -24,7 +24,7 @@ from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QCheckBox, QDockWidget, QLabel, QMessageBox
 
-from brdf_suite.errors import DocumentError
+from brdf_suite.errors import DocumentError, FileError
 
 ACCENT = {
     QPalette.ColorRole.Highlight,
@@ -129,9 +129,18 @@ def test_a_file_error_tells_what_where_and_what_to_do():
     )
     assert (message.what, message.where, message.todo) == (
         "a.brdfpaint: expected a number.",
-        "paints, gloss.gu_20",
+        "gloss.gu_20, in paints",
         "Mend it.",
     )
+
+
+def test_an_error_of_a_folder_names_it_and_a_question_has_no_full_stop():
+    message = message_of(
+        FileError("shots/day 1/", "holds no cam.json; did you mean camera.json?", "line 2"), "k"
+    )
+    assert message.what == "day 1: holds no cam.json; did you mean camera.json?"
+    assert message.where == "Line 2, in shots"
+    assert message_of(FileError("a.json", "is empty"), "k").where == ""
 
 
 def test_a_section_remembers_that_it_is_closed(qtbot):

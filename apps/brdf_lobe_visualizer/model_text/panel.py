@@ -78,7 +78,7 @@ class TextPanel(QWidget):
                 shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
                 shortcut.activated.connect(lambda another=another: self.save_requested.emit(another))
         self.show_document(None, "", tr("Start a model by New, or open a file."))
-        self.setMinimumSize(_WIDTH, 160)
+        self.setMinimumSize(max(_WIDTH, self.minimumSizeHint().width()), 160)
 
     def show_document(self, document: QTextDocument | None, name: str, why: str = "") -> None:
         """Edit a document with the name of its file, or say ``why`` there is none."""

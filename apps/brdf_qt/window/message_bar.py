@@ -58,15 +58,26 @@ class Message:
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
-        folder, name = os.path.split(error.path)
-        place = "" if error.place is None else tr_core(error.place)
-        where = ", ".join(part for part in (folder, place) if part)
-        return Message(key, f"{name}: {tr_core(error.reason)}.", where=where, todo=todo, severity="error")
+        folder, name = os.path.split(error.path.rstrip("/\\"))
+        reason = tr_core(error.reason)
+        what = f"{name}: {reason}" if name else _capitalized(reason)
+        what += "" if reason.endswith("?") else "."
+        place = tr_core(error.place or "")
+        if " " in place:  # no name of a field
+            place = _capitalized(place)
+        both = tr("{place}, in {folder}").format(place=place, folder=folder)
+        return Message(
+            key, what, where=both if place and folder else place or folder, todo=todo, severity="error"
+        )
     if isinstance(error, SuiteError):
         return Message(key, tr_core(str(error)), todo=todo, severity="error")
     what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")
     todo = todo or tr("Your document is unchanged; save it. The log has the details.")
     return Message(key, what, todo=todo, severity="error")
+
+
+def _capitalized(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 class _Row(QFrame):

@@ -270,7 +270,7 @@ class _Inputs:
         value = float(given) if not isinstance(given, tuple) else float(np.mean(given))
         held = min(max(value, low), high)
         if held != value:
-            self.limited.append(f"{name} {value:.4g} to {held:g}")
+            self.limited.append(f"{name} {value:.4g} → {held:g}")
         return held
 
     def colour(self, name: str) -> Rgb:
@@ -279,7 +279,7 @@ class _Inputs:
         value = given if isinstance(given, tuple) else (float(given),) * 3
         red, green, blue = (min(max(channel, 0.0), 1.0) for channel in value)
         if (red, green, blue) != value:
-            self.limited.append(f"{name} to 0…1")
+            self.limited.append(f"{name} → 0…1")
         return red, green, blue
 
     def index(self, name: str) -> float:
@@ -288,7 +288,7 @@ class _Inputs:
         if value <= 0.0:
             value = 1.0
         if value < 1.0:
-            self.limited.append(f"{name} {value:.4g} to its inverse")
+            self.limited.append(f"{name} {value:.4g} → {1.0 / value:.4g}")
             value = 1.0 / value
         return value
 
@@ -296,7 +296,7 @@ class _Inputs:
         """Return the width of a lobe; one below the least is a mirror, of which there is no table."""
         alpha = roughness * roughness
         if alpha < _LEAST_ALPHA:
-            self.limited.append(f"{name} {roughness:.4g} to {math.sqrt(_LEAST_ALPHA):.3g}")
+            self.limited.append(f"{name} {roughness:.4g} → {math.sqrt(_LEAST_ALPHA):.3g}")
         return max(alpha, _LEAST_ALPHA)
 
     def _value(self, name: str, default: _Value) -> _Value:
@@ -387,7 +387,7 @@ class _Inputs:
             elif any(word in name for word in _GEOMETRY) and {"nodename", "nodegraph"} & set(
                 place.attributes
             ):
-                self.lost.append(f"{name} (a map)")
+                self.lost.append(f"{name} (given by a map)")
         for name in _BEYOND:
             if name in self._defaults and (share := self.number(name)) > 0.0:
                 self.lost.append(f"{name} ({share:g})")
@@ -402,12 +402,12 @@ class _Inputs:
         if self.lost:
             found.append(f"Left out: {_listed(self.lost)}.")
         if self.limited:
-            found.append(f"Limited: {_listed(self.limited)}.")
+            found.append(f"Values limited: {_listed(self.limited)}.")
         return found
 
 
 def _listed(names: Iterable[str]) -> str:
-    return ", ".join(dict.fromkeys(names))
+    return "; ".join(dict.fromkeys(names))
 
 
 def _shown(value: _Value | None) -> str:

@@ -261,7 +261,9 @@ def test_a_folder_without_a_session_leaves_the_open_one(opened, tmp_path, qtbot)
     opened.sessions.open(tmp_path)
     qtbot.waitUntil(lambda: "open" in shown_keys(opened))
     assert opened.bench.session is before
-    assert str(tmp_path) in opened.window.messages.shown()["open"].where
+    message = opened.window.messages.shown()["open"]
+    assert message.what.startswith(f"{tmp_path.name}: ")
+    assert message.where == str(tmp_path.parent)
 
 
 def test_a_new_folder_gets_the_template_and_one_that_has_a_session_is_refused(

@@ -256,7 +256,7 @@ def test_the_documents_of_the_suite_read_back(tmp_path: Path) -> None:
     path = tmp_path / "gold.mtlx"
     next(known for known in FORMATS if known.name == "openpbr").write([ExportItem(paint)], path, None)
     material = load_material(path)
-    model = fit_coated_facets(paint, "openpbr").model
+    model = fit_coated_facets(ExportItem(paint), "openpbr").model
     wi, wo = (
         _shader.illumination(np.full(4, 45.0)),
         _shader.aspecular_view(45.0, np.array([15, 25, 45, 110.0])),
@@ -298,7 +298,7 @@ def test_textures_and_normal_maps_are_named(tmp_path: Path) -> None:
     assert value.base == (0.8, 0.8, 0.8)
     notes = " ".join(value.facts["notes"])
     assert "base_color (image)" in notes
-    assert "normal (a map)" in notes
+    assert "normal (given by a map)" in notes
 
 
 def test_the_first_of_several_materials_is_read_and_the_others_named(tmp_path: Path) -> None:
@@ -317,7 +317,7 @@ def test_values_beyond_their_range_are_limited_and_named(tmp_path: Path) -> None
     assert value.base == (1.0, 0.5, 0.0)
     assert value.metalness == 1.0
     assert value.specular_ior == 2.0
-    (note,) = [note for note in value.facts["notes"] if note.startswith("Limited")]
+    (note,) = [note for note in value.facts["notes"] if note.startswith("Values limited")]
     assert all(name in note for name in given)
 
 

@@ -112,8 +112,10 @@ class _Block:
     def word(self, key: str, known: tuple[str, ...]) -> str:
         found = self.text(key)
         if found not in known:
-            shown = repr(found[:40]) if key in self else "nothing"
-            raise self.fail(key, f"{key} is {shown}; expected one of {', '.join(known)}")
+            names = ", ".join(known)
+            if key not in self:
+                raise self.fail(key, f"{key} is missing; expected one of {names}")
+            raise self.fail(key, f"{key} is {found[:40]!r}; expected one of {names}")
         return found
 
     def numbers(self, key: str) -> list[float]:
