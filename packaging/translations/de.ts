@@ -16608,6 +16608,10 @@ h {hue}°</translation>
         <translation>ALTA, binär</translation>
     </message>
     <message>
+        <source>no row has light and view above the horizon</source>
+        <translation>keine Zeile hat Licht und Blick über dem Horizont</translation>
+    </message>
+    <message>
         <source>{0} is {1}; {2} is known</source>
         <translation>{0} ist {1}; bekannt ist {2}</translation>
     </message>
@@ -16898,6 +16902,10 @@ h {hue}°</translation>
     <message>
         <source>has more than {0} blocks</source>
         <translation>hat mehr als {0} Blöcke</translation>
+    </message>
+    <message>
+        <source>more than {0} entries before {1}</source>
+        <translation>mehr als {0} Einträge vor {1}</translation>
     </message>
     <message>
         <source>the file ends after {0} of {1} colours</source>
@@ -18838,6 +18846,10 @@ h {hue}°</translation>
     <message>
         <source>write a function by def</source>
         <translation>schreiben Sie eine Funktion mit def</translation>
+    </message>
+    <message>
+        <source>functions call each other too deeply</source>
+        <translation>Funktionen rufen einander zu tief auf</translation>
     </message>
     <message>
         <source>the text has too many formulas</source>

@@ -40,7 +40,7 @@ PARTS = (mark("flakes"), mark("texture"))
 _AT = mark(", at {0}")
 _UNITS = "GU|EV|K|[mcµn]?m|[µm]?s|min|h|px|[kM]?B|[MG]i?B|mm²|cd|k?lx|sr|ΔE00|[LCHab]|as"
 _FIGURES = re.compile(
-    r"((?<![\d.])[-+−±]?\d+(,\d{3})*([.,]\d+)?(e[-+−]?\d+)?(?!\d)|[ ×/,;…*–-]|°|%|‰"
+    r"((?>(?<![\d.])[-+−±]?\d+(,\d{3})*([.,]\d+)?(e[-+−]?\d+)?(?!\d))|[ ×/,;…*–-]|°|%|‰"
     rf"|(?<![A-Za-z])({_UNITS})(?![A-Za-z]))+"
 )
 _THOUSANDS = re.compile(r"(?<![\d.])\d{1,3}(,\d{3})+(?![\d.])")
