@@ -16,12 +16,12 @@ from typing import ClassVar
 import numpy as np
 import pyarrow.parquet
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
 import brdf_suite as bs
-from brdf_suite.batches.items import BatchItem, list_lights, list_paints, read_list
+from brdf_suite.batches.items import BatchItem, list_lights, list_paints, parse_list
 from brdf_suite.batches.journal import JOURNAL, Finished, Journal
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Outcome, Prefilter, Render, Work
@@ -91,7 +91,7 @@ def test_the_folder_of_the_results_is_no_source(paints: Path) -> None:
 
 def test_a_list_names_files_from_its_own_folder_on(paints: Path) -> None:
     lines = ["# autumn", "", "blue.brdfpaint", "  two.brdfpalette#7 ", "fine_silver"]
-    assert read_list(lines, paints) == [
+    assert parse_list(lines, paints) == [
         str(paints / "blue.brdfpaint"),
         str(paints / "two.brdfpalette#7"),
         "fine_silver",
@@ -294,13 +294,12 @@ _DONE = [
 ]
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(cut=st.integers(0, 2000), damage=st.binary(max_size=3))
 def test_a_journal_that_was_cut_off_anywhere_gives_whole_items(
-    tmp_path: Path, cut: int, damage: bytes
+    tmp_path_factory: pytest.TempPathFactory, cut: int, damage: bytes
 ) -> None:
+    tmp_path = tmp_path_factory.mktemp("journal")
     path = tmp_path / JOURNAL
-    path.unlink(missing_ok=True)
     Journal(tmp_path, "step").append(_DONE)
     content = path.read_bytes()
     path.write_bytes(content[:cut] + damage.replace(b"\n", b""))
@@ -361,6 +360,6 @@ def test_a_name_that_is_no_text_is_an_item_like_others(tmp_path: Path, hire: Hir
 
 
 def test_names_that_no_file_system_takes_are_items_that_fail(tmp_path: Path, hire: Hire) -> None:
-    sources = read_list(["x" * 300, "blue"], tmp_path)
+    sources = parse_list(["x" * 300, "blue"], tmp_path)
     done = run_batch(Measure(), list_paints(sources), tmp_path / "out", hire)
     assert [source for source, _ in done.problems] == ["x" * 300]

@@ -70,7 +70,7 @@ def test_a_reader_without_a_seed_is_named(monkeypatch: pytest.MonkeyPatch, tmp_p
 REAL = {
     "measured:bird": "brdf/bird_example.json",
     "measured:cornell": "brdf/krylon_blue.brdf",
-    "measured:pgii": "brdf/retro-gray-tape.dat",
+    "measured:alta": "brdf/retro-gray-tape.dat",
     "measured:rgl": "brdf/paper_white_rgb.bsdf",
     "environment:exr": "environments/warehouse.exr",
     "environment:hdr": "environments/kiara_1_dawn_1k.hdr",

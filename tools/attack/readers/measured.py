@@ -42,6 +42,39 @@ _TEXTS: dict[str, dict[str, str]] = {
         "pair.alta": "#DIM 6 3\n#PARAM_IN CARTESIAN\n#PARAM_OUT RGB_COLOR\n0 0 1 0.6 0 0.8 1.0 0.5 0.2\n",
         "half.alta": "#DIM 4 1\n#VS 1\n#PARAM_IN RUSIN_TH_PH_TD_PD\n0.2 0.3 0.4 1.5 1.0 0.1\n0.2 0.3 0.5 1.5 1.0 0.1\n",
     },
+    "ssdd": {
+        "table.ssdd": "VERSION 0.2\n\nDATA_TYPE brdf\nCOLOR_MODEL rgb\nPARAM_TYPE spherical_coordinate_system\n"
+        "PARAM0_LIST 0 45\nPARAM2_LIST 0 60\nPARAM3_LIST 0 180 360\nDATA ascii\n" + "0.3 0.2 0.1\n" * 12,
+        "mirrored.ssdd": "VERSION 0.2\n\nDATA_TYPE brdf\nCOLOR_MODEL spectrum\nWAVELENGTH_LIST 450 550 650\n"
+        "PARAM_TYPE specular_coordinate_system\nREDUCTION_TYPE bilateral_symmetry\nPARAM0_LIST 0 45\n"
+        "PARAM2_LIST 0 30\nPARAM3_LIST 0 90 180\nDATA ascii\n" + "0.3 0.2 0.1\n" * 12,
+    },
+    "lighttools": {
+        "panel.bsdf": "Symmetry Asymmetric\nSpectralContent XYZ\nScatterAzimuth 3\n0 180 360\nScatterRadial 2\n0 60\n"
+        "DataBegin\n"
+        + "".join(
+            f"AOI {angle}\nPOI 0\nSide Front\nTristimulusValue Tris{axis}\nScatterType BRDF\nTIS 0.5\n"
+            "0.1 0.2\n0.1 0.2\n0.1 0.2\n"
+            for angle in (0, 45)
+            for axis in "XYZ"
+        )
+        + "DataEnd\n"
+    },
+    "materialx": {
+        "coat.mtlx": '<?xml version="1.0"?>\n<materialx version="1.39" colorspace="lin_rec709">\n'
+        '  <open_pbr_surface name="s" type="surfaceshader">\n'
+        '    <input name="base_color" type="color3" value="0.6, 0.1, 0.05"/>\n'
+        '    <input name="coat_weight" type="float" value="0.8"/>\n  </open_pbr_surface>\n'
+        '  <surfacematerial name="m" type="material">\n'
+        '    <input name="surfaceshader" type="surfaceshader" nodename="s"/>\n  </surfacematerial>\n</materialx>\n'
+    },
+    "model_text": {
+        "phong.brdf": "analytic\n::begin parameters\nfloat n 1 400 60\ncolor kd 0.2 0.3 0.6\n::end parameters\n"
+        "::begin shader\nvec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)\n{\n"
+        "    return kd / 3.14159265 + vec3(pow(max(dot(N, normalize(L + V)), 0.0), n));\n}\n::end shader\n",
+        "matt.py": "def brdf(L, V, N, X, Y, a=number(0, 1, 0.5)):\n    h = normalize(L + V)\n"
+        "    return a / pi + max(dot(N, h), 0.0) ** 20\n",
+    },
     "cook_torrance": {"lobes.brdfpaint": json.dumps(paint_to_json(LOBES))},
 }
 
@@ -84,6 +117,16 @@ def _write_rgl(path: Path) -> None:
     path.write_bytes(pack(fields))
 
 
+def _write_polarized(path: Path) -> None:
+    """Write a small table of Mueller matrices over the half vector, which depolarize all light."""
+    shape = (3, 2, 2, 2)
+    matrices = np.zeros((*shape, 4, 4), np.float32)
+    matrices[..., 0, 0] = 0.2
+    angles = {"theta_h": (0.0, 0.8), "theta_d": (0.0, 0.8), "phi_d": (0.0, np.pi, 2.0 * np.pi)}
+    fields: dict[str, AnyArray] = {name: np.array([values], np.float32) for name, values in angles.items()}
+    path.write_bytes(pack(fields | {"wvls": np.array((500, 600), np.uint16), "M": matrices}))
+
+
 def _made(known: MeasuredFormat, folder: Path) -> list[Path]:
     ending = known.endings[0]
     if known.name in _TEXTS:
@@ -91,6 +134,8 @@ def _made(known: MeasuredFormat, folder: Path) -> list[Path]:
             (folder / name).write_text(text)
     elif known.name == "rgl":
         _write_rgl(folder / "small.bsdf")
+    elif known.name == "pbsdf":
+        _write_polarized(folder / "gold.pbsdf")
     elif known.name == "merl":
         write_measured(
             IsotropicTable.from_reflectance(Lambertian(0.5), HalfAngleGrid(20, 20, 40)),
