@@ -321,13 +321,15 @@ class Recovery(QObject, Generic[T]):
         for signal in self._signals:
             signal.disconnect(self._schedule)
         self.timer.stop()
-        if keep:
-            self.write()
-        else:
-            self.file.unlink(missing_ok=True)
-            self._saved_file.unlink(missing_ok=True)
-        if self._lock.isLocked():
-            self._lock.unlock()
+        try:
+            if keep:
+                self.write()
+            else:
+                self.file.unlink(missing_ok=True)
+                self._saved_file.unlink(missing_ok=True)
+        finally:
+            if self._lock.isLocked():
+                self._lock.unlock()
 
 
 def _saved_file(autosave: Path) -> Path:
