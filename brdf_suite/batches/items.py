@@ -114,7 +114,7 @@ def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
     )
 
 
-def parse_list(lines: Iterable[str], folder: Path) -> list[str]:
+def sources_in(lines: Iterable[str], folder: Path) -> list[str]:
     """Return the sources in the lines of a list: one a line, paths from ``folder`` on; # begins a remark."""
     sources = []
     for line in lines:

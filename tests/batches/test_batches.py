@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import brdf_suite as bs
-from brdf_suite.batches.items import BatchItem, list_lights, list_paints, parse_list
+from brdf_suite.batches.items import BatchItem, list_lights, list_paints, sources_in
 from brdf_suite.batches.journal import JOURNAL, Finished, Journal
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Outcome, Prefilter, Render, Work
@@ -91,7 +91,7 @@ def test_the_folder_of_the_results_is_no_source(paints: Path) -> None:
 
 def test_a_list_names_files_from_its_own_folder_on(paints: Path) -> None:
     lines = ["# autumn", "", "blue.brdfpaint", "  two.brdfpalette#7 ", "fine_silver"]
-    assert parse_list(lines, paints) == [
+    assert sources_in(lines, paints) == [
         str(paints / "blue.brdfpaint"),
         str(paints / "two.brdfpalette#7"),
         "fine_silver",
@@ -360,6 +360,6 @@ def test_a_name_that_is_no_text_is_an_item_like_others(tmp_path: Path, hire: Hir
 
 
 def test_names_that_no_file_system_takes_are_items_that_fail(tmp_path: Path, hire: Hire) -> None:
-    sources = parse_list(["x" * 300, "blue"], tmp_path)
+    sources = sources_in(["x" * 300, "blue"], tmp_path)
     done = run_batch(Measure(), list_paints(sources), tmp_path / "out", hire)
     assert [source for source, _ in done.problems] == ["x" * 300]

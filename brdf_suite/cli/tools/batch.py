@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
-from brdf_suite.batches.items import list_lights, list_paints, parse_list
+from brdf_suite.batches.items import list_lights, list_paints, sources_in
 from brdf_suite.batches.running import MOST_IN_A_GROUP, BatchResult, run_batch
 from brdf_suite.batches.steps import BatchStep, Export, Factorize, Fit, Measure, Prefilter, Render
 from brdf_suite.batches.workers import JOB_SYSTEMS, start_workers
@@ -148,8 +148,8 @@ def run(options: argparse.Namespace) -> int:
 
 def _listed(file: str) -> list[str]:
     if file == "-":
-        return parse_list(sys.stdin, Path())
-    return parse_list(read_text(file).splitlines(), Path(file).parent)
+        return sources_in(sys.stdin, Path())
+    return sources_in(read_text(file).splitlines(), Path(file).parent)
 
 
 def _print(done: BatchResult, *, as_json: bool) -> None:
