@@ -4,8 +4,8 @@ A display profile of the kind "matrix/TRC" (ICC.1:2022, section 8.4.3) has the c
 profile's connection space, whose white is D50, and a curve for each channel. That is what we write, and what most
 monitor profiles hold. One of the kind "N-component LUT-based" (8.4.2) has tables from device codes to the connection
 space and back (``A2B0``, ``B2A0``), which stand before a matrix where both are there. They are applied by littleCMS (as
-Pillow has it), once: to the points of a table of our own. littleCMS gets no more of the profile than these tables and
-its white, and only after their sizes were checked.
+Pillow has it), once: to the points of a table of our own. littleCMS gets no more of the profile than its header and these
+tables, and only after their sizes were checked.
 """
 
 from __future__ import annotations
@@ -37,7 +37,6 @@ _PARAMETER_COUNTS = (1, 3, 4, 5, 7)
 TABLE_POINTS = 33
 """Points on each axis of the table that a profile with tables is applied to."""
 
-_TAGS_BESIDE = (b"desc", b"cprt", b"wtpt", b"chad")
 # A triangle of chromaticities somewhat wider than Rec. 2020's, which holds those of the screens that there are.
 _WIDE_PRIMARIES = ((0.73, 0.27), (0.13, 0.86), (0.12, 0.02))
 _WIDE_TO_WORKING = np.linalg.solve(WORKING_TO_XYZ, primaries_to_xyz(_WIDE_PRIMARIES))
@@ -45,6 +44,7 @@ _WIDE_SPACE = DisplaySpace("Wide", np.linalg.inv(_WIDE_TO_WORKING), _WIDE_PRIMAR
 
 _LEAST_DETERMINANT = 1e-6
 _LARGEST_COLORANT = 4.0
+_LARGEST_EXPONENT = 60.0  # what a curve may raise to it, up to 65,536, stays a number
 
 
 def profile_bytes(space: DisplaySpace) -> bytes:
@@ -185,7 +185,7 @@ def _table_space(header: bytes, tags: Mapping[bytes, bytes], name: str) -> Displ
     """
     if header[12:16] != b"mntr":
         raise FileError(name, "is not of a monitor", "byte 12")
-    kept = {tag: content for tag, content in tags.items() if tag in _TAGS_BESIDE}
+    kept = {}
     for default, colorimetric in ((b"A2B0", b"A2B1"), (b"B2A0", b"B2A1")):
         tag = colorimetric if colorimetric in tags else default
         _check_table(tags[tag], name, tag)
@@ -299,9 +299,11 @@ def _curve(content: bytes, name: str, tag: bytes) -> Floats:
         if kind >= len(_PARAMETER_COUNTS) or len(content) < 12 + 4 * _PARAMETER_COUNTS[kind]:
             raise FileError(name, f"has a curve of a kind ({kind}) that is not known, or cut off", place)
         values = np.frombuffer(content, ">i4", _PARAMETER_COUNTS[kind], 12).astype(float) / 65536.0
-        if values[0] <= 0.0:
+        if not 0.0 < values[0] <= _LARGEST_EXPONENT:
             raise FileError(
-                name, f"has a curve with the exponent {values[0]:g}, which is not positive", place
+                name,
+                f"has a curve with the exponent {values[0]:g}; expected above 0 and up to {_LARGEST_EXPONENT:g}",
+                place,
             )
         light = _parametric(codes, kind, values)
     else:
