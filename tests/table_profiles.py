@@ -131,7 +131,10 @@ def _modern(_kind: str, table: Array, exponent: float, *, forwards: bool) -> byt
         parts += padded
         at += len(padded)
     return (
-        (b"mAB " if forwards else b"mBA ") + struct.pack(">I2BH", 0, 3, 3, 0) + struct.pack(">5I", *places) + parts
+        (b"mAB " if forwards else b"mBA ")
+        + struct.pack(">I2BH", 0, 3, 3, 0)
+        + struct.pack(">5I", *places)
+        + parts
     )
 
 
@@ -141,6 +144,7 @@ def assemble(tags: dict[bytes, bytes], space: str, version: int, kind: bytes = b
     for name, content in tags.items():
         index += name + struct.pack(">II", at + len(data), len(content))
         data += content + b"\0" * (-len(content) % 4)
-    header = struct.pack(">I4sBBH4s4s4s", at + len(data), b"none", version, 0x20, 0, kind, b"RGB ", space.encode().ljust(4))
+    kinds = (kind, b"RGB ", space.encode().ljust(4))
+    header = struct.pack(">I4sBBH4s4s4s", at + len(data), b"none", version, 0x20, 0, *kinds)
     header += bytes(12) + b"acsp" + bytes(28) + _fixed(WHITE)
     return header.ljust(128, b"\0") + struct.pack(">I", len(tags)) + index + data

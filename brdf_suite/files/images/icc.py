@@ -3,9 +3,9 @@
 A display profile of the kind "matrix/TRC" (ICC.1:2022, section 8.4.3) has the colour of each channel as XYZ in the
 profile's connection space, whose white is D50, and a curve for each channel. That is what we write, and what most
 monitor profiles hold. One of the kind "N-component LUT-based" (8.4.2) has tables from device codes to the connection
-space and back (``A2B0``, ``B2A0``), which stand before a matrix where both are there. They are applied by littleCMS (as
-Pillow has it), once: to the points of a table of our own. littleCMS gets no more of the profile than its header and these
-tables, and only after their sizes were checked.
+space and back (``A2B0``, ``B2A0``), which are preferred where both kinds are in one profile. littleCMS (as Pillow has
+it) applies them, once: to the points of a table of our own. It gets the profile's header and these tables alone, and
+only after their sizes were checked.
 """
 
 from __future__ import annotations
@@ -265,7 +265,7 @@ def _check_table(content: bytes, name: str, tag: bytes) -> None:
     else:
         grid = content[10]
         ends = (256, 256) if kind == b"mft1" else struct.unpack_from(">HH", content, 48)
-        if grid < 2 or not (2 <= min(ends) and max(ends) <= 4096):
+        if min(grid, *ends) < 2 or max(ends) > 4096:
             raise FileError(name, "has a table without points", place)
         numbers = 3 * (grid**3 + sum(ends))
         needed = 48 + numbers if kind == b"mft1" else 52 + 2 * numbers

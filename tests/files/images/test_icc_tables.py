@@ -160,7 +160,9 @@ def change_table(made: ModuleType, kind: str, change: Callable[[bytearray], None
         ("mAB", 12, b"\0\0\0\0", "cannot be used"),
     ],
 )
-def test_damaged_tables_are_refused(made: ModuleType, kind: str, at: int, value: bytes, reported: str) -> None:
+def test_damaged_tables_are_refused(
+    made: ModuleType, kind: str, at: int, value: bytes, reported: str
+) -> None:
     def change(table: bytearray) -> None:
         table[at : at + len(value)] = value
 

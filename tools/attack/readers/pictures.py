@@ -204,8 +204,10 @@ def _read_display(path: Path) -> None:
 
 
 # L*a*b* of a screen's eight corners, from black, blue and green to white.
-_CORNERS = ((0, 0, 0), (32, 79, -108), (88, -86, 83), (91, -48, -14))
-_CORNERS += ((53, 80, 67), (60, 98, -61), (97, -22, 94), (100, 0, 0))
+_CORNERS = (
+    *((0, 0, 0), (32, 79, -108), (88, -86, 83), (91, -48, -14)),
+    *((53, 80, 67), (60, 98, -61), (97, -22, 94), (100, 0, 0)),
+)
 
 
 def _profiles(folder: Path) -> list[Path]:
@@ -213,7 +215,9 @@ def _profiles(folder: Path) -> list[Path]:
     for name, space in SPACES.items():
         paths.append(folder / f"{name.replace(' ', '_').replace('/', '_')}.icc")
         paths[-1].write_bytes(profile_bytes(space))
-    towards = bytes(round(number) for lab in _CORNERS for number in (2.55 * lab[0], lab[1] + 128, lab[2] + 128))
+    towards = bytes(
+        round(number) for lab in _CORNERS for number in (2.55 * lab[0], lab[1] + 128, lab[2] + 128)
+    )
     back = bytes(np.random.default_rng(2).integers(0, 255, 8 * 3, dtype=np.uint8))
     paths.append(folder / "tables.icc")
     paths[-1].write_bytes(
@@ -233,7 +237,9 @@ def _lut8(channels: int, nodes: bytes) -> bytes:
     """Return a table of 2 nodes a channel, to 3 channels (ICC.1:2022, lut8Type)."""
     identity = bytes(range(256))
     matrix = struct.pack(">9i", 65536, 0, 0, 0, 65536, 0, 0, 0, 65536)
-    return b"mft1" + bytes(4) + bytes([channels, 3, 2, 0]) + matrix + identity * channels + nodes + identity * 3
+    return (
+        b"mft1" + bytes(4) + bytes([channels, 3, 2, 0]) + matrix + identity * channels + nodes + identity * 3
+    )
 
 
 def _table_profile(kind: bytes, device: bytes, tables: dict[bytes, bytes]) -> bytes:
