@@ -50,6 +50,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_qt/program/diagnostics.py": "importlib.metadata and platformdirs take 20 ms each",
     "apps/brdf_viewer/tracing/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
+    "brdf_suite/files/images/icc.py": "Pillow's littleCMS takes 25 ms, and few monitors need it",
     "brdf_suite/files/palettes/cmyk_profile.py": "Pillow's littleCMS takes 25 ms, and few palettes need it",
     "brdf_suite/fitting/lobes/background.py": "concurrent.futures loads logging, and a program may start without a fit",
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",

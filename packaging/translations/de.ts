@@ -13704,10 +13704,6 @@ h {hue}°</translation>
         <translation>Kein Urheberrecht, frei verwendbar</translation>
     </message>
     <message>
-        <source>has no {0}: it describes the screen by tables alone; expected a matrix with curves</source>
-        <translation>hat kein {0}: Es beschreibt den Bildschirm allein durch Tabellen; erwartet wurde eine Matrix mit Kurven</translation>
-    </message>
-    <message>
         <source>has channels whose colours are the same</source>
         <translation>hat Kanäle mit gleichen Farben</translation>
     </message>
@@ -16586,10 +16582,6 @@ h {hue}°</translation>
     <message>
         <source>One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.</source>
         <translation>Eine Farbe, die eines Metalls oder einer matten Schicht, und eine Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
-    </message>
-    <message>
-        <source>has a curve with the exponent {0}, which is not positive</source>
-        <translation>hat eine Kurve mit dem Exponenten {0}, der nicht positiv ist</translation>
     </message>
     <message>
         <source>holds numbers over {0}, which are neither shares nor directions</source>
@@ -20018,6 +20010,62 @@ h {hue}°</translation>
     <message>
         <source>{name}, {channel}</source>
         <translation>{name}, {channel}</translation>
+    </message>
+    <message>
+        <source>sRGB; the window system does not manage colour</source>
+        <translation>sRGB; das Fenstersystem hat keine Farbverwaltung</translation>
+    </message>
+    <message>
+        <source>Monitor profile: {title} (look-up tables)</source>
+        <translation>Monitorprofil: {title} (Tabellen)</translation>
+    </message>
+    <message>
+        <source>has a curve with the exponent {0}; expected above 0 and up to {1}</source>
+        <translation>hat eine Kurve mit dem Exponenten {0}; erwartet wurde mehr als 0 bis {1}</translation>
+    </message>
+    <message>
+        <source>expected n by n by n by 3, not {0}</source>
+        <translation>erwartet wurde n mal n mal n mal 3, nicht {0}</translation>
+    </message>
+    <message>
+        <source>expected a table or codes, not both</source>
+        <translation>erwartet wurde eine Tabelle oder Codes, nicht beides</translation>
+    </message>
+    <message>
+        <source>has no {0}; expected a matrix with curves, or the tables A2B0 and B2A0</source>
+        <translation>hat kein {0}; erwartet wurde eine Matrix mit Kurven oder die Tabellen A2B0 und B2A0</translation>
+    </message>
+    <message>
+        <source>is not of a monitor</source>
+        <translation>gehört nicht zu einem Monitor</translation>
+    </message>
+    <message>
+        <source>has channels that do not add up to white</source>
+        <translation>hat Kanäle, die zusammen kein Weiß ergeben</translation>
+    </message>
+    <message>
+        <source>has channels of impossible colours</source>
+        <translation>hat Kanäle mit unmöglichen Farben</translation>
+    </message>
+    <message>
+        <source>has tables that cannot be used ({0})</source>
+        <translation>hat Tabellen, die nicht verwendbar sind ({0})</translation>
+    </message>
+    <message>
+        <source>has a table of a kind that is not known</source>
+        <translation>hat eine Tabelle unbekannter Art</translation>
+    </message>
+    <message>
+        <source>has a table of {0} channels to {1}, not 3 to 3</source>
+        <translation>hat eine Tabelle von {0} Kanälen nach {1}, nicht von 3 nach 3</translation>
+    </message>
+    <message>
+        <source>is cut off in a table</source>
+        <translation>ist in einer Tabelle abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has a table without points</source>
+        <translation>hat eine Tabelle ohne Punkte</translation>
     </message>
 </context>
 </TS>

@@ -184,7 +184,7 @@ class PlaneEditor(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        monitor = monitor_of(self.screen())
+        monitor = monitor_of(self)
         self._space, self._screen = monitor.space, monitor.space.title
         self.view.show_hues(hue_codes(_HUES, self._space))
         self._tracked = None

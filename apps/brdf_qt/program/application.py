@@ -31,6 +31,7 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
 from brdf_qt.program.diagnostics import start_log
+from brdf_qt.program.monitor_profile import declared_colour_space
 from brdf_qt.program.settings import ORGANISATION
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.window.message_bar import Message, message_of
@@ -61,7 +62,11 @@ def error_relay() -> ErrorRelay:
 
 
 def surface_format(samples: int = 4) -> QSurfaceFormat:
-    """Return OpenGL 3.3 core with ``samples`` per pixel, what every GL surface of the suite uses."""
+    """Return OpenGL 3.3 core with ``samples`` per pixel, what every GL surface of the suite uses.
+
+    Where the window system manages colour (macOS, Wayland), it declares sRGB; which one it is is not known before the
+    application object.
+    """
     form = QSurfaceFormat()
     form.setVersion(3, 3)
     form.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
@@ -70,6 +75,7 @@ def surface_format(samples: int = 4) -> QSurfaceFormat:
     form.setSwapInterval(1)
     # So that a reset of the driver is reported, instead of frames that stay black.
     form.setOption(QSurfaceFormat.FormatOption.ResetNotification)
+    form.setColorSpace(declared_colour_space(QGuiApplication.platformName()))
     return form
 
 
@@ -87,6 +93,7 @@ def create_application(
     QSurfaceFormat.setDefaultFormat(surface_format())
     QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
     app = QApplication([name, *(argv or [])])
+    QSurfaceFormat.setDefaultFormat(surface_format())  # with the colours of the platform, which is known now
     app.setOrganizationName(ORGANISATION)
     app.setApplicationName(name)
     app.setApplicationDisplayName(f"BRDF Suite {name}")

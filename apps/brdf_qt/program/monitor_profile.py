@@ -2,8 +2,9 @@
 
 X11: the ICC profile in the property ``_ICC_PROFILE`` of the root window (ICC Profiles in X, 0.4), ``_ICC_PROFILE_1``
 for the second monitor and so on. Windows: the profile that the system has for the monitor. macOS and Wayland convert
-by themselves what a program draws in sRGB. Where there is no profile, or it cannot be used, sRGB is assumed, and
-that is said.
+by themselves what a window declares to be sRGB, which :func:`brdf_qt.program.application.surface_format` does; whether
+they took it stands in the window's format afterwards. Where there is no profile, or it cannot be used, sRGB is assumed,
+and that is said.
 """
 
 from __future__ import annotations
@@ -12,10 +13,12 @@ import ctypes
 import logging
 import sys
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtGui import QColorSpace, QGuiApplication, QScreen
+from PySide6.QtWidgets import QWidget
 
 from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
@@ -38,15 +41,26 @@ class Monitor:
     is_measured: bool
 
 
-def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
-    """Return what the platform (Qt's name of it) provides for a screen."""
+def declared_colour_space(platform: str) -> QColorSpace:
+    """Return what windows are declared to be in on a platform that manages colour; of others an invalid one."""
+    if platform == "cocoa" or platform.startswith("wayland"):
+        return QColorSpace(QColorSpace.NamedColorSpace.SRgb)
+    return QColorSpace()
+
+
+def monitor_of(widget: QWidget | None, platform: str | None = None) -> Monitor:
+    """Return what the platform (Qt's name of it) provides for the screen and the window of a widget."""
     platform = platform or QGuiApplication.platformName()
+    screen = None if widget is None else widget.screen()
     data: bytes | None = None
     text = tr("No monitor profile found; assuming sRGB")
-    if platform == "cocoa":
-        text = tr("sRGB, which macOS converts to the monitor's profile")
-    elif platform.startswith("wayland"):
-        text = tr("sRGB, which the Wayland compositor converts to the monitor's profile")
+    if declared_colour_space(platform).isValid():
+        if not _is_declared(widget):
+            text = tr("sRGB; the window system does not manage colour")
+        elif platform == "cocoa":
+            text = tr("sRGB, which macOS converts to the monitor's profile")
+        else:
+            text = tr("sRGB, which the Wayland compositor converts to the monitor's profile")
     elif platform == "xcb":
         data = _x11_profile(screen)
     elif platform == "windows":
@@ -54,12 +68,30 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     if data is None:
         return Monitor(SRGB_SPACE, text, False)
     try:
-        space = read_display_profile(data, "the monitor's profile")
+        space = _read_space(data)
     except FileError as error:
         log.warning("monitor: %s", error)
         text = tr("The monitor's profile {reason}; assuming sRGB").format(reason=tr_core(error.reason))
         return Monitor(SRGB_SPACE, text, False)
-    return Monitor(space, tr("Monitor profile: {title}").format(title=space.title), True)
+    text = tr("Monitor profile: {title}")
+    if space.table is not None:
+        text = tr("Monitor profile: {title} (look-up tables)")
+    return Monitor(space, text.format(title=space.title), True)
+
+
+@lru_cache(maxsize=2)
+def _read_space(data: bytes) -> DisplaySpace:
+    """Read a profile; the same one is the same space, so that nothing is drawn anew for it."""
+    return read_display_profile(data, "the monitor's profile")
+
+
+def _is_declared(widget: QWidget | None) -> bool:
+    """Return whether the window system took the colour space that the widget's window declares.
+
+    Qt takes it out of the window's format where a compositor has no protocol for it.
+    """
+    handle = None if widget is None else widget.window().windowHandle()
+    return handle is not None and handle.format().colorSpace().isValid()
 
 
 def _x11_profile(screen: QScreen | None) -> bytes | None:

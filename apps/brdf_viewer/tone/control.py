@@ -69,7 +69,7 @@ class ToneControl(ViewerFeature):
 
     def _find(self) -> None:
         """Ask again what the window's screen is."""
-        self._monitor = monitor_of(self._window.screen())
+        self._monitor = monitor_of(self._window)
         self._show_monitor()
 
     def grab_srgb(self) -> QImage:

@@ -3,7 +3,8 @@
 The working space itself (linear Rec. 2020, D65) and L*a*b* are in :mod:`brdf_suite.appearance.colour.colorimetry`; all
 colour arrays are (..., 3). From the working space to a device's codes there are two steps: a matrix to the linear light
 of its three channels, and for each channel a transfer curve. sRGB and Display P3 share the sRGB curve; a monitor has
-its own, as a table.
+its own, as a table. A monitor whose channels do not simply add up has one table of three dimensions in place of the
+curves.
 """
 
 from __future__ import annotations
@@ -133,12 +134,16 @@ class DisplaySpace:
     codes
         (n, 3), codes 0…1 of each channel for the linear light ``srgb_decode(i / (n - 1))``; None: the sRGB curve.
         Against sRGB-encoded light a screen's curve is nearly a straight line, so few steps are exact.
+    table
+        (n, n, n, 3), codes 0…1 for the linear light ``srgb_decode(i / (n - 1))`` of red, green and blue, one axis
+        each, in place of ``codes``. Between its points tetrahedra are linear, so greys come of greys alone.
     """
 
     title: str
     from_working: Floats
     primaries: Primaries | None = None
     codes: NDArray[np.float32] | None = None
+    table: NDArray[np.float32] | None = None
 
     def __post_init__(self) -> None:
         if self.from_working.shape != (3, 3) or not np.isfinite(self.from_working).all():
@@ -147,6 +152,12 @@ class DisplaySpace:
             self.codes.ndim != 2 or self.codes.shape[1] != 3 or len(self.codes) < 2
         ):
             raise ValueRangeError("codes", f"expected a table of n by 3, not {self.codes.shape}")
+        if self.table is not None:
+            shape = self.table.shape
+            if len(shape) != 4 or shape[0] < 2 or shape != (shape[0],) * 3 + (3,):
+                raise ValueRangeError("table", f"expected n by n by n by 3, not {shape}")
+            if self.codes is not None:
+                raise ValueRangeError("table", "expected a table or codes, not both")
 
     @property
     def white_xy(self) -> tuple[float, float]:
@@ -156,6 +167,8 @@ class DisplaySpace:
     def encode(self, linear: ArrayLike) -> Floats:
         """Return codes (..., 3), 0…1, of linear light of the device, clipped to 0…1."""
         encoded = srgb_encode(np.clip(np.asarray(linear, float), 0.0, 1.0))
+        if self.table is not None:
+            return interpolate_table(self.table, encoded)
         if self.codes is None:
             return encoded
         places = np.linspace(0.0, 1.0, len(self.codes))
@@ -175,6 +188,37 @@ SPACES = {"srgb": SRGB_SPACE, "display-p3": DISPLAY_P3_SPACE}
 
 WORKING_SPACE = DisplaySpace("Rec. 2020", np.eye(3), REC2020_PRIMARIES)
 """The working space itself, for pictures of radiance."""
+
+
+def interpolate_table(table: ArrayLike, places: ArrayLike) -> Floats:
+    """Return values (..., 3) of a table (n, n, n, 3) at places (..., 3), 0…1, by tetrahedral interpolation.
+
+    Each cell is cut into the six tetrahedra that share its diagonal from black to white. From the cell's lowest corner
+    the way leads along the axis of the largest remainder, then of the next, then of the smallest; the values at these
+    four corners are weighted by the differences of the remainders.
+
+    >>> identity = np.stack(np.meshgrid(*[np.linspace(0.0, 1.0, 3)] * 3, indexing="ij"), axis=-1)
+    >>> interpolate_table(identity, [0.2, 0.7, 1.0]).round(12).tolist()
+    [0.2, 0.7, 1.0]
+    """
+    table = np.asarray(table, float)
+    places = np.asarray(places, float)
+    steps = len(table) - 1
+    scaled = np.clip(places, 0.0, 1.0).reshape(-1, 3) * steps
+    corner = np.minimum(scaled.astype(np.intp), steps - 1)
+    remainder = scaled - corner
+    order = np.argsort(-remainder, axis=-1, kind="stable")
+    sorted_remainders = np.take_along_axis(remainder, order, axis=-1)
+    bounds = np.concatenate(
+        (np.ones((len(scaled), 1)), sorted_remainders, np.zeros((len(scaled), 1))), axis=-1
+    )
+    weights = -np.diff(bounds, axis=-1)
+    rows = np.arange(len(scaled))
+    values = weights[:, :1] * table[tuple(corner.T)]
+    for step in range(3):
+        corner[rows, order[:, step]] += 1
+        values += weights[:, step + 1, None] * table[tuple(corner.T)]
+    return np.asarray(values.reshape(places.shape))
 
 
 def inverse_codes(curves: ArrayLike, steps: int = 1024) -> NDArray[np.float32]:

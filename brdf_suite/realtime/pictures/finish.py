@@ -7,6 +7,7 @@ from typing import Any
 import moderngl
 import numpy as np
 
+from brdf_suite.appearance.colour.spaces import DisplaySpace
 from brdf_suite.appearance.glare import WHITE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
@@ -93,26 +94,33 @@ class FinishPass:
         return Unshowable(**found)
 
     def _display_uniforms(self, view: View, display: Display) -> dict[str, object]:
-        steps = self._bind_codes(display)
+        self._bind_codes(display.space)
+        codes, table = display.space.codes, display.space.table
         return {
             "light": _LIGHT_UNIT,
             "device_codes": _CODES_UNIT,
-            "device_steps": steps,
+            "device_steps": 0 if codes is None else len(codes),
+            "device_cells": 0 if table is None else len(table),
             "tone_curve_kind": TONE_CURVE_NUMBERS[view.tone_curve],
             "working_to_display": tuple(display.space.from_working.T.ravel().tolist()),
             "marks": (float(view.clipping_marks), float(view.gamut_marks)),
             "mark_in_colour": view.mark_style == "colour",
         }
 
-    def _bind_codes(self, display: Display) -> int:
-        table = display.space.codes
-        if table is None:
-            return 0
-        if self._codes_of is not display.space or self._codes is None:
+    def _bind_codes(self, space: DisplaySpace) -> None:
+        """Have the codes of a space, or its table as columns of red and rows of green and blue, in a texture."""
+        if space.table is not None:
+            n = len(space.table)
+            rows = space.table.transpose(1, 2, 0, 3).reshape(n * n, n, 3)
+        elif space.codes is not None:
+            rows = space.codes[None]
+        else:
+            return
+        if self._codes_of is not space or self._codes is None:
             self._objects.release(self._codes)
-            self._codes = self._objects.texture((len(table), 1), "f4")
-            self._codes.write(np.concatenate([table, np.ones((len(table), 1), np.float32)], axis=1).tobytes())
+            self._codes = self._objects.texture((rows.shape[1], rows.shape[0]), "f4")
+            opaque = np.ones((*rows.shape[:2], 1), np.float32)
+            self._codes.write(np.concatenate([rows, opaque], axis=2).tobytes())
             self._objects.counters.texture_uploads += 1
-            self._codes_of = display.space
+            self._codes_of = space
         self._codes.use(_CODES_UNIT)
-        return len(table)

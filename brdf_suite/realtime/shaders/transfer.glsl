@@ -1,7 +1,8 @@
 // Provides: vec3 srgb_encode(vec3 linear), vec3 device_encode(vec3 linear), vec3 quantize(vec3 encoded, vec2 pixel)
 // Needs:    nothing
-uniform sampler2D device_codes;  // a row: the codes of the three channels over sRGB-encoded light
-uniform int device_steps;        // its length; 0: the device's curve is that of sRGB
+uniform sampler2D device_codes;  // a row: the codes of the three channels over sRGB-encoded light; or a table of cells
+uniform int device_steps;        // the row's length; 0: the device's curve is that of sRGB
+uniform int device_cells;        // points of the table on each axis, red in columns, blue within green in rows; 0: none
 
 // IEC 61966-2-1.
 vec3 srgb_encode(vec3 c)
@@ -10,10 +11,34 @@ vec3 srgb_encode(vec3 c)
     return mix(high, 12.92 * c, vec3(lessThanEqual(c, vec3(0.0031308))));
 }
 
+vec3 table_codes(ivec3 cell)
+{
+    return texelFetch(device_codes, ivec2(cell.r, cell.g * device_cells + cell.b), 0).rgb;
+}
+
+// Tetrahedral: from the lowest corner along the axis of the largest remainder, to the highest along that of the least.
+vec3 interpolate_table(vec3 encoded)
+{
+    vec3 place = clamp(encoded, 0.0, 1.0) * float(device_cells - 1);
+    ivec3 low = min(ivec3(place), device_cells - 2);
+    vec3 part = place - vec3(low);
+    ivec3 first = part.r >= part.g ? (part.r >= part.b ? ivec3(1, 0, 0) : ivec3(0, 0, 1))
+                                   : (part.g >= part.b ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
+    ivec3 last = part.r < part.g ? (part.r < part.b ? ivec3(1, 0, 0) : ivec3(0, 0, 1))
+                                 : (part.g < part.b ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
+    float most = max(part.r, max(part.g, part.b));
+    float least = min(part.r, min(part.g, part.b));
+    float middle = part.r + part.g + part.b - most - least;
+    return (1.0 - most) * table_codes(low) + (most - middle) * table_codes(low + first)
+           + (middle - least) * table_codes(low + 1 - last) + least * table_codes(low + 1);
+}
+
 // Codes of the device. A table over encoded light is as fine in the darks as in the lights.
 vec3 device_encode(vec3 linear)
 {
     vec3 encoded = srgb_encode(linear);
+    if (device_cells > 0)
+        return interpolate_table(encoded);
     if (device_steps == 0)
         return encoded;
     vec3 place = clamp(encoded, 0.0, 1.0) * float(device_steps - 1);

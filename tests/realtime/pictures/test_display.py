@@ -80,6 +80,19 @@ def test_a_monitors_codes_are_those_of_its_table(renderer, scenes):
         np.testing.assert_allclose(got, np.clip(space.of_working(drawn), 0, 1) ** (1 / gammas), atol=1.5e-3)
 
 
+def test_codes_of_a_table_of_three_dimensions_are_numpys(renderer, scenes):
+    """Any table: its cells have nothing in common, so each picture is one tetrahedron's mixture."""
+    rng = np.random.default_rng(11)
+    tables = [rng.random((n, n, n, 3)).astype(np.float32) for n in (5, 2)]
+    for number, radiance in enumerate(rng.random((12, 3)) ** 2):
+        space = DisplaySpace("monitor", DISPLAY_P3_SPACE.from_working, table=tables[number % 2])
+        lit(renderer, scenes, radiance)
+        drawn = middle(renderer.linear_image(VIEW, SIZE))[:3]
+        got = middle(renderer.render_image(VIEW, SIZE, display=Display(space, dithered=False))) / 65535
+        # The light is held in half floats; a cell's values differ by up to 1 in a quarter of the range.
+        np.testing.assert_allclose(got, space.encode(space.of_working(drawn)), atol=4e-3)
+
+
 def test_table_look_up_is_the_twin_of_numpy(context, renderer, scenes, evaluate):
     # Through the shader's own function: the table of a renderer is bound by name here.
     x = np.tile(np.linspace(0.0, 1.0, 257)[:, None], 4)

@@ -4,15 +4,25 @@ from __future__ import annotations
 
 import ctypes
 import ctypes.util
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from types import ModuleType
 
 import numpy as np
 import pytest
 from brdf_qt.program import monitor_profile
-from brdf_qt.program.monitor_profile import monitor_of
+from brdf_qt.program.monitor_profile import declared_colour_space, monitor_of
 from brdf_qt.window.view_titles import TONE_TITLES
 from brdf_viewer.tone.section import describe_clipping
 from PIL import Image
+from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtWidgets import QWidget
 
+from brdf_suite.appearance.colour.colorimetry import srgb_decode
 from brdf_suite.appearance.colour.spaces import DISPLAY_P3_SPACE, SRGB_SPACE
 from brdf_suite.documents.view import TONE_CURVES
 from brdf_suite.files.images.icc import profile_bytes
@@ -134,24 +144,108 @@ def test_the_monitors_profile_is_read_and_drawn_with(start, tmp_path) -> None:
 
 
 @pytest.mark.screen
-def test_without_a_profile_or_with_a_bad_one_srgb_is_assumed_and_said(qapp) -> None:
-    screen = qapp.primaryScreen()
-    monitor = monitor_of(screen)
+def test_a_profile_with_tables_is_drawn_with(start, load_helper: Callable[[str], ModuleType]) -> None:
+    """Each pixel by the profile is what numpy makes of it without: the shader's and the core's tables are one."""
+    made = load_helper("table_profiles.py")
+    with RootProperty("_ICC_PROFILE", made.profile("mAB", "Lab", made.Screen(0.003))):
+        viewer = start()
+        tone = viewer.controller.tone
+        viewer.qtbot.waitUntil(lambda: tone.display.space.table is not None)
+        assert viewer.window.tone.profile_note.text() == "Monitor profile: Table screen (look-up tables)"
+        assert monitor_of(viewer.window).space is tone.display.space  # read once
+        by_profile = viewer.pixels().astype(float)
+        viewer.window.tone.profile.click()
+        plain = viewer.pixels()
+        inside = ((plain > 8) & (plain < 250)).all(axis=-1)  # neither clipped nor so dark that a code is much
+        assert inside.mean() > 0.2
+        rho = srgb_decode(plain[inside] / 255.0) @ np.linalg.inv(SRGB_SPACE.from_working).T
+        space = monitor_of(viewer.window).space
+        wanted = 255.0 * space.encode(space.of_working(rho))
+        assert np.abs(by_profile[inside] - wanted).mean() < 1.0  # both are dithered
+        assert np.abs(plain[inside] - wanted).mean() > 2.0
+
+
+@pytest.mark.screen
+def test_without_a_profile_or_with_a_bad_one_srgb_is_assumed_and_said(qtbot) -> None:
+    widget = QWidget()
+    qtbot.addWidget(widget)
+    monitor = monitor_of(widget)
     assert monitor.space is SRGB_SPACE
     assert monitor.description == "No monitor profile found; assuming sRGB"
     with RootProperty("_ICC_PROFILE", b"not a profile"):
-        bad = monitor_of(screen)
+        bad = monitor_of(widget)
     assert bad.space is SRGB_SPACE
     assert "is not an ICC profile" in bad.description
 
 
-@pytest.mark.parametrize(
-    ("platform", "word"), [("cocoa", "macOS"), ("wayland-egl", "Wayland"), ("offscreen", "assuming")]
-)
-def test_other_platforms_say_what_is_shown(platform: str, word: str) -> None:
-    monitor = monitor_of(None, platform)
-    assert word in monitor.description
-    assert not monitor.is_measured
+@pytest.mark.parametrize(("platform", "word"), [("cocoa", "macOS"), ("wayland-egl", "Wayland")])
+def test_a_platform_that_manages_colour_is_named_where_it_took_the_declaration(
+    qtbot, platform: str, word: str
+) -> None:
+    """A window's format has a colour space where the window system took it; another has none."""
+    before = QSurfaceFormat.defaultFormat()
+    declared = QSurfaceFormat(before)
+    declared.setColorSpace(declared_colour_space(platform))
+    widgets = []
+    try:
+        for form in (declared, before):
+            QSurfaceFormat.setDefaultFormat(form)
+            widgets.append(QWidget())
+            qtbot.addWidget(widgets[-1])
+            widgets[-1].winId()  # makes the window
+    finally:
+        QSurfaceFormat.setDefaultFormat(before)
+    took, ignored = (monitor_of(widget, platform) for widget in widgets)
+    assert word in took.description
+    assert ignored.description == "sRGB; the window system does not manage colour"
+    assert not took.is_measured
+    assert not ignored.is_measured
+
+
+def test_a_platform_without_colour_management_declares_nothing() -> None:
+    assert not declared_colour_space("xcb").isValid()
+    assert not declared_colour_space("windows").isValid()
+    assert "assuming sRGB" in monitor_of(None, "offscreen").description
+
+
+@pytest.mark.skipif(shutil.which("weston") is None, reason="weston is not installed")
+def test_a_compositor_without_colour_management_is_reported(tmp_path) -> None:
+    """Weston of before version 14 has no protocol for colour, and later ones need a setting: neither converts."""
+    socket = "brdf-tone"
+    surroundings = os.environ | {"XDG_RUNTIME_DIR": str(tmp_path), "LIBGL_ALWAYS_SOFTWARE": "1"}
+    tmp_path.chmod(0o700)
+    command = ["weston", "--backend=headless-backend.so", f"--socket={socket}", "--idle-time=0"]
+    with subprocess.Popen(
+        command, env=surroundings, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    ) as weston:
+        try:
+            while not (tmp_path / socket).exists():
+                assert weston.poll() is None
+                time.sleep(0.05)
+            found = subprocess.run(
+                [sys.executable, "-c", _ASK],
+                env=surroundings | {"WAYLAND_DISPLAY": socket, "QT_QPA_PLATFORM": "wayland"},
+                capture_output=True,
+                text=True,
+                check=True,
+            )
+        finally:
+            weston.terminate()
+    assert found.stdout.splitlines() == ["True", "sRGB; the window system does not manage colour"]
+
+
+_ASK = """
+from brdf_qt.program.application import create_application
+from brdf_qt.program.monitor_profile import monitor_of
+from PySide6.QtWidgets import QWidget
+
+app = create_application("Viewer", language="en")
+widget = QWidget()
+widget.show()
+app.processEvents()
+print(widget.windowHandle().requestedFormat().colorSpace().isValid())
+print(monitor_of(widget).description)
+"""
 
 
 def test_no_x_library_is_no_profile(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -203,33 +203,57 @@ def _read_display(path: Path) -> None:
     read_display_profile(path.read_bytes(), path.name)
 
 
+# L*a*b* of a screen's eight corners, from black, blue and green to white.
+_CORNERS = (
+    *((0, 0, 0), (32, 79, -108), (88, -86, 83), (91, -48, -14)),
+    *((53, 80, 67), (60, 98, -61), (97, -22, 94), (100, 0, 0)),
+)
+
+
 def _profiles(folder: Path) -> list[Path]:
     paths = []
     for name, space in SPACES.items():
         paths.append(folder / f"{name.replace(' ', '_').replace('/', '_')}.icc")
         paths[-1].write_bytes(profile_bytes(space))
+    towards = bytes(
+        round(number) for lab in _CORNERS for number in (2.55 * lab[0], lab[1] + 128, lab[2] + 128)
+    )
+    back = bytes(np.random.default_rng(2).integers(0, 255, 8 * 3, dtype=np.uint8))
+    paths.append(folder / "tables.icc")
+    paths[-1].write_bytes(
+        _table_profile(b"mntr", b"RGB ", {b"A2B0": _lut8(3, towards), b"B2A0": _lut8(3, back)})
+    )
     return paths
 
 
 def _cmyk_profile(folder: Path) -> list[Path]:
-    """Write a profile of inks: one table of 2 × 2 × 2 × 2 nodes to Lab (ICC.1:2022, lut8Type)."""
+    """Write a profile of inks: one table of 2 × 2 × 2 × 2 nodes to Lab."""
+    table = _lut8(4, bytes(np.random.default_rng(1).integers(0, 255, 16 * 3, dtype=np.uint8)))
+    (folder / "inks.icc").write_bytes(_table_profile(b"prtr", b"CMYK", {b"A2B0": table, b"A2B1": table}))
+    return [folder / "inks.icc"]
+
+
+def _lut8(channels: int, nodes: bytes) -> bytes:
+    """Return a table of 2 nodes a channel, to 3 channels (ICC.1:2022, lut8Type)."""
     identity = bytes(range(256))
-    nodes = bytes(np.random.default_rng(1).integers(0, 255, 16 * 3, dtype=np.uint8))
     matrix = struct.pack(">9i", 65536, 0, 0, 0, 65536, 0, 0, 0, 65536)
-    table = b"mft1" + bytes(4) + bytes([4, 3, 2, 0]) + matrix + identity * 4 + nodes + identity * 3
-    white = b"XYZ \0\0\0\0" + struct.pack(">3i", 63190, 65536, 54061)
-    tags = {b"A2B0": table, b"A2B1": table, b"wtpt": white}
+    return (
+        b"mft1" + bytes(4) + bytes([channels, 3, 2, 0]) + matrix + identity * channels + nodes + identity * 3
+    )
+
+
+def _table_profile(kind: bytes, device: bytes, tables: dict[bytes, bytes]) -> bytes:
+    """Return a profile of tables that connects by Lab."""
+    tags = tables | {b"wtpt": b"XYZ \0\0\0\0" + struct.pack(">3i", 63190, 65536, 54061)}
     listed, data, start = b"", b"", 132 + 12 * len(tags)
     for name, content in tags.items():
         listed += struct.pack(">4sII", name, start + len(data), len(content))
         data += content + bytes(-len(content) % 4)
     head = struct.pack(
-        ">I4sI4s4s4s12s4s", start + len(data), b"", 0x02400000, b"prtr", b"CMYK", b"Lab ", b"", b"acsp"
+        ">I4sI4s4s4s12s4s", start + len(data), b"", 0x02400000, kind, device, b"Lab ", b"", b"acsp"
     )
     white_d50 = struct.pack(">3i", 63190, 65536, 54061)
-    profile = (head + bytes(28) + white_d50).ljust(128, b"\0") + struct.pack(">I", len(tags)) + listed + data
-    (folder / "inks.icc").write_bytes(profile)
-    return [folder / "inks.icc"]
+    return (head + bytes(28) + white_d50).ljust(128, b"\0") + struct.pack(">I", len(tags)) + listed + data
 
 
 def _estimates(folder: Path) -> list[Path]:
