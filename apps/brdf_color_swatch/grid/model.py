@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
 
 from brdf_qt.fields.labels import plain_tip
@@ -84,8 +85,9 @@ class SwatchModel(QAbstractTableModel):
 
     def show(self, shown: VisibleRows) -> None:
         self.beginResetModel()
-        self.shown = shown
-        self._by_id = None
+        before, self.shown = self.shown, shown
+        if shown.rows.ids is not before.rows.ids or shown.places != before.places:
+            self._by_id = None
         self.endResetModel()
 
     def id_at(self, row: int) -> str:
@@ -99,7 +101,7 @@ class SwatchModel(QAbstractTableModel):
     def row_of(self, key: str) -> int | None:
         if self._by_id is None:
             ids = self.shown.rows.ids
-            self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
+            self._by_id = dict(zip(map(ids.__getitem__, self.shown.places), count(), strict=False))
         return self._by_id.get(key)
 
     def entry_at(self, row: int) -> Entry:

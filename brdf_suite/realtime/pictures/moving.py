@@ -47,7 +47,7 @@ class Pace:
         self._chosen = self._last = WHOLE
         self._begun: Coarseness | None = None
         self._known = {DEFAULT_SAMPLES}
-        self._arrives = False
+        self._arrives = self._wanted_whole = False
         self._whole_ms: float | None = None
 
     @property
@@ -64,10 +64,14 @@ class Pace:
     def arrive(self, triangles: int) -> None:
         """Take the next frame for the first one of a surface: of very many triangles it is coarse, to come soon.
 
-        The one after it is as usual. Where whole frames were quick, as with a graphics card, the first is whole too.
+        The one after it is as usual. Where it is wanted whole, or whole frames were quick, as with a graphics card, the first is whole too.
         """
         slow = self._whole_ms is None or self._whole_ms > _QUICK_MS
-        self._arrives = triangles >= _MANY_TRIANGLES and slow
+        self._arrives = triangles >= _MANY_TRIANGLES and slow and not self._wanted_whole
+
+    def want_whole(self) -> None:
+        """Draw the next frame whole also where a surface arrives with it, as for a picture that is kept."""
+        self._wanted_whole = True
 
     def rest(self) -> bool:
         """Draw whole frames from now on; return whether the last one was coarser."""
@@ -78,7 +82,7 @@ class Pace:
     def begin_frame(self) -> Coarseness:
         """Return how to draw a frame that begins now."""
         self._begun = self._last = self.coarseness
-        self._arrives = False
+        self._arrives = self._wanted_whole = False
         return self._begun
 
     def end_frame(self, milliseconds: float) -> None:
