@@ -202,7 +202,8 @@ class PaletteSession(QObject):
         palette, ids = self.library.palette(self.states[pane].scope.palette), self._selected[pane]
         known = self._selections[pane]
         if known.palette is not palette or known.wanted is not ids:
-            found, entries = ids, ()
+            found = ids
+            entries: tuple[Entry, ...] = ()
             if palette is None:
                 found = ()
             elif ids:

@@ -36,10 +36,12 @@ _SHARE = 0.8
 
 
 def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return the smallest and largest length in texture space of a unit length on each triangle, and its area, (k,) each.
+    """Return the smallest and largest length in texture space of a unit length on each triangle, and its area.
 
-    The singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs`` per unit
-    of ``positions``.
+    All are (k,).
+
+    The lengths are the singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs``
+    per unit of ``positions``.
     """
     along, other = edge_columns(positions, triangles)
     base = np.sqrt(np.einsum("ij,ij->j", along, along))

@@ -192,7 +192,7 @@ class SwatchPanel(QWidget):
 
 
 def _common(values: Iterable[_Value]) -> _Value | None:
-    """Return the value that all are; None where they differ, which the first that does ends, or where there are none."""
+    """Return the value that all are; None where they differ, or where there are none. The first other one ends it."""
     found = iter(values)
     first = next(found, None)
     return first if all(map(partial(eq, first), found)) else None

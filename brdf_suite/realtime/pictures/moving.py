@@ -64,7 +64,8 @@ class Pace:
     def arrive(self, triangles: int) -> None:
         """Take the next frame for the first one of a surface: of very many triangles it is coarse, to come soon.
 
-        The one after it is as usual. Where it is wanted whole, or whole frames were quick, as with a graphics card, the first is whole too.
+        The one after it is as usual. The first is whole too where it is wanted so (:meth:`want_whole`), or where whole
+        frames were quick, as with a graphics card.
         """
         slow = self._whole_ms is None or self._whole_ms > _QUICK_MS
         self._arrives = triangles >= _MANY_TRIANGLES and slow and not self._wanted_whole
