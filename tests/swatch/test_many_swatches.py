@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.filtering import by_group, filter_and_sort, is_slow
-from brdf_color_swatch.grid.rows import Rows, rows_of
+from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
 from brdf_color_swatch.grid.view_state import PaneState
 from brdf_color_swatch.library.loading import read_palette_file
 from PySide6.QtCore import QItemSelectionModel
@@ -118,6 +118,15 @@ def test_what_is_counted_is_right_after_an_edit_of_one_swatch(change) -> None:
     # What the edit did not touch is not worked out again.
     assert (after.groups is known["groups"]) == ("group" not in change)
     assert (after.ids is known["ids"]) == ("id" not in change)
+
+
+def test_rows_that_are_finished_keep_what_was_counted() -> None:
+    rows = rows_of(many(20))
+    groups, counts = rows.groups, rows.tag_counts
+    finished = finish_rows(rows, lambda *_: None)
+    assert not finished.columns.waiting.any()
+    assert finished.groups is groups
+    assert finished.tag_counts == counts
 
 
 def test_all_that_is_selected_is_one_range_looked_up_once(swatch) -> None:

@@ -229,7 +229,9 @@ def finish_rows(rows: Rows, progress: Progress) -> Rows:
     while work.step(_STEP):
         progress(1.0 - work.left / whole, "")
     columns = work.columns
-    return Rows(columns, codes_of(columns.main))
+    finished = Rows(columns, codes_of(columns.main))
+    _take_over_counts(finished, rows)
+    return finished
 
 
 def codes_of(lab: np.ndarray) -> np.ndarray:
