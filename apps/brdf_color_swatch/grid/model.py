@@ -83,12 +83,15 @@ class SwatchModel(QAbstractTableModel):
         self.read_only = False
         """Whether names and codes cannot be edited here."""
 
-    def show(self, shown: VisibleRows) -> None:
+    def show(self, shown: VisibleRows) -> bool:
+        """Show these rows; return whether each has the id that it had before."""
         self.beginResetModel()
         before, self.shown = self.shown, shown
-        if shown.rows.ids is not before.rows.ids or shown.places != before.places:
+        same = shown.rows.ids is before.rows.ids and shown.places == before.places
+        if not same:
             self._by_id = None
         self.endResetModel()
+        return same
 
     def id_at(self, row: int) -> str:
         return self.shown.rows.ids[self.shown.places[row]]
