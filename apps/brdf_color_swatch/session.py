@@ -202,11 +202,15 @@ class PaletteSession(QObject):
         palette, ids = self.library.palette(self.states[pane].scope.palette), self._selected[pane]
         known = self._selections[pane]
         if known.palette is not palette or known.wanted is not ids:
-            places = {} if palette is None or not ids else palette.by_id
-            found = tuple(filter(places.__contains__, ids))
+            found = ids
             entries: tuple[Entry, ...] = ()
-            if palette is not None:
-                entries = tuple(map(palette.entries.__getitem__, map(places.__getitem__, found)))
+            if palette is None:
+                found = ()
+            elif ids:
+                places = list(map(palette.by_id.get, ids))
+                if None in places:
+                    found = tuple(key for key, place in zip(ids, places, strict=True) if place is not None)
+                entries = tuple([palette.entries[place] for place in places if place is not None])
             known = self._selections[pane] = _Selection(palette, ids, found, entries)
         return known
 

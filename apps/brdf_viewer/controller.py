@@ -218,7 +218,7 @@ class ViewerController(Program):
         state.contents_changed.connect(self._show_title)
         self.scene.failed.connect(self.failed)
         window.picture.frame_drawn.connect(self._frame_drawn)
-        window.picture.about_to_grab.connect(self._rest)
+        window.picture.about_to_grab.connect(self._draw_whole)
         window.picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(self._open_files)
         window.closing.connect(self.close)
@@ -267,6 +267,11 @@ class ViewerController(Program):
         self._at_rest.stop()
         if self.drawer is not None and self.drawer.pace.rest():
             self.window.picture.redraw()
+
+    def _draw_whole(self) -> None:
+        self._rest()
+        if self.drawer is not None:
+            self.drawer.pace.want_whole()
 
     def _show_view(self, old: View | None, new: View) -> None:
         window, commands = self.window, self.window.commands

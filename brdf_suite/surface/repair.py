@@ -26,7 +26,6 @@ from brdf_suite.surface.normals import (
     face_normals,
     is_inside_out,
     packed,
-    triangle_areas,
     used_numbers,
     weld,
 )
@@ -36,11 +35,13 @@ _EVEN = 2.0
 _SHARE = 0.8
 
 
-def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats]:
-    """Return the smallest and largest length in texture space of a unit length on each triangle, (k,) each.
+def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats, Floats]:
+    """Return the smallest and largest length in texture space of a unit length on each triangle, and its area.
 
-    The singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs`` per unit
-    of ``positions``.
+    All are (k,).
+
+    The lengths are the singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs``
+    per unit of ``positions``.
     """
     along, other = edge_columns(positions, triangles)
     base = np.sqrt(np.einsum("ij,ij->j", along, along))
@@ -55,7 +56,8 @@ def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats
     total = np.einsum("ij,ij->j", uv_along, uv_along) + np.einsum("ij,ij->j", uv_up, uv_up)
     area = np.abs(uv_along[0] * uv_up[1] - uv_along[1] * uv_up[0])
     root = np.sqrt(np.maximum(total * total - 4.0 * area * area, 0.0))
-    return np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
+    smallest, largest = np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
+    return smallest, largest, 0.5 * base * height
 
 
 def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> Floats | None:
@@ -65,8 +67,7 @@ def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> F
     """
     if not np.isfinite(uvs).all():
         return None
-    smallest, largest = stretch(positions, triangles, uvs)
-    area = triangle_areas(positions, triangles)
+    smallest, largest, area = stretch(positions, triangles, uvs)
     middle = np.sqrt(smallest * largest)
     order = np.argsort(middle)
     half = np.searchsorted(np.cumsum(area[order]), area.sum() / 2.0)

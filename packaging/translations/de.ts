@@ -456,6 +456,14 @@
         <translation>Reiter s&amp;chließen</translation>
     </message>
     <message>
+        <source>Close Ot&amp;her Tabs</source>
+        <translation>An&amp;dere Reiter schließen</translation>
+    </message>
+    <message>
+        <source>Close A&amp;ll Tabs</source>
+        <translation>A&amp;lle Reiter schließen</translation>
+    </message>
+    <message>
         <source>Reopen Closed &amp;Tab</source>
         <translation>Geschlossenen &amp;Reiter wieder öffnen</translation>
     </message>

@@ -35,8 +35,10 @@ BOUNDS = {
         "<=",
         2.5,
         "s",
-        "glTF file of 10⁶ triangles with normals and texture coordinates: reading to the first frame, 1280x720",
+        "glTF file of 10⁶ triangles with normals and texture coordinates: reading to Viewer's first frame, 1280x720; "
+        "coarse where whole ones are slow",
     ),
+    "triangles_whole_s": ("", None, "s", "reading to the first whole frame"),
     "triangles_cpu_s": ("", None, "s", "its processor time, all threads"),
     "triangles_read_s": ("", None, "s", "the part of it that reads the file, off the window's thread"),
     "triangles_bare_s": ("", None, "s", "PLY file of 10⁶ triangles without normals, to the first frame"),
@@ -53,7 +55,8 @@ BOUNDS = {
     "lamps_64_s": ("", None, "s", "studio of 64 lamps drawn at 1024x512"),
     "lamps_exponent": ("", None, "", "of it"),
     "tabs_open_s": ("", None, "s", "opening 200 tabs in Designer, each with a turn of the event loop"),
-    "tabs_close_s": ("<=", 2.0, "s", "closing 200 tabs in Designer, each with a turn of the event loop"),
+    "tabs_close_s": ("<=", 2.0, "s", "Close All Tabs with 200 open in Designer, until the window is idle"),
+    "tabs_close_one_ms": ("", None, "ms", "closing one of 200 and showing the next, mean of 20"),
     "tabs_close_cpu_s": ("", None, "s", "its processor time, all threads"),
     "tabs_exponent": ("", None, "", "of closing"),
     "samples_1m_s": ("", None, "s", "goniometer file of 10⁶ readings"),
@@ -179,6 +182,7 @@ def _swatches(values):
 def _triangles(values):
     return {
         "triangles_first_frame_s": values["first_frame_s"],
+        "triangles_whole_s": values["whole_frame_s"],
         "triangles_cpu_s": values["cpu_s"],
         "triangles_read_s": values["read_s"],
     }
@@ -188,6 +192,7 @@ def _tabs(values):
     return {
         "tabs_open_s": values["open_s"],
         "tabs_close_s": values["close_s"],
+        "tabs_close_one_ms": 1e3 * values["close_one_s"],
         "tabs_close_cpu_s": values["close_cpu_s"],
     }
 

@@ -103,7 +103,7 @@ def test_even_coordinates_are_scaled_to_millimetres() -> None:
     triangles = np.array([[0, 1, 2], [0, 2, 3]])
     uvs = uvs_in_millimetres(positions, triangles, positions[:, :2] * 0.037 + 0.4)
     assert uvs is not None
-    smallest, largest = stretch(positions, triangles, uvs)
+    smallest, largest, _ = stretch(positions, triangles, uvs)
     np.testing.assert_allclose([smallest, largest], 1000.0, rtol=1e-9)
 
 
@@ -123,7 +123,7 @@ def test_uneven_coordinates_are_replaced(squeeze: float) -> None:
 def test_box_projection_stretches_by_at_most_root_three() -> None:
     positions, triangles = ball()
     uvs, kept, new = box_uvs(positions, triangles)
-    smallest, largest = stretch(positions[kept], new, uvs)
+    smallest, largest, _ = stretch(positions[kept], new, uvs)
     assert largest.max() <= 1000.0 * (1.0 + 1e-9)
     assert smallest.min() >= 1000.0 / np.sqrt(3.0) * (1.0 - 1e-9)
 

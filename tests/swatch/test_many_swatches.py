@@ -9,11 +9,12 @@ import numpy as np
 import pytest
 from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.filtering import by_group, filter_and_sort, is_slow
-from brdf_color_swatch.grid.rows import Rows, rows_of
+from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
 from brdf_color_swatch.grid.view_state import PaneState
 from brdf_color_swatch.library.loading import read_palette_file
 from PySide6.QtCore import QItemSelectionModel
 
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
@@ -86,6 +87,46 @@ def test_an_edit_of_one_swatch_works_out_one_row(monkeypatch: pytest.MonkeyPatch
         assert [changed[row] for row in read] == [renamed]
         assert np.array_equal(after.lab, rows_of(changed).lab)
         assert np.array_equal(after.codes, rows_of(changed).codes)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"content": replace(GREY, name="Other")},
+        {"tags": ("winter", "tag 0")},
+        {"tags": ()},
+        {"group": ("Elsewhere",)},
+        {"code": ""},
+        {"code": "C 1"},
+        {"id": "another"},
+        {"content": FlatColour("", "Lab", (50.0, 20.0, 10.0))},
+    ],
+)
+def test_what_is_counted_is_right_after_an_edit_of_one_swatch(change) -> None:
+    entries = tuple(replace(entry, tags=(f"tag {row % 3}",)) for row, entry in enumerate(many(60)))
+    names = ("groups", "ids", "has_codes", "notes", "tag_counts")
+    before = rows_of(entries)
+    known = {name: getattr(before, name) for name in names}
+    changed = (*entries[:7], replace(entries[7], **change), *entries[8:])
+    after, fresh = rows_of(changed, before), rows_of(changed)
+    for name in ("ids", "has_codes", "notes", "tag_counts"):
+        assert getattr(after, name) == getattr(fresh, name)
+    assert after.groups[1] == fresh.groups[1]
+    assert np.array_equal(after.groups[0], fresh.groups[0])
+    back = rows_of(entries, after)
+    assert back.tag_counts == known["tag_counts"]
+    # What the edit did not touch is not worked out again.
+    assert (after.groups is known["groups"]) == ("group" not in change)
+    assert (after.ids is known["ids"]) == ("id" not in change)
+
+
+def test_rows_that_are_finished_keep_what_was_counted() -> None:
+    rows = rows_of(many(20))
+    groups, counts = rows.groups, rows.tag_counts
+    finished = finish_rows(rows, lambda *_: None)
+    assert not finished.columns.waiting.any()
+    assert finished.groups is groups
+    assert finished.tag_counts == counts
 
 
 def test_all_that_is_selected_is_one_range_looked_up_once(swatch) -> None:

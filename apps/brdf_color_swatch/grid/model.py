@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
 
 from brdf_qt.fields.labels import plain_tip
@@ -82,11 +83,15 @@ class SwatchModel(QAbstractTableModel):
         self.read_only = False
         """Whether names and codes cannot be edited here."""
 
-    def show(self, shown: VisibleRows) -> None:
+    def show(self, shown: VisibleRows) -> bool:
+        """Show these rows; return whether each has the id that it had before."""
         self.beginResetModel()
-        self.shown = shown
-        self._by_id = None
+        before, self.shown = self.shown, shown
+        same = shown.rows.ids is before.rows.ids and shown.places == before.places
+        if not same:
+            self._by_id = None
         self.endResetModel()
+        return same
 
     def id_at(self, row: int) -> str:
         return self.shown.rows.ids[self.shown.places[row]]
@@ -99,7 +104,7 @@ class SwatchModel(QAbstractTableModel):
     def row_of(self, key: str) -> int | None:
         if self._by_id is None:
             ids = self.shown.rows.ids
-            self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
+            self._by_id = dict(zip(map(ids.__getitem__, self.shown.places), count(), strict=False))
         return self._by_id.get(key)
 
     def entry_at(self, row: int) -> Entry:

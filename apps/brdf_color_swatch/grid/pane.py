@@ -155,15 +155,17 @@ class Pane(QFrame):
     def show_rows(self, shown: VisibleRows) -> None:
         """Show these swatches; what was selected stays so where it is still there, and so does the place."""
         current = self.grid.currentIndex()
-        key = self.model.id_at(current.row()) if current.isValid() else ""
-        kept = self.model.ids_at(self.grid.selected_rows())
+        row: int | None = current.row() if current.isValid() else None
+        key = "" if row is None else self.model.id_at(row)
+        rows = self.grid.selected_rows()
+        kept = self.model.ids_at(rows)
         top = self.grid.verticalScrollBar().value()
         top_list = self.list.verticalScrollBar().value()
         self._quiet = True
-        self.model.show(shown)
-        rows = [row for one in kept if (row := self.model.row_of(one)) is not None]
+        if not self.model.show(shown):
+            rows = [found for one in kept if (found := self.model.row_of(one)) is not None]
+            row = self.model.row_of(key) if key else None
         self.grid.select_rows(rows)
-        row = self.model.row_of(key) if key else None
         if row is not None:
             flag = QItemSelectionModel.SelectionFlag.NoUpdate
             self.grid.selectionModel().setCurrentIndex(self.model.index(row, 0), flag)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from operator import is_not
 from typing import Any
 
 import numpy as np
@@ -185,7 +186,40 @@ def rows_of(entries: Sequence[Entry], before: Rows | None = None) -> Rows:
     if before is not None:
         codes[kept] = before.codes[work.sources[kept]]
     codes[~kept] = codes_of(columns.main[~kept])
-    return Rows(columns, codes)
+    rows = Rows(columns, codes)
+    if before is not None:
+        _take_over_counts(rows, before)
+    return rows
+
+
+_MOST_CHANGED = 2_000
+_DECIDED_BY: dict[str, Callable[[Entry], object]] = {
+    "groups": lambda entry: entry.group,
+    "ids": lambda entry: entry.id,
+    "has_codes": lambda entry: bool(entry.code),
+    "notes": lambda entry: entry.content if entry.is_flat else None,
+}
+"""What is worked out from all entries, by what of an entry it depends on."""
+
+
+def _take_over_counts(rows: Rows, before: Rows) -> None:
+    """Keep what ``before`` has worked out from all of its entries, where few of them were replaced since."""
+    if len(rows) != len(before):
+        return
+    replaced = np.fromiter(map(is_not, rows.entries, before.entries), bool, len(rows))
+    if np.count_nonzero(replaced) > _MOST_CHANGED:
+        return
+    changes = [(before.entries[place], rows.entries[place]) for place in np.flatnonzero(replaced).tolist()]
+    known, own = vars(before), vars(rows)
+    for name, decided_by in _DECIDED_BY.items():
+        if name in known and all(decided_by(old) == decided_by(new) for old, new in changes):
+            own[name] = known[name]
+    if "tag_counts" in known:
+        counts = before.tag_counts.copy()
+        for old, new in changes:
+            counts.subtract(old.tags)
+            counts.update(new.tags)
+        own["tag_counts"] = +counts
 
 
 def finish_rows(rows: Rows, progress: Progress) -> Rows:
@@ -195,7 +229,9 @@ def finish_rows(rows: Rows, progress: Progress) -> Rows:
     while work.step(_STEP):
         progress(1.0 - work.left / whole, "")
     columns = work.columns
-    return Rows(columns, codes_of(columns.main))
+    finished = Rows(columns, codes_of(columns.main))
+    _take_over_counts(finished, rows)
+    return finished
 
 
 def codes_of(lab: np.ndarray) -> np.ndarray:

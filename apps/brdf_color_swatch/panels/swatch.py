@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from datetime import datetime
+from functools import partial
+from operator import attrgetter, eq
+from typing import TypeVar
 
 import numpy as np
 from brdf_qt.fields.form import described, fill_column
@@ -20,6 +23,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 
 _VARIOUS = "…"
+_Value = TypeVar("_Value")
 
 
 class _Chips(QWidget):
@@ -138,10 +142,11 @@ class SwatchPanel(QWidget):
                 title = tr("{count} swatches selected.").format(count=len(entries))
         self.title.setText(title)
         self.title.setVisible(bool(title))
+        tags = _common(map(attrgetter("tags"), entries))
         values = {
-            "name": _common(entry.name for entry in entries),
-            "code": _common(entry.code for entry in entries),
-            "tags": _common(", ".join(entry.tags) for entry in entries),
+            "name": _common(map(attrgetter("name"), entries)),
+            "code": _common(map(attrgetter("code"), entries)),
+            "tags": None if tags is None else ", ".join(tags),
         }
         for key, field in self.fields.items():
             text = values[key] or ""
@@ -153,7 +158,7 @@ class SwatchPanel(QWidget):
                 field.setPlaceholderText(_VARIOUS if entries and values[key] is None else "")
             field.setEnabled(bool(entries))
             field.setReadOnly(read_only)
-        notes = _common(entry.notes for entry in entries)
+        notes = _common(map(attrgetter("notes"), entries))
         self.notes.show_text(notes or "")
         self.notes.setPlaceholderText(_VARIOUS if entries and notes is None else "")
         self.notes.setEnabled(bool(entries))
@@ -186,11 +191,11 @@ class SwatchPanel(QWidget):
         return super().eventFilter(watched, event)
 
 
-def _common(texts: Iterable[str]) -> str | None:
-    """Return the text that all are; None where they differ, which the first that does ends, or where there are none."""
-    found = iter(texts)
+def _common(values: Iterable[_Value]) -> _Value | None:
+    """Return the value that all are; None where they differ, or where there are none. The first other one ends it."""
+    found = iter(values)
     first = next(found, None)
-    return first if all(text == first for text in found) else None
+    return first if all(map(partial(eq, first), found)) else None
 
 
 def readings_of(entry: Entry) -> list[tuple[str, tuple[float, float, float]]]:

@@ -278,6 +278,28 @@ class Documents(QObject):
         self._remove(document)
         return True
 
+    def close_all(self, keep: OpenDocument | None = None) -> bool:
+        """Ask about unsaved work where there is some, and close all but ``keep`` together; False where one was to stay.
+
+        An empty one comes in their place where none is kept; what is shown changes once, however many go.
+        """
+        if keep is None and len(self._row) == 1 and self._is_empty(self._front):
+            return True
+        for document in self._row:
+            if document is keep:
+                continue
+            if not document.store.is_clean:
+                self.show(document)
+            if not document.files.may_discard():
+                return False
+        going = [document for document in self._row if document is not keep]
+        self.show(keep or self.add(self._format.new()))
+        for document in going:
+            if document in self._row:
+                self._take_out(document)
+        self.row_changed.emit()
+        return True
+
     def reopen(self) -> None:
         """Have the tab back that was closed last, with its undo history and what was not saved."""
         if not self._closed:
@@ -352,6 +374,11 @@ class Documents(QObject):
         place = self._row.index(document)
         if document is self._front:
             self.show(self._row[place + 1 if place + 1 < len(self._row) else place - 1])
+        self._take_out(document, for_good=for_good)
+        self.row_changed.emit()
+
+    def _take_out(self, document: OpenDocument, *, for_good: bool = False) -> None:
+        """Let a document that is not in front leave the row; the caller reports that the row is another."""
         self._row.remove(document)
         document.store.end_gesture()
         document.recovery.close(keep=False)
@@ -360,7 +387,6 @@ class Documents(QObject):
             self._closed.append(document)
             gone = self._closed.pop(0) if len(self._closed) > MOST_CLOSED else None
         self.closed.emit(document)
-        self.row_changed.emit()
         if gone is not None:
             _discard(gone)
 

@@ -201,7 +201,7 @@ class DesignerWindow(SuiteWindow):
         self.setWindowTitle(f"{make_visible(shown.title)}[*]")
         self.setWindowFilePath(str(shown.path) if shown.path else "")
         self.setWindowModified(not shown.clean)
-        for action in self._step_actions:
+        for action in self._others_actions:
             action.setEnabled(len(tabs) > 1)
 
     def show_reopen(self, can: bool) -> None:
@@ -282,6 +282,10 @@ class DesignerWindow(SuiteWindow):
         self.add_action(file, mark("Save &As…"), lambda: documents.front.files.save_as(), "save_as")
         file.addSeparator()
         self.add_action(file, mark("&Close Tab"), lambda: documents.close(documents.front), "close", "x")
+        close_others = self.add_action(
+            file, mark("Close Ot&her Tabs"), lambda: documents.close_all(documents.front)
+        )
+        self.add_action(file, mark("Close A&ll Tabs"), lambda: documents.close_all())
         self.reopen_action = self.add_action(file, mark("Reopen Closed &Tab"), documents.reopen, "reopen")
         self.reopen_action.setEnabled(False)
         self.add_quit()
@@ -292,12 +296,15 @@ class DesignerWindow(SuiteWindow):
             self.edit_menu, mark("&Redo"), session.redo, "redo", "arrow-clockwise"
         )
         self.reading_menus = ReadingMenus(self.paint_menu, session, self.pick_colour)
-        self._step_actions = [
-            self.add_action(self.window_menu, text, partial(documents.step, by), keys)
-            for text, by, keys in (
-                (mark("&Next Tab"), 1, "next_tab"),
-                (mark("&Previous Tab"), -1, "previous_tab"),
-            )
+        self._others_actions = [
+            close_others,
+            *(
+                self.add_action(self.window_menu, text, partial(documents.step, by), keys)
+                for text, by, keys in (
+                    (mark("&Next Tab"), 1, "next_tab"),
+                    (mark("&Previous Tab"), -1, "previous_tab"),
+                )
+            ),
         ]
         self.add_tabs_menu()
         viewer = self.openers["viewer"]

@@ -63,6 +63,7 @@ class SceneDrawer:
         }
         self._drawn: dict[str, LoadedAsset[Any]] = {}
         self._uploading: Any = None
+        self._arrived = False
         self._images: SurfaceImages | None = None
         self._fit: object = None
         self.pace = Pace()
@@ -104,7 +105,7 @@ class SceneDrawer:
     def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> bool:
         """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame.
 
-        Return whether it was an ordinary one, without an upload.
+        Return whether it was an ordinary one, without an upload. The first one of a large surface is coarse.
         """
         uploads = [self._bring(kind) for kind in self.uploads]
         fit = self._state.drawn_fit
@@ -114,7 +115,8 @@ class SceneDrawer:
         if fit is not self._fit:
             self.scene_renderer.set_material(fit)
             self._fit = fit
-        uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
+        arrived, self._arrived = self._arrived, False
+        uploads += [arrived, self._bring_second(), self._bring_images(), self._bring_traced()]
         self.scene_renderer.prepare(view)
         if view.exposure_mode == "automatic" and self._state.metered_ev is None:
             self.meter(view, size)
@@ -127,6 +129,8 @@ class SceneDrawer:
         elif traced is not None and traced.size == size:
             traced.render(shown, framebuffer, size)
         else:
+            if arrived:
+                self.pace.arrive(self.renderer.mesh.triangle_count)
             self.scene_renderer.draw(shown, framebuffer, size, self.pace.begin_frame())
         # A frame that compiles, too, says nothing of the time that frames take.
         prepared, self._prepared = self._prepared, True
@@ -234,4 +238,7 @@ class SceneDrawer:
             self._refused(kind, error)
         else:
             self._drawn[kind] = wanted
+            # What was baked for a surface that is shown already is drawn whole.
+            if kind == "surface" and (drawn is None or drawn.value is not wanted.value):
+                self._arrived = True
         return True

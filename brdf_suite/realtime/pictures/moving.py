@@ -14,6 +14,8 @@ from brdf_suite.realtime.pictures.light_pass import DEFAULT_SAMPLES
 BUDGET_MS = 90.0
 """A frame that takes longer does not follow the hand."""
 _ROOM = 1.3
+_MANY_TRIANGLES = 250_000
+_QUICK_MS = 25.0
 
 
 @dataclass(frozen=True)
@@ -45,15 +47,32 @@ class Pace:
         self._chosen = self._last = WHOLE
         self._begun: Coarseness | None = None
         self._known = {DEFAULT_SAMPLES}
+        self._arrives = self._wanted_whole = False
+        self._whole_ms: float | None = None
 
     @property
     def coarseness(self) -> Coarseness:
         """How to draw the next frame."""
+        if self._arrives:
+            return STEPS[-1]
         return self._chosen if self._moves else WHOLE
 
     def move(self) -> None:
         """Take the next frames for those of a movement."""
         self._moves = True
+
+    def arrive(self, triangles: int) -> None:
+        """Take the next frame for the first one of a surface: of very many triangles it is coarse, to come soon.
+
+        The one after it is as usual. The first is whole too where it is wanted so (:meth:`want_whole`), or where whole
+        frames were quick, as with a graphics card.
+        """
+        slow = self._whole_ms is None or self._whole_ms > _QUICK_MS
+        self._arrives = triangles >= _MANY_TRIANGLES and slow and not self._wanted_whole
+
+    def want_whole(self) -> None:
+        """Draw the next frame whole also where a surface arrives with it, as for a picture that is kept."""
+        self._wanted_whole = True
 
     def rest(self) -> bool:
         """Draw whole frames from now on; return whether the last one was coarser."""
@@ -64,6 +83,7 @@ class Pace:
     def begin_frame(self) -> Coarseness:
         """Return how to draw a frame that begins now."""
         self._begun = self._last = self.coarseness
+        self._arrives = self._wanted_whole = False
         return self._begun
 
     def end_frame(self, milliseconds: float) -> None:
@@ -74,6 +94,8 @@ class Pace:
         drawn, self._begun = self._begun, None
         if drawn is None:
             return
+        if drawn is WHOLE:
+            self._whole_ms = milliseconds
         if drawn.samples not in self._known:
             self._known.add(drawn.samples)
             return

@@ -157,6 +157,36 @@ def test_the_last_tab_leaves_an_empty_paint_and_an_empty_one_stays(designer):
     assert not designer.window.reopen_action.isEnabled()
 
 
+def test_all_tabs_close_together_and_what_is_shown_changes_once(three, dialogs):
+    lighten(three, 61)
+    shown, rows = [], []
+    three.documents.front_changed.connect(lambda: shown.append(three.documents.front.title))
+    choose(three, "File ▸ Close All Tabs")  # the answer is to cancel
+    assert dialogs.asked == ["Champagne"]
+    assert titles(three) == ["Red", "Copper", "• Champagne"]
+    dialogs.answer = Answer.DISCARD
+    three.documents.closed.connect(lambda document: rows.append(document.title))
+    choose(three, "File ▸ Close All Tabs")
+    assert (titles(three), shown) == (["Untitled"], ["Untitled"])
+    assert rows == ["Red", "Copper", "Champagne"]
+    choose(three, "File ▸ Close All Tabs")  # there is nothing to close
+    assert len(rows) == 3
+    QTest.keySequence(three.window, "Ctrl+Shift+T")
+    assert titles(three) == ["Untitled", "• Champagne"]
+
+
+def test_the_other_tabs_close_and_the_one_in_front_stays(three, dialogs):
+    lighten(three, 61)
+    three.window.tabs.setCurrentIndex(1)
+    lighten(three, 62)
+    dialogs.answer = Answer.DISCARD
+    choose(three, "File ▸ Close Other Tabs")
+    assert dialogs.asked == ["Champagne"]
+    assert titles(three) == ["• Copper"]
+    assert three.store.value.lab_at(15.0)[0] == 62.0
+    assert "File ▸ Close Other Tabs" not in dict(commands(three.window))
+
+
 def test_quitting_asks_for_every_unsaved_tab_and_one_cancel_keeps_all(three, dialogs, own_session):
     lighten(three, 61)
     three.window.tabs.setCurrentIndex(0)

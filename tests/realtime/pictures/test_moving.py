@@ -25,6 +25,25 @@ def test_slow_frames_get_coarser_only_while_something_moves() -> None:
     assert not pace.rest()
 
 
+def test_the_first_frame_of_a_large_surface_is_coarse_where_whole_ones_are_slow() -> None:
+    pace = Pace()
+    pace.arrive(1_000_000)  # nothing is known yet
+    assert pace.begin_frame() is STEPS[-1]
+    assert pace.begin_frame() is WHOLE
+    pace.end_frame(BUDGET_MS)
+    pace.arrive(10_000)
+    assert pace.begin_frame() is WHOLE
+    pace.arrive(1_000_000)
+    assert pace.begin_frame() is STEPS[-1]
+    assert pace.begin_frame() is WHOLE
+    pace.want_whole()
+    pace.arrive(1_000_000)
+    assert pace.begin_frame() is WHOLE
+    pace.end_frame(2.0)  # a graphics card
+    pace.arrive(1_000_000)
+    assert pace.begin_frame() is WHOLE
+
+
 def test_fast_frames_stay_whole_and_sizes_do_not_alternate() -> None:
     pace = Pace()
     pace.move()

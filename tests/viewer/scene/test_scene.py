@@ -21,8 +21,10 @@ from brdf_suite.documents.store import save_paint
 from brdf_suite.documents.view import Camera
 from brdf_suite.errors import GraphicsError
 from brdf_suite.pipeline.material import load_document
+from brdf_suite.pipeline.picture import SceneRenderer
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.progress import report
+from brdf_suite.realtime.pictures import moving
 
 
 def drop(viewer, *paths: Path) -> bool:
@@ -125,9 +127,33 @@ def test_a_bad_mesh_is_reported_and_the_old_one_stays(viewer, tmp_path) -> None:
     assert np.array_equal(viewer.pixels(), first)
 
 
-def test_a_dropped_mesh_is_drawn_and_framed(viewer, tmp_path) -> None:
-    mesh = tmp_path / "tetra.obj"
+def write_tetrahedron(folder: Path) -> Path:
+    mesh = folder / "tetra.obj"
     mesh.write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    return mesh
+
+
+def test_the_first_frame_of_a_large_surface_is_coarse_and_the_next_whole(
+    viewer, tmp_path, qtbot, monkeypatch
+) -> None:
+    drawn = []
+    draw = SceneRenderer.draw
+
+    def noted(self, view, framebuffer, size, coarseness=moving.WHOLE) -> None:
+        drawn.append((self.renderer.mesh.triangle_count, coarseness))
+        draw(self, view, framebuffer, size, coarseness)
+
+    monkeypatch.setattr(SceneRenderer, "draw", noted)
+    monkeypatch.setattr(moving, "_MANY_TRIANGLES", 1)
+    monkeypatch.setattr(moving, "_QUICK_MS", 0.0)
+    before = viewer.window.drawer.renderer.mesh.triangle_count
+    drop(viewer, write_tetrahedron(tmp_path))
+    qtbot.waitUntil(lambda: len([n for n, _ in drawn if n != before]) >= 2, timeout=60_000)
+    assert [c for n, c in drawn if n != before][:2] == [moving.STEPS[-1], moving.WHOLE]
+
+
+def test_a_dropped_mesh_is_drawn_and_framed(viewer, tmp_path) -> None:
+    mesh = write_tetrahedron(tmp_path)
     first = viewer.pixels()
     drop(viewer, mesh)
     viewer.wait_idle()

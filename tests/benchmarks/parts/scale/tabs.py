@@ -25,6 +25,7 @@ def main(count: int) -> None:
 def measure(count: int) -> dict[str, object]:
     from brdf_designer.assembly import Designer
     from brdf_qt.program.application import create_application
+    from PySide6.QtGui import QAction
 
     from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -42,16 +43,25 @@ def measure(count: int) -> dict[str, object]:
         turns.turn("open")
     turns.until("open", lambda: program.is_idle)
     opened, opened_cpu = perf_counter() - begun, process_time() - cpu
+    singly, few = perf_counter(), min(20, count - 1)
+    for _ in range(few):
+        turns.call("close one", lambda: documents.close(documents.front))
+        turns.turn("close one")
+    turns.until("close one", lambda: program.is_idle)
+    singly = (perf_counter() - singly) / few
+    for _ in range(few):
+        documents.reopen()
+        turns.turn("open")
+    turns.until("open", lambda: program.is_idle)
     begun, cpu = perf_counter(), process_time()
-    for _ in range(count):
-        turns.call("close", lambda: documents.close(documents.front))
-        turns.turn("close")
+    turns.call("close", program.window.findChild(QAction, "action_Close All Tabs").trigger)
     turns.until("close", lambda: program.is_idle)
     closed, closed_cpu = perf_counter() - begun, process_time() - cpu
     found = {
         "open_s": opened,
         "open_cpu_s": opened_cpu,
         "close_s": closed,
+        "close_one_s": singly,
         "close_cpu_s": closed_cpu,
         "left": len(documents.row),
         "turns_s": turns.longest_s,

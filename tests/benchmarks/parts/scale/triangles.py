@@ -107,22 +107,32 @@ def measure(path: Path) -> dict[str, object]:
     from brdf_suite.pipeline.material import default_paint, load_material
     from brdf_suite.pipeline.scene import default_view
     from brdf_suite.pipeline.surface import load_shaped
+    from brdf_suite.realtime.pictures.moving import Pace
 
     view = replace(default_view(), surface="sphere")
     with loaded_scene(view) as loaded:
         scene = loaded.scene
         scene.set_material(fit_material(load_material(default_paint().name)))
         target = scene.renderer.context.simple_framebuffer(SIZE)
+        pace = Pace()
+        pace.begin_frame()
+        drawn = perf_counter()
         scene.draw(loaded.composed(view, SIZE), target, SIZE)
         scene.renderer.context.finish()
+        pace.end_frame(1e3 * (perf_counter() - drawn))
         began, cpu = perf_counter(), process_time()
         mesh = load_shaped(str(path), view.surface_look)
         read, read_cpu = perf_counter(), process_time() - cpu
         scene.set_surface(mesh)
         handed = perf_counter()
-        scene.draw(loaded.composed(view, SIZE), target, SIZE)
+        pace.arrive(mesh.triangle_count)
+        coarseness = pace.begin_frame()
+        scene.draw(loaded.composed(view, SIZE), target, SIZE, coarseness)
         scene.renderer.context.finish()
         ended, cpu = perf_counter(), process_time() - cpu
+        scene.draw(loaded.composed(view, SIZE), target, SIZE)
+        scene.renderer.context.finish()
+        whole = perf_counter()
     return {
         "triangles": mesh.triangle_count,
         "read_s": read - began,
@@ -130,6 +140,8 @@ def measure(path: Path) -> dict[str, object]:
         "handed_over_s": handed - read,
         "draw_s": ended - handed,
         "first_frame_s": ended - began,
+        "first_frame_scale": coarseness.scale,
+        "whole_frame_s": whole - began,
         "cpu_s": cpu,
         "memory_mb": _turns.resident_mb("VmHWM"),
     }
