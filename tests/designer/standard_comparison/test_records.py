@@ -57,7 +57,7 @@ def test_a_file_has_its_standard_again_when_it_is_opened_the_next_time(program, 
     assert control.standard is None
 
 
-def test_a_paint_that_gets_a_file_takes_its_standard_along(program, control, fresh, tmp_path) -> None:
+def test_a_paint_that_gets_a_file_takes_its_standard_along(program, control, fresh, tmp_path, qtbot) -> None:
     control.take_present()
     darker = program.session.paint.with_lab(110.0, (6.0, 8.0, -28.0))
     program.session.set_paint(darker, "Darken")
