@@ -1,7 +1,7 @@
 """Ctrl-C while modules are imported: it takes effect once they are.
 
-``KeyboardInterrupt`` in the initialization of a library in C becomes an ``ImportError`` that blames the installation, or
-leaves a module that is half there.
+``KeyboardInterrupt`` in the initialization of a library in C becomes an ``ImportError`` that blames the installation,
+or leaves a module that is half there.
 """
 
 from __future__ import annotations
