@@ -5,7 +5,8 @@
 One process writes paints to the link's socket as fast as it takes them; each holds the time at which it was written.
 This process is the hub that they come to. ``oldest_s`` is the largest age of a value at its delivery, ``last_s`` the
 time from the end of the flood to the delivery of its last value, ``stall_ms`` the longest time between two turns of the
-event loop: what the link costs a window, without what the window draws. Status 1 where one is over its bound.
+event loop: what the link costs a window, without what the window draws. ``idle_stall_ms`` is the same before the flood:
+what other processes of the machine cost. Status 1 where one is over its bound.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_qt.link.address import LinkAddress
 from brdf_qt.link.link import LiveLink
-from brdf_qt.link.messages import HELLO, encode, next_seq
+from brdf_qt.link.messages import AHEAD_MS, HELLO, encode, next_seq
 from brdf_qt.program.application import create_application
 from PySide6.QtCore import QCoreApplication, QProcess, QTimer
 from PySide6.QtNetwork import QLocalSocket
@@ -51,6 +52,8 @@ def flood(name: str, seconds: float, size: int) -> int:
         now = time.monotonic()
         notes = f"{now} {_END if now >= end else filling}"
         seq = next_seq(seq)
+        while seq > time.monotonic_ns() // 1_000_000 + AHEAD_MS // 2:
+            time.sleep(0.001)  # numbers far ahead of the time are refused
         socket.write(encode("paint", paint_to_json(replace(paint, notes=notes)), "flood", seq).line)
         count += 1
         while socket.bytesToWrite() > size:
@@ -72,8 +75,8 @@ def measure(seconds: float, size: int) -> dict[str, float]:
     link.start()
     ages: list[float] = []
     last: list[float] = []
-    turns = [time.monotonic()]
-    longest = 0.0
+    turned = time.monotonic()
+    longest = {False: 0.0, True: 0.0}
 
     def received(_topic: str, value: dict[str, Any]) -> None:
         sent, rest = value["notes"].split(" ", 1)
@@ -83,11 +86,10 @@ def measure(seconds: float, size: int) -> dict[str, float]:
             app.quit()
 
     def turn() -> None:
-        nonlocal longest
+        nonlocal turned
         now = time.monotonic()
-        if ages:  # from the first value on: the start is not the flood's
-            longest = max(longest, now - turns[-1])
-        turns.append(now)
+        longest[bool(ages)] = max(longest[bool(ages)], now - turned)
+        turned = now
 
     link.received.connect(received)
     every = QTimer()
@@ -104,7 +106,7 @@ def measure(seconds: float, size: int) -> dict[str, float]:
         "--kilobytes",
         str(size / 1000),
     ]
-    process.start(sys.executable, words)
+    QTimer.singleShot(round(500 * seconds), lambda: process.start(sys.executable, words))
     QTimer.singleShot(round(1000 * seconds) + 60_000, app.quit)
     app.exec()
     process.waitForFinished(10_000)
@@ -115,7 +117,8 @@ def measure(seconds: float, size: int) -> dict[str, float]:
         "delivered": float(len(ages)),
         "oldest_s": max(ages, default=float("inf")),
         "last_s": last[0] if last else float("inf"),
-        "stall_ms": 1000.0 * longest,
+        "stall_ms": 1000.0 * longest[True],
+        "idle_stall_ms": 1000.0 * longest[False],
     }
 
 

@@ -63,7 +63,7 @@ def import_library(library: str) -> ModuleType:
 def needs_more_memory() -> str:
     """Return how a message says that reading took all the memory that it may take."""
     allowed = most_made_bytes() / 2**30
-    return f"needs more than {allowed:,.3g} GiB of memory ({variables.READ_MB} can allow more)"
+    return f"reading it takes more than {allowed:,.3g} GiB of memory ({variables.READ_MB} can allow more)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,7 +165,7 @@ def _run(
         except OSError as error:
             raise FileError(path, f"no process could be started to read it ({error.strerror})") from error
         if done.returncode != 0 or not answer.is_file():
-            why = f"damaged, or it {needs_more_memory()}: the library that reads it broke down"
+            why = f"the library that reads it broke down: it is damaged, or {needs_more_memory()}"
             raise FileError(path, why)
         check_made(path, answer.stat().st_size, "its triangles")
         content = read_bytes(answer)

@@ -44,11 +44,11 @@ def main(arguments: list[str]) -> int:
         _limit()
         found = read(Path(file), json.loads(options))
     except MemoryError:
-        found = ReadMesh([], refused=f"it {needs_more_memory()}")
+        found = ReadMesh([], refused=needs_more_memory())
     except Refused as refusal:
         said = str(refusal)
         # What C++ calls an allocation that failed; a library passes it on as its own message.
-        found = ReadMesh([], refused=f"it {needs_more_memory()}" if "bad_alloc" in said else said)
+        found = ReadMesh([], refused=needs_more_memory() if "bad_alloc" in said else said)
     except ExtraError as error:
         found = ReadMesh([], refused=error.reason)
     _write(Path(answer), found)
