@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 import time
 from dataclasses import replace
 
@@ -109,6 +110,28 @@ def test_a_file_that_is_open_comes_to_the_front_also_by_another_name_of_it(
     choose(designer, "File ▸ Open…")
     assert titles(designer) == ["• mine.brdfpaint", "Untitled"]
     assert designer.store.value.lab_at(15.0)[0] == 61.0
+
+
+def test_files_are_read_off_the_windows_thread_in_the_order_of_the_requests(
+    designer, tmp_path, qtbot, monkeypatch
+):
+    threads = set()
+    real = designer.documents.find_opener
+
+    def look(path):
+        threads.add(threading.current_thread())
+        return real(path)
+
+    monkeypatch.setattr(designer.documents, "find_opener", look)
+    files = [tmp_path / f"{name}.brdfpaint" for name in ("red", "copper")]
+    for file in files:
+        save_paint(load_shipped_paint(file.stem), file)
+    for file in (*files, files[0]):
+        designer.documents.open(file)
+    wait_until_read(designer, qtbot)
+    assert titles(designer) == ["red.brdfpaint", "copper.brdfpaint"], "no file is open twice"
+    assert designer.documents.front.title == "red.brdfpaint"
+    assert threading.main_thread() not in threads
 
 
 def test_tabs_are_dragged_into_another_order(three):
