@@ -5,8 +5,11 @@ Imported only by modules of kernels, which are imported where they are used: num
 
 from __future__ import annotations
 
+import os
+import stat
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeAlias, TypeVar, cast, overload
 
 from brdf_suite.extras import import_extra
@@ -31,8 +34,9 @@ def compiled(
 ) -> _Function | Callable[[_Function], _Function]:
     """Compile a function on its first call, or load it from disk where that has been done before.
 
-    Where numba finds no folder to keep it in, each process compiles it again; the function's ``stats.cache_path`` is
-    None then. ``in_order`` keeps every sum in the order in which it is written: the same numbers on any machine.
+    Where numba finds no folder to keep it in, or only one that other users may write to, each process compiles it
+    again; the function's ``stats.cache_path`` is None then. ``in_order`` keeps every sum in the order in which it is
+    written: the same numbers on any machine.
     """
     fastmath = False if in_order else _FREEDOMS
     if function is None:
@@ -43,6 +47,20 @@ def compiled(
 def _compiled(function: _Function, *, fastmath: bool | set[str]) -> _Function:
     compiler = partial(numba.njit, nogil=True, error_model="numpy", fastmath=fastmath)
     try:
-        return cast(_Function, compiler(cache=True)(function))
+        kept = compiler(cache=True)(function)
     except RuntimeError:  # "cannot cache function: no locator available"
         return cast(_Function, compiler()(function))
+    if _others_may_write(Path(kept.stats.cache_path)):
+        return cast(_Function, compiler()(function))
+    return cast(_Function, kept)
+
+
+def _others_may_write(folder: Path) -> bool:
+    """Return whether a folder from which code is loaded is another user's, or open to every user."""
+    if not hasattr(os, "getuid"):
+        return False
+    try:
+        found = folder.stat()
+    except OSError:
+        return False
+    return found.st_uid not in (0, os.getuid()) or bool(found.st_mode & stat.S_IWOTH)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import TabsLeft
@@ -45,12 +47,12 @@ from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import (
     PAINT_ENDING,
+    AnyPaint,
     load_paint,
     paint_from_json,
     paint_to_json,
     save_paint,
 )
-from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
 
@@ -111,10 +113,12 @@ class Designer(Program):
         names = paint_names()
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
         super().__init__(DesignerWindow())
+        self.reading = FileReading(self.window.progress, self.window)
         self.documents = Documents(
             first,
             paint_format(),
             dialogs(self.window),
+            self.reading,
             lambda error: error_relay().report(error, "autosave"),
             self.window,
         )
@@ -127,12 +131,14 @@ class Designer(Program):
         self.controller = Controller(self.window, self.session, self.window)
         self._has_closed_documents = False
         self._join()
-        self.features += (*(part(self.session, self.window) for part in PARTS), self.link)
+        self.features += (*(part(self.session, self.window) for part in PARTS), self.link, self.reading)
         part = DesignerProject(self.session, self.feature(PictureControl), self.feature(StandardControl))
         self.projects = ProjectFiles(self.window, part, self.documents.dialogs)
         self.features.append(self.projects)
         measured = self.feature(MeasuredControl)
-        self.documents.foreign = lambda path: self._open_project(path) or measured.open_foreign(path)
+        self.documents.find_opener = lambda path: (
+            partial(self.projects.open, path) if is_project(path) else measured.find_opener(path)
+        )
         self.fit.add_to_menu()
         self.window.complete()
         self.controller.start()
@@ -203,13 +209,6 @@ class Designer(Program):
         what = text.format(names=", ".join(tr("“{name}”").format(name=name) for name in names[:8]))
         self.window.show_message(Message("recovery", what, actions=actions))
 
-    def _open_project(self, path: Path) -> bool:
-        """Open a project, or say why it cannot be; False for other files."""
-        if not is_project(path):
-            return False
-        self.projects.open(path)
-        return True
-
     def open(self, name_or_path: str) -> None:
         """Open a paint by name or file; from any other material, named or in a file, a design is started."""
         # As the command has it: a shipped name is that paint, also where a file is called the same.
@@ -219,15 +218,20 @@ class Designer(Program):
         if is_file(name_or_path):
             self.documents.open(Path(name_or_path))
             return
-        try:
-            document = load_document(name_or_path)
-        except SuiteError as error:
+
+        def show(document: AnyPaint | None) -> None:
+            if isinstance(document, Paint):
+                self.session.open_paint(document)
+            else:
+                self.feature(MeasuredControl).open(name_or_path)
+
+        def failed(error: Exception) -> None:
             self.window.show_message(message_of(error, "open", todo=tr("The open paint is unchanged.")))
-            return
-        if isinstance(document, Paint):
-            self.session.open_paint(document)
-        else:
-            self.feature(MeasuredControl).open(name_or_path)
+
+        # A swatch of a palette's file, or a model.
+        self.reading.begin(
+            Path(name_or_path), lambda _path, _progress: load_document(name_or_path), show, failed
+        )
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that has to end is kept for the next start. Only once."""

@@ -140,7 +140,7 @@ class ViewerController(Program):
         self.tone = ToneControl(*parts)
         self.save = PictureExport(*parts, ask_picture, self.tone.grab_srgb)
         self.export = ExportControl(*parts)
-        self.views = ViewFiles(*parts, dialogs)
+        self.views = ViewFiles(*parts, self._tasks, dialogs)
         self.studio = StudioControl(*parts, self.scene, dialogs)
         self.recovered = ViewRecovery(*parts, self.paint, self.studio, self.views)
         self.lighting = LightingControl(*parts)

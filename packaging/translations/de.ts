@@ -14756,6 +14756,10 @@ h {hue}°</translation>
         <translation>glTF, OBJ, STL und PLY brauchen nichts weiter</translation>
     </message>
     <message>
+        <source>reading it takes more than {0} GiB of memory ({1} can allow more)</source>
+        <translation>das Lesen braucht mehr als {0} GiB Speicher ({1} kann mehr erlauben)</translation>
+    </message>
+    <message>
         <source>reading it takes more than {0} s; make it smaller</source>
         <translation>das Lesen dauert länger als {0} s; verkleinern Sie es</translation>
     </message>
@@ -14764,8 +14768,8 @@ h {hue}°</translation>
         <translation>es ließ sich kein Prozess starten, um sie zu lesen ({0})</translation>
     </message>
     <message>
-        <source>damaged, or too large: the library that reads it broke down</source>
-        <translation>beschädigt oder zu groß: Die Bibliothek, die sie liest, ist abgestürzt</translation>
+        <source>the library that reads it broke down: it is damaged, or {0}</source>
+        <translation>die Bibliothek, die sie liest, ist abgestürzt: Sie ist beschädigt, oder {0}</translation>
     </message>
     <message>
         <source>its triangles</source>

@@ -366,14 +366,15 @@ def test_every_control_has_a_name_for_a_screen_reader(designer):
     assert len(set(names)) == len(names)
 
 
-def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, tmp_path) -> None:
+def test_a_double_click_on_a_number_goes_back_to_the_opened_document(designer, tmp_path, qtbot) -> None:
 
     from brdf_suite.documents.store import save_paint
 
     file = tmp_path / "matte.brdfpaint"
     paint = load_shipped_paint("satin_blue")
     save_paint(paint, file)
-    assert designer.documents.open(file)
+    designer.documents.open(file)
+    qtbot.waitUntil(lambda: designer.reading.is_idle)
     gloss = designer.window.coat.daily.fields["gloss.gu_20"]
     lightness = designer.window.editors.editors[0].fields[0]
     for field, value in ((gloss, gloss.value() + 3.0), (lightness, 20.0)):

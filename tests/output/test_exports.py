@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import shutil
 import subprocess
 import sys
 from dataclasses import replace
@@ -318,6 +319,17 @@ def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(lit: View, tmp
         rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))
     # Of the title and of the notices about the light there are more lines than two; gaps part them.
     assert 1 + np.count_nonzero(np.diff(rows) > 1) >= 6
+
+
+def test_a_sheet_of_a_folder_leaves_out_what_a_killed_writer_left(tmp_path: Path) -> None:
+    path = tmp_path / "white.brdfpaint"
+    save_paint(WHITE, path)
+    shutil.copy(path, tmp_path / ".white.0123456789abcdef.brdfpaint")
+    _, items = sheet_items(tmp_path)
+    assert [item.name for item in items] == [WHITE.name]
+    path.unlink()
+    with pytest.raises(FileError, match="holds no"):
+        sheet_items(tmp_path)
 
 
 def test_a_sheet_of_a_folder_reports_what_cannot_be_read(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import threading
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
@@ -221,3 +222,23 @@ def test_the_tabs_of_an_ended_run_are_found_by_the_newest_record_alone(qapp, own
     assert mine.left() is None
     mine.close(keep=False)
     assert not mine.file.exists()
+
+
+def test_an_autosave_reaches_the_disk_on_another_thread(qtbot, own_settings, monkeypatch):
+    flushed: list[tuple[bool, int]] = []
+    real = os.fsync
+
+    def fsync(descriptor: int) -> None:
+        is_window = threading.current_thread() is threading.main_thread()
+        flushed.append((is_window, os.fstat(descriptor).st_ino))
+        real(descriptor)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    store = DocumentStore(0)
+    recovery = Recovery(store, NUMBERS, fail)
+    store.set(5, "Step")
+    assert recovery.write()
+    wanted = {recovery.file.stat().st_ino, recovery.folder.stat().st_ino if os.name != "nt" else 0} - {0}
+    qtbot.waitUntil(lambda: wanted <= {inode for _, inode in flushed})
+    assert not any(is_window for is_window, _ in flushed)
+    recovery.close(keep=False)

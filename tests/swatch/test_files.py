@@ -231,13 +231,14 @@ def test_every_kind_of_material_is_added_or_opened(swatch, materials, qtbot) -> 
     qtbot.waitUntil(lambda: len(swatch.library.items) > palettes)
 
 
-def test_the_paints_of_a_project_come_as_a_palette(swatch, names, tmp_path) -> None:
+def test_the_paints_of_a_project_come_as_a_palette(swatch, names, tmp_path, qtbot) -> None:
     path = tmp_path / "spring.brdfproject"
     reds = tuple(solid_paint(name, (50.0, 40.0, 20.0)) for name in ("Red A", "Red B"))
     save_project(Project("Spring", reds), path)
     swatch.window.open_requested.emit(path)
-    assert swatch.session.palette.name == "Spring"
+    qtbot.waitUntil(lambda: swatch.session.palette is not None and swatch.session.palette.name == "Spring")
     assert names(swatch) == ["Red A", "Red B"]
     path.write_bytes(b"PK")
     swatch.window.open_requested.emit(path)
+    qtbot.waitUntil(lambda: "project" in swatch.window.messages.shown())
     assert "damaged" in swatch.window.messages.shown()["project"].what

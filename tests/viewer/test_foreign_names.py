@@ -36,9 +36,11 @@ def test_names_are_plain_text_in_the_whole_window(start, lights, walks, qtbot, t
     lobes = tmp_path / f"{walks.HOSTILE_FILE} lobes.brdfpaint"
     save_paint(replace(load_document("table1_blue"), name=walks.HOSTILE), lobes)
     viewer.controller.paint.open(str(lobes))
+    viewer.wait_idle()
     palette = tmp_path / f"{walks.HOSTILE_FILE}.brdfpalette"
     save_palette(Palette(walks.HOSTILE, (Entry(copper),)), palette)
     viewer.controller.paint.open_palette(str(palette))
+    viewer.wait_idle()
     light = tmp_path / f"{walks.HOSTILE_FILE}.exr"
     shutil.copy(lights["dim"], light)
     open_and_wait(viewer, "environment", light)
@@ -54,6 +56,7 @@ def test_names_are_plain_text_in_the_whole_window(start, lights, walks, qtbot, t
     viewer.window.relief.normal_map.open.click()
     for missing in ("none.brdfpaint", "none.exr", "none.obj"):  # reported in messages, with their names
         viewer.controller.open_file(str(tmp_path / f"{walks.HOSTILE_FILE} {missing}"))
+        viewer.wait_idle()
     viewer.wait_idle()
     viewer.controller.export.dialog.open_for("picture")
     designer = LiveLink("designer")

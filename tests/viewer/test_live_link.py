@@ -176,11 +176,13 @@ def test_designers_paint_is_shown_while_it_is_followed(viewer) -> None:
 def test_a_file_ends_following_and_a_bad_one_changes_nothing(viewer, tmp_path) -> None:
     paint, state, first = viewer.controller.paint, viewer.state, viewer.state.fit
     paint.open(str(tmp_path / "nowhere.brdfpaint"))
+    viewer.wait_idle()
     assert "nowhere" in viewer.messages()["paint"]
     assert (paint.following, state.fit) == (True, first)
     file = tmp_path / "red.brdfpaint"
     save_paint(RED, file)
     paint.open(str(file))
+    viewer.wait_idle()
     assert (paint.following, state.fit.name, state.paint_key) == (False, "red", str(file))
 
 

@@ -115,16 +115,15 @@ def designer(scale: float, folder: Path) -> list[Sample]:
         save_paint(load_shipped_paint(name), files[-1])
     session, found = program.session, []
     for number in range(MOST_CLOSED + 1):  # so many are kept when they are closed
-        assert program.documents.open(files[number % len(files)])
-        settle(lambda: not session.is_fitting)
+        program.documents.open(files[number % len(files)])
+        settle(lambda: program.reading.is_idle and not session.is_fitting)
         program.documents.close(program.documents.front)
     edits, openings = round(EDITS * scale / ROUNDS), max(1, round(OPENINGS * scale / 2 / ROUNDS))
     for turn in range(ROUNDS):
         theme.apply(app, ("dark", "light")[turn % 2], remember=False)
         for number in range(openings):
-            document = program.documents.open(files[(turn + number) % len(files)])
-            assert document
-            settle(lambda: not session.is_fitting)
+            program.documents.open(files[(turn + number) % len(files)])
+            settle(lambda: program.reading.is_idle and not session.is_fitting)
             for step in range(max(1, edits // openings)):
                 lightness = session.paint.measurements[0].lab[0]
                 session.edit(SetLab(0, 0, lightness + (0.5, -0.5)[step % 2]))

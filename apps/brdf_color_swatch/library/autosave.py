@@ -14,7 +14,7 @@ from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery import MOST_STATES, KeptHistory, Recovered, Recovery
+from brdf_qt.documents.recovery import MOST_STATES, KeptHistory, Recovered, Recovery, flush_later
 from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -133,6 +133,7 @@ class PaletteRecovery(Recovery[Palette]):
 
     def _write_now(self, file: Path) -> None:
         write_draft((self._request(), self._new_draft()), lambda *_: None).replace(file)
+        flush_later(file)
 
     def _new_draft(self) -> Path:
         # One that was dropped may still be being written.
@@ -216,6 +217,7 @@ class PaletteRecovery(Recovery[Palette]):
         self._hold_lock()
         try:
             draft.replace(file)
+            flush_later(file)
             other.unlink(missing_ok=True)
         except OSError as error:
             draft.unlink(missing_ok=True)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.project_files import ProjectFiles
 from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
@@ -17,8 +19,8 @@ from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.project_part import SwatchProject
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
-from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette, new_id
+from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import (
@@ -58,6 +60,7 @@ class FileCommands(SwatchFeature):
         self._close = add("file", mark("&Close Palette"), "close", self.close_palette, "close", icon="x")
         window.menus["file"].addSeparator()
         self.projects = ProjectFiles(window, SwatchProject(session), session.library.dialogs)
+        self.reading = FileReading(window.progress, window)
         for action in (new, opened, self._close):
             window.add_library_button(action)
         for action in (new, opened, self._save):
@@ -82,16 +85,25 @@ class FileCommands(SwatchFeature):
 
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
-        session = self._session
-        if path is not None and is_project(path):
-            self.projects.open(path)
-            return
-        if path is not None and _names_material(path):
-            self._add_material(str(path))
-            return
-        key = session.loader.ask_open(path)
+        # Also one of ours waits for those that were asked for before it.
+        if path is not None and (path.suffix.lower() != PALETTE_ENDING or not self.reading.is_idle):
+            self.reading.begin(path, self._find_opener, lambda opener: opener(), self._on_add_failed)
+        else:
+            self._open_palette(path)
+
+    def _open_palette(self, path: Path | None) -> None:
+        key = self._session.loader.ask_open(path)
         if key is not None:
-            session.show_scope(Scope(key))
+            self._session.show_scope(Scope(key))
+
+    def _find_opener(self, path: Path, progress: Progress) -> Callable[[], None]:
+        """Return what shows a file, on the thread that reads it; palettes are read by the library."""
+        progress(0.0, path.name)
+        if is_project(path):
+            return partial(self.projects.open, path)
+        if not _names_material(path):
+            return partial(self._open_palette, path)
+        return partial(self._add_paint, _read_paint(str(path), progress))
 
     def open_shipped(self) -> None:
         """Open the shipped paints as a palette without a file, which is read-only; show it where it is open."""
@@ -147,20 +159,6 @@ class FileCommands(SwatchFeature):
         if focused is not None:
             focused.clearFocus()
             focused.setFocus()
-
-    def _add_material(self, name: str) -> None:
-        try:
-            document = load_document(name)
-        except SuiteError as error:
-            self._on_add_failed(error)
-            return
-        if document is not None:
-            self._add_paint(document)
-            return
-        # Measured data and models have no document: the virtual instruments read a paint from them.
-        self._session.library.tasks.submit(
-            f"add {name}", _read_paint, name, done=self._add_paint, failed=self._on_add_failed
-        )
 
     def _add_paint(self, paint: AnyPaint) -> None:
         if self._session.palette is None or self._session.is_read_only:
@@ -232,7 +230,11 @@ def _names_material(path: Path) -> bool:
         return False
 
 
-def _read_paint(name: str, progress: Progress) -> Paint:
+def _read_paint(name: str, progress: Progress) -> AnyPaint:
+    document = load_document(name)
+    if document is not None:
+        return document
+    # Measured data and models have no document: the virtual instruments read a paint from them.
     from brdf_suite.paint_design.measured_start import load_start  # much to import, and few palettes need it
 
     return load_start(name, progress=progress).paint

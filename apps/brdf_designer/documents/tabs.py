@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import OpenTab, TabsLeft, TabsRecord
@@ -22,7 +24,18 @@ from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress
 
+Opener = Callable[[], None]
+"""Shows what was read of a file; called on the thread of the window."""
+FindOpener = Callable[[Path], Opener | None]
+"""Reads a file that is no paint of Designer's; ``None`` where it is one, or an error that opening it reports.
+
+Raises :class:`SuiteError` where it is damaged.
+"""
+_Files = dict[Path, "tuple[Paint, FileStamp | None] | SuiteError"]
+"""What files hold, or why they cannot be read."""
 MOST_CLOSED = 20
 """Closed tabs that can be reopened, each with its undo history."""
 
@@ -84,6 +97,7 @@ class Documents(QObject):
         first: Paint,
         form: DocumentFormat[Paint],
         dialogs: QtDialogs,
+        reading: FileReading,
         autosave_failed: Callable[[BaseException], None],
         parent: QObject | None = None,
     ) -> None:
@@ -91,8 +105,10 @@ class Documents(QObject):
         self._format, self._autosave_failed = form, autosave_failed
         self.dialogs = dialogs
         """Asks the user for files."""
-        self.foreign: Callable[[Path], bool] | None = None
-        """Asked first about every file to be opened; True where it is no paint of ours, and is taken care of."""
+        self.reading = reading
+        """Reads them on a thread."""
+        self.find_opener: FindOpener = lambda _path: None
+        """Called first with every file to be opened, on a thread."""
         self._last_key = 0
         self._closed: list[OpenDocument] = []
         self._front = self._made(DocumentStore(first, self), pristine=True)
@@ -123,27 +139,40 @@ class Documents(QObject):
         """Open an empty paint."""
         self.add(self._format.new())
 
-    def open(self, path: Path | None = None) -> bool:
-        """Open ``path``, or ask for one; a file that is open comes to the front. True where it is shown."""
+    def open(self, path: Path | None = None) -> None:
+        """Open ``path``, or ask for one, read on a thread; a file that is open comes to the front."""
         files = self._front.files
         if path is None:
             path = files.ask_open_path()
             if path is None:
-                return False
+                return
         present = self.with_path(path)
         if present is not None:
             self.show(present)
-            return True
-        if self.foreign is not None and self.foreign(path):
-            return True
-        read = files.read(path)
-        if read is None:
-            return False
-        value, stamp = read
-        self.add(value, path.absolute(), stamp=stamp)
-        files.remember(path.absolute())
+            return
+        asked = path
+
+        def read(path: Path, progress: Progress) -> Opener:
+            progress(0.0, path.name)
+            opener = self.find_opener(path)
+            if opener is not None:
+                return opener
+            progress(0.5, path.name)
+            return partial(self._take, path.absolute(), *files.read(path))
+
+        self.reading.begin(
+            asked, read, lambda opener: opener(), lambda error: files.report_unread(asked, error)
+        )
+
+    def _take(self, path: Path, value: Paint, stamp: FileStamp | None) -> None:
+        """Show what a file holds, in a tab of its own unless it was opened meanwhile."""
+        present = self.with_path(path)
+        if present is not None:
+            self.show(present)
+            return
+        self.add(value, path, stamp=stamp)
+        self._front.files.remember(path)
         self.succeeded.emit("open")
-        return True
 
     def ask(self, named: str) -> Path | None:
         """Ask for a file, beside that of the paint in front; ``named`` is the filter of the kinds that fit."""
@@ -176,14 +205,40 @@ class Documents(QObject):
     def restore_tabs(self, left: TabsLeft) -> None:
         """Bring the tabs of a run that was ended back, in their order; the unsaved ones are recovered before.
 
-        Saved ones are read from their files; what is gone is left out, and what was open besides stays at the right.
+        Saved ones are read from their files on a thread; what is gone is left out, and what was open besides stays at
+        the right.
         """
+        paths = [tab.path for tab in left.tabs if tab.path is not None and self.with_path(tab.path) is None]
+        files = self._front.files
+
+        def read(_first: Path, progress: Progress) -> _Files:
+            found: _Files = {}
+            for place, path in enumerate(paths):
+                progress(place / len(paths), path.name)
+                if path.is_file():
+                    try:
+                        found[path] = files.read(path)
+                    except SuiteError as error:
+                        found[path] = error
+            return found
+
+        if paths:
+            self.reading.begin(
+                paths[0],
+                read,
+                partial(self._restore, left),
+                lambda error: files.report_unread(paths[0], error),
+            )
+        else:
+            self._restore(left, {})
+
+    def _restore(self, left: TabsLeft, files: _Files) -> None:
         found: list[OpenDocument] = []
         front = self._front
         for place, tab in enumerate(left.tabs):
             document = next((one for one in self._row if one.autosave == tab.autosave != ""), None)
             if document is None:
-                document = self._restored(tab)
+                document = self._restored(tab, files)
             if document is not None and document not in found:
                 found.append(document)
                 if place == left.front:
@@ -206,7 +261,7 @@ class Documents(QObject):
         history = self._front.recovery.saved_history(tab.autosave)
         return "" if history is None else history.states[history.place][1].name
 
-    def _restored(self, tab: OpenTab) -> OpenDocument | None:
+    def _restored(self, tab: OpenTab, files: _Files) -> OpenDocument | None:
         """Open a saved tab with its history, where that still ends in what the file holds."""
         history = self._front.recovery.saved_history(tab.autosave)
         if tab.path is None:
@@ -215,9 +270,14 @@ class Documents(QObject):
             document = self.add(history.states[history.place][1])
         else:
             present = self.with_path(tab.path)
-            if present is not None or not tab.path.is_file() or not self.open(tab.path):
+            read = files.get(tab.path)
+            if present is not None or read is None:
                 return present
-            document = self._front
+            if isinstance(read, SuiteError):
+                self._front.files.report_unread(tab.path, read)
+                return None
+            document = self.add(read[0], tab.path, stamp=read[1])
+            self._front.files.remember(tab.path)
         store = document.store
         if history is not None and history.states[history.place][1] == store.value:
             place = history.place

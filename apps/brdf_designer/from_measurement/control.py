@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
+from brdf_designer.documents.tabs import Opener
 from brdf_designer.from_measurement.section import ANGLE_SETS, MeasuredSection, start_patterns
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard_comparison.control import StandardControl
@@ -71,35 +73,36 @@ class MeasuredControl(Feature, QObject):
             ),
         )
         session.document_switched.connect(self._show)
-        session.documents.foreign = self.open_foreign
+        session.documents.find_opener = self.find_opener
 
     def ask(self) -> None:
         """Ask for something measured, and start a design from it."""
         named = tr("Measured files and paints ({patterns})").format(patterns=start_patterns())
         path = self._session.documents.ask(named)
-        if path is not None and not self.open_foreign(path):
-            self.open(path)
+        if path is None:
+            return
+
+        def read(path: Path, progress: Progress) -> Opener:
+            progress(0.0, path.name)
+            return self.find_opener(path) or partial(self.open, path)
+
+        self._session.documents.reading.begin(path, read, lambda opener: opener(), self._complain)
 
     def open(self, name_or_path: str | Path) -> None:
         """Read a measured file, or a paint of any kind, and open what was read as a new paint."""
         chosen = settings().value(_SET, START_SET, type=str)
         self._submit(_Request(str(name_or_path), chosen if chosen in dict(ANGLE_SETS) else START_SET))
 
-    def open_foreign(self, path: Path) -> bool:
-        """Take care of a file that is to be opened and is no paint designed by its angles; see :class:`Documents`."""
-        try:
-            handed = _handed_over(path)
-        except SuiteError as error:
-            self._session.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
-            return True
+    def find_opener(self, path: Path) -> Opener | None:
+        """Read a file that is no paint designed by its angles; see :attr:`Documents.find_opener`."""
+        handed = _handed_over(path)
         if handed is not None:
-            self._open_all(path, handed)
-            return True
-        if not _is_measurement(path):
-            return False
+            return partial(self._open_all, path, handed)
+        return partial(self._open_measured, path) if _is_measurement(path) else None
+
+    def _open_measured(self, path: Path) -> None:
         self._session.documents.front.files.remember(path.absolute())
         self.open(path)
-        return True
 
     def _open_all(self, path: Path, handed: ImportedPaints) -> None:
         """Open the paints of a hand-over, each in a tab of its own."""
@@ -143,10 +146,12 @@ class MeasuredControl(Feature, QObject):
 
         def failed(error: Exception) -> None:
             progress.end_job(KEY)
-            todo = tr("The open paints are unchanged.")
-            self._session.show_message(message_of(error, "open", todo=todo))
+            self._complain(error)
 
         self._tasks.submit(KEY, _read, request, done, failed, moved)
+
+    def _complain(self, error: Exception) -> None:
+        self._session.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
 
     def _opened(self, request: _Request, start: MeasuredStart) -> None:
         self._session.dismiss_message("open")

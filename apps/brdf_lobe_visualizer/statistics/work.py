@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from brdf_qt.program.translation import tr
+from brdf_qt.window.late_progress import LateProgress
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Signal
 
-from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow

@@ -10,12 +10,12 @@ from typing import Any
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.late_progress import LateProgress
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
-from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial

@@ -76,10 +76,13 @@ class DocumentFiles(QObject, Generic[T]):
         if not self.may_discard():
             return False
         path = path or self.ask_open_path()
-        read = None if path is None else self.read(path)
-        if path is None or read is None:
+        if path is None:
             return False
-        value, stamp = read
+        try:
+            value, stamp = self.read(path)
+        except SuiteError as error:
+            self.report_unread(path, error)
+            return False
         self.store.replace(value, path.absolute(), stamp=stamp)
         self.remember(path.absolute())
         self.succeeded.emit("open")
@@ -89,20 +92,22 @@ class DocumentFiles(QObject, Generic[T]):
         """Ask which file to open; ``None`` where the user gives up."""
         return self.dialogs.open_path(self._folder(), self.format.filters)
 
-    def read(self, path: Path) -> tuple[T, FileStamp | None] | None:
-        """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` reports."""
+    def read(self, path: Path) -> tuple[T, FileStamp | None]:
+        """Return what ``path`` holds, and its stamp; on any thread.
+
+        Raises :class:`~brdf_suite.errors.SuiteError` where it cannot be read; see :meth:`report_unread`.
+        """
         # Before the content is read: a change in between is then asked about once too often, never lost.
         stamp = stamp_of(path)
         remove_unfinished(path)
-        try:
-            value = self.format.load(path)
-        except SuiteError as error:
-            todo = tr("The {kind} that was open is unchanged.").format(kind=tr(self.format.kind))
-            self.failed.emit(message_of(error, "open", todo=todo))
-            RecentFiles().remove(path)
-            self.recent_changed.emit()
-            return None
-        return value, stamp
+        return self.format.load(path), stamp
+
+    def report_unread(self, path: Path, error: Exception) -> None:
+        """Report a file that could not be read, and list it no more."""
+        todo = tr("The {kind} that was open is unchanged.").format(kind=tr(self.format.kind))
+        self.failed.emit(message_of(error, "open", todo=todo))
+        RecentFiles().remove(path)
+        self.recent_changed.emit()
 
     def save(self) -> bool:
         """Write the document to its file, asking for one where it has none; True where it was written.

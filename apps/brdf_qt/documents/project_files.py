@@ -8,6 +8,7 @@ from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.projects import OpenedProject, as_opened, open_project, projects_folder
 from brdf_qt.documents.recent_files import folder_beside, recent_projects
 from brdf_qt.documents.stamp import FileStamp, stamp_of
@@ -62,6 +63,7 @@ class ProjectFiles(Feature, QObject):
         super().__init__(window)
         self._window, self._part, self._dialogs = window, part, dialogs
         self._tasks = TaskRunner(self, threads=1)
+        self._reading = FileReading(window.progress, self)
         self.opened: OpenedProject | None = None
         """The project that was opened or saved last."""
         self._stamp: FileStamp | None = None
@@ -75,10 +77,11 @@ class ProjectFiles(Feature, QObject):
 
     @property
     def is_idle(self) -> bool:
-        return not self._tasks.busy
+        return not self._tasks.busy and self._reading.is_idle
 
     def close(self) -> None:
         """Wait for a project that is being written: it is there whole, or not at all."""
+        self._reading.close()
         self._tasks.stop(_CLOSING_MS)
 
     def ask_open(self) -> None:
@@ -87,23 +90,23 @@ class ProjectFiles(Feature, QObject):
         if path is not None:
             self.open(path)
 
-    def open(self, path: Path) -> bool:
-        """Open a project; False where it cannot be read, which a message says."""
+    def open(self, path: Path) -> None:
+        """Read a project on a thread, and show it; a message says why one cannot be read."""
         # A folder that was unpacked is chosen by its manifest.
         path = (path.parent if path.name == MANIFEST else path).absolute()
-        stamp = _stamp(path)
-        try:
-            opened = open_project(path)
-        except SuiteError as error:
+
+        def failed(error: Exception) -> None:
             todo = tr("What was open is unchanged.")
             self._window.show_message(message_of(error, KEY, todo=todo))
             recent_projects().remove(path)
-            return False
+
+        self._reading.begin(path, _read, self._show, failed)
+
+    def _show(self, found: tuple[OpenedProject, FileStamp | None]) -> None:
         self._window.dismiss_message(KEY)
-        self.opened, self._stamp = opened, stamp
-        recent_projects().add(path)
-        self._part.show_project(opened)
-        return True
+        self.opened, self._stamp = found
+        recent_projects().add(self.opened.path)
+        self._part.show_project(self.opened)
 
     def save(self) -> None:
         """Write what is open, with the other parts of the project; a folder is written again, a file asked for."""
@@ -179,6 +182,13 @@ class ProjectFiles(Feature, QObject):
 
 def _stamp(path: Path) -> FileStamp | None:
     return stamp_of(path / MANIFEST if path.is_dir() else path)
+
+
+def _read(path: Path, progress: Progress) -> tuple[OpenedProject, FileStamp | None]:
+    # The stamp first: a change in between is then asked about once too often, never lost.
+    stamp = _stamp(path)
+    progress(0.1, path.name)
+    return open_project(path), stamp
 
 
 def _filters() -> str:

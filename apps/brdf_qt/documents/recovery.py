@@ -8,15 +8,18 @@ saved or discarded.
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import uuid
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QLockFile, QObject, Signal
+from PySide6.QtCore import QLockFile, QObject, QThreadPool, Signal
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
@@ -24,6 +27,7 @@ from brdf_qt.documents.stamp import FileStamp
 from brdf_qt.program.settings import state_folder
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
+from brdf_suite.documents.atomic import sync_folder
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.regular_files import read_bytes
 
@@ -337,7 +341,7 @@ def _saved_file(autosave: Path) -> Path:
 
 
 def _replace(file: Path, text: str) -> None:
-    # No fsync: what a killed process has written stays in the system, and this runs between two frames.
+    # What a killed process has written stays in the system. The disk gets it on a thread: this runs between two frames.
     draft = file.with_suffix(".tmp")
     try:
         draft.write_text(text, encoding="utf-8")
@@ -345,6 +349,20 @@ def _replace(file: Path, text: str) -> None:
     except OSError:
         draft.unlink(missing_ok=True)
         raise
+    flush_later(file)
+
+
+def flush_later(file: Path) -> None:
+    """Have a thread force a file and the entry of its folder to the disk; a power loss from then on leaves it whole."""
+    QThreadPool.globalInstance().start(partial(_flush, file))
+
+
+def _flush(file: Path) -> None:
+    # The file may be gone or replaced by now, and some file systems cannot: the autosave is there all the same.
+    with contextlib.suppress(OSError):
+        with file.open("rb+") as written:
+            os.fsync(written.fileno())
+        sync_folder(file.parent)
 
 
 def _aside(file: Path) -> Path:

@@ -10,10 +10,12 @@ from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
+from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress
 from brdf_suite.realtime.camera import resolve
 from brdf_viewer.documents.file_kinds import with_ending
 from brdf_viewer.feature import ViewerFeature
@@ -27,9 +29,13 @@ _MESSAGE_MS = 6000
 class ViewFiles(ViewerFeature):
     """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back."""
 
-    def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: QtDialogs) -> None:
+    def __init__(
+        self, state: ViewerState, window: ViewerWindow, runner: TaskRunner, dialogs: QtDialogs
+    ) -> None:
         super().__init__(state, window)
-        self._dialogs = dialogs
+        self._runner, self._dialogs = runner, dialogs
+        self._is_reading = False
+        window.busy_cancelled.connect(self._cancel)
         self._recent = RecentFiles(f"recent/{KIND}")
         window.commands.save_view.triggered.connect(self.save)
         window.commands.save_view_as.triggered.connect(self.save_as)
@@ -40,18 +46,32 @@ class ViewFiles(ViewerFeature):
         """The file that Save writes to; None before the first one."""
         return self._state.history.path
 
-    def open(self, path: str) -> bool:
-        """Show the view in a file; True where that was done."""
+    @property
+    def is_idle(self) -> bool:
+        return not self._is_reading
+
+    def open(self, path: str) -> None:
+        """Read the view in a file on a thread, and show it."""
         file = Path(path).absolute()
-        stamp = stamp_of(file)
-        try:
-            view = load_view(file)
-        except SuiteError as error:
+
+        def done(found: tuple[View, FileStamp | None]) -> None:
+            self._is_reading = False
+            self.show(found[0])
+            self._take(file, found[1])
+
+        def failed(error: Exception) -> None:
+            self._is_reading = False
             self._report(error, KIND, tr("The picture is unchanged. Choose another view."))
-            return False
-        self.show(view)
-        self._take(file, stamp)
-        return True
+
+        self._is_reading = True
+        self._window.set_busy(KIND, 0.0, file.name)
+        self._run(self._runner, KIND, _read, file, done, failed)
+
+    def _cancel(self, kind: str) -> None:
+        if kind == KIND and self._is_reading:
+            self._is_reading = False
+            self._runner.cancel(KIND)
+            self._window.set_idle(KIND)
 
     def show(self, view: View) -> None:
         """Show a view, one step of the history; the file that Save writes to stays."""
@@ -108,3 +128,9 @@ class ViewFiles(ViewerFeature):
 
     def _list(self) -> None:
         self._window.commands.set_recent(KIND, self._recent.paths())
+
+
+def _read(file: Path, progress: Progress) -> tuple[View, FileStamp | None]:
+    progress(0.0, file.name)
+    stamp = stamp_of(file)
+    return load_view(file), stamp

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -147,15 +148,11 @@ class PaintControl(ViewerFeature):
             self.set_following(False)
             self._show(self._paints[key], key)
             return
-        file = key not in self._names and is_file(key)
-        key = str(Path(key).absolute()) if file else key
-        kind = document_kind(key) if file else "paint"
-        if kind == "palette":
-            self.open_palette(key)
-        elif kind is None:
-            self._load(key)
-        elif self._show_document(key, instead_of_designer=True) and file:
-            self._remember(key)
+        if key in self._names:
+            self.set_following(False)
+            self._show_document(key)
+        else:
+            self._load(str(Path(key).absolute()) if is_file(key) else key)
 
     def name_of(self, key: str) -> str:
         """Return the name by which a listed paint is loaded: of a swatch, its entry in the palette's file."""
@@ -163,14 +160,7 @@ class PaintControl(ViewerFeature):
 
     def open_palette(self, path: str) -> None:
         """Go through the paints of a palette from now on, and show its first."""
-        path = str(Path(path).absolute())
-        try:
-            palette = load_palette_file(path).palette
-        except SuiteError as error:
-            self._complain(error)
-            return
-        self._recent_palettes.add(path)
-        self.go_through(path, palette)
+        self._load(str(Path(path).absolute()), is_palette=True)
 
     def go_through(self, path: str, palette: Palette) -> None:
         """Go through the paints of a palette that was read from ``path``, and show its first."""
@@ -200,38 +190,39 @@ class PaintControl(ViewerFeature):
         name = default_paint_name()
         self._show(load_shipped_paint(name), name)
 
-    def _show_document(self, key: str, *, instead_of_designer: bool = False) -> bool:
+    def _show_document(self, key: str) -> None:
         """Show the paint of a name or file; what has no document is loaded in the background."""
         try:
             document = load_document(key)
         except SuiteError as error:
             self._complain(error)
-            return False
+            return
         if document is None:
             self._load(key)
-            return False
-        if instead_of_designer:
-            self.set_following(False)
-        self._show(document, key)
-        return True
+        else:
+            self._show(document, key)
 
-    def _load(self, key: str) -> None:
-        """Load and fit what is no paint document in the background; the paint on show stays until it is there."""
+    def _load(self, key: str, *, is_palette: bool = False) -> None:
+        """Load what a file has in the background; the paint on show stays until it is there."""
         self._loading = key
         title = title_of(key)
         self._window.set_busy(_KEY, 0.0, title)
         loaded = partial(self._loaded, key)
-        work = partial(_load_and_fit, self._state.fitting)
-        self._run(self._runner, _KEY, work, key, loaded, self._not_loaded, f"{title}: ")
+        request = _Request(key, is_palette, self._state.fitting)
+        self._run(self._runner, _KEY, _read, request, loaded, self._not_loaded, f"{title}: ")
 
-    def _loaded(self, key: str, fit: LobeFit | None) -> None:
+    def _loaded(self, key: str, found: _Found) -> None:
         self._cancel(_KEY)
-        if fit is None:
-            self.open_palette(key)
+        if found.palette is not None:
+            self._recent_palettes.add(key)
+            self.go_through(key, found.palette)
             return
         self.set_following(False)
-        self._exact.forget()
-        self._set_fit(fit, key)
+        if found.document is not None:
+            self._show(found.document, key)
+        elif found.fit is not None:
+            self._exact.forget()
+            self._set_fit(found.fit, key)
         if is_file(key):
             self._remember(key)
 
@@ -368,9 +359,32 @@ class PaintControl(ViewerFeature):
         commands.palette_close.setEnabled(self._palette is not None)
 
 
-def _load_and_fit(fitting: FitSettings, key: str, progress: Progress) -> LobeFit | None:
-    """Return the fit of a name or file; None of a palette with several paints."""
+@dataclass(frozen=True)
+class _Request:
+    """What is read: a name or file; ``is_palette``: its paints are gone through, also where it has only one."""
+
+    key: str
+    is_palette: bool
+    fitting: FitSettings
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What a name or file stands for, one of the three: of a material without a document there is the fit."""
+
+    palette: Palette | None = None
+    document: AnyPaint | None = None
+    fit: LobeFit | None = None
+
+
+def _read(request: _Request, progress: Progress) -> _Found:
     report(progress, 0.0, "reading")
-    if is_file(key) and file_kind(key) == "palette":
-        return None
-    return fit_material(load_material(key), fitting, progress=subrange(progress, 0.1, 1.0))
+    key = request.key
+    if request.is_palette or (is_file(key) and file_kind(key) == "palette"):
+        return _Found(palette=load_palette_file(key).palette)
+    if not is_file(key) or document_kind(key) == "paint":
+        document = load_document(key)
+        if document is not None:
+            return _Found(document=document)
+    material = load_material(key)
+    return _Found(fit=fit_material(material, request.fitting, progress=subrange(progress, 0.1, 1.0)))

@@ -18,7 +18,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint, pain
 RED = solid_paint("Signal red", (45.0, 60.0, 40.0))
 
 
-def test_a_shipped_paint_and_a_recent_file_open_in_tabs(designer, tmp_path: Path) -> None:
+def test_a_shipped_paint_and_a_recent_file_open_in_tabs(designer, tmp_path: Path, qtbot) -> None:
     drawer = designer.feature(PaintDrawer)
     file = tmp_path / "mine.brdfpaint"
     save_paint(RED, file)
@@ -26,6 +26,7 @@ def test_a_shipped_paint_and_a_recent_file_open_in_tabs(designer, tmp_path: Path
     assert designer.store.value == load_shipped_paint("candy_red")
     assert designer.store.is_clean
     designer.documents.open(file)
+    qtbot.waitUntil(lambda: designer.reading.is_idle)
     drawer.strip.taken.emit("candy_red")
     assert designer.documents.front.store.path is None
     drawer.strip.taken.emit(str(file))

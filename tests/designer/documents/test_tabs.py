@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 import time
 from dataclasses import replace
 
@@ -41,6 +42,15 @@ def lighten(designer, lightness: float) -> None:
 def titles(designer) -> list[str]:
     bar = designer.window.tabs
     return [bar.tabText(place) for place in range(bar.count())]
+
+
+def open_and_wait(designer, qtbot, path) -> None:
+    designer.documents.open(path)
+    wait_until_read(designer, qtbot)
+
+
+def wait_until_read(designer, qtbot) -> None:
+    qtbot.waitUntil(lambda: designer.reading.is_idle and designer.projects.is_idle)
 
 
 @pytest.fixture
@@ -87,17 +97,41 @@ def test_ctrl_tab_goes_round(three):
     assert seen == ["Red", "Copper", "Red", "Champagne"]
 
 
-def test_a_file_that_is_open_comes_to_the_front_also_by_another_name_of_it(designer, dialogs, tmp_path):
+def test_a_file_that_is_open_comes_to_the_front_also_by_another_name_of_it(
+    designer, dialogs, tmp_path, qtbot
+):
     file, link = tmp_path / "mine.brdfpaint", tmp_path / "link.brdfpaint"
     save_paint(load_shipped_paint("red"), file)
     link.symlink_to(file)
-    assert designer.documents.open(file)
+    open_and_wait(designer, qtbot, file)
     lighten(designer, 61)
     choose(designer, "File ▸ New")
     dialogs.path = link
     choose(designer, "File ▸ Open…")
     assert titles(designer) == ["• mine.brdfpaint", "Untitled"]
     assert designer.store.value.lab_at(15.0)[0] == 61.0
+
+
+def test_files_are_read_off_the_windows_thread_in_the_order_of_the_requests(
+    designer, tmp_path, qtbot, monkeypatch
+):
+    threads = set()
+    real = designer.documents.find_opener
+
+    def look(path):
+        threads.add(threading.current_thread())
+        return real(path)
+
+    monkeypatch.setattr(designer.documents, "find_opener", look)
+    files = [tmp_path / f"{name}.brdfpaint" for name in ("red", "copper")]
+    for file in files:
+        save_paint(load_shipped_paint(file.stem), file)
+    for file in (*files, files[0]):
+        designer.documents.open(file)
+    wait_until_read(designer, qtbot)
+    assert titles(designer) == ["red.brdfpaint", "copper.brdfpaint"], "no file is open twice"
+    assert designer.documents.front.title == "red.brdfpaint"
+    assert threading.main_thread() not in threads
 
 
 def test_tabs_are_dragged_into_another_order(three):
@@ -339,6 +373,7 @@ def answer_message(designer, qtbot, text: str) -> None:
 
 def test_a_kill_leaves_all_tabs_in_their_order_with_their_histories(killed, qtbot, own_session):
     answer_message(killed, qtbot, "Recover All")
+    wait_until_read(killed, qtbot)
     assert titles(killed) == ["• Red", "mine.brdfpaint", "• Champagne"]
     assert killed.window.tabs.currentIndex() == 0
     assert killed.store.value.lab_at(15.0)[0] == 61.0
@@ -356,10 +391,11 @@ def test_a_kill_leaves_all_tabs_in_their_order_with_their_histories(killed, qtbo
     assert left == []
 
 
-def test_one_by_one_the_other_tabs_come_after_the_last_answer(killed):
+def test_one_by_one_the_other_tabs_come_after_the_last_answer(killed, qtbot):
     for answer in ("One by One", "Recover", "Discard"):
         assert "mine.brdfpaint" not in titles(killed)
         dict(killed.window.messages.shown()["recovery"].actions)[answer]()
+    wait_until_read(killed, qtbot)
     assert len(titles(killed)) == 2
     assert "mine.brdfpaint" in titles(killed)
 
@@ -377,16 +413,17 @@ def test_saved_tabs_alone_are_offered_too(three, dialogs, own_session, tmp_path,
     message = three.window.messages.shown()["recovery"]
     assert "“first.brdfpaint”, “Copper”, “second.brdfpaint”" in message.what
     answer_message(three, qtbot, "Reopen")
+    wait_until_read(three, qtbot)
     assert titles(three) == ["first.brdfpaint", "Copper", "second.brdfpaint"]
     assert three.documents.front.title == "second.brdfpaint"
 
 
 @pytest.mark.parametrize("folder", [False, True])
-def test_a_project_opens_its_paints_beside_its_standard(designer, tmp_path, folder):
+def test_a_project_opens_its_paints_beside_its_standard(designer, tmp_path, folder, qtbot):
     paints = tuple(load_shipped_paint(name) for name in ("red", "copper"))
     path = tmp_path / "spring.brdfproject"
     save_project(Project("Spring", paints, load_shipped_paint("champagne")), path, folder=folder)
-    assert designer.documents.open(path)
+    open_and_wait(designer, qtbot, path)
     assert titles(designer)[-2:] == ["Red", "Copper"]
     assert designer.store.value == paints[0]
     assert designer.store.path is None
@@ -402,7 +439,7 @@ def test_a_saved_project_has_tabs_standard_and_all_that_designer_does_not_edit(
     measured = CookTorrancePaint("Measured", (0.1, 0.1, 0.1), (CookTorranceLobe((0.3, 0.3, 0.3), 0.2, 0.3),))
     project = Project("Spring", (*paints, measured), load_shipped_paint("champagne"), (view,), notes="Kept")
     save_project(project, path)
-    assert designer.documents.open(path)
+    open_and_wait(designer, qtbot, path)
     lighten(designer, 61)
     designer.documents.close(designer.documents.row[-1])  # a closed tab stays in the project
     designer.window.shipped_requested.emit("pearl")
@@ -432,6 +469,7 @@ def test_a_saved_tab_comes_back_with_its_history_and_one_without_a_file_too(
     leave(three, own_session, folder)
     come_back(three, own_session, folder)
     answer_message(three, qtbot, "Reopen")
+    wait_until_read(three, qtbot)
     assert titles(three) == ["mine.brdfpaint", "Copper", "Champagne"]
     three.window.tabs.setCurrentIndex(0)
     assert three.store.is_clean
@@ -457,6 +495,7 @@ def test_a_history_that_does_not_end_in_the_file_is_left(three, dialogs, own_ses
     save_paint(load_shipped_paint("pearl"), tmp_path / "mine.brdfpaint")
     come_back(three, own_session, folder)
     answer_message(three, qtbot, "Reopen")
+    wait_until_read(three, qtbot)
     three.window.tabs.setCurrentIndex(0)
     assert three.store.value == load_shipped_paint("pearl")
     assert not three.window.undo_action.isEnabled()
@@ -512,10 +551,10 @@ def test_closed_documents_that_cannot_be_reopened_are_given_up(designer) -> None
     assert len(stores) == len(documents.row) + MOST_CLOSED
 
 
-def test_a_document_that_was_not_changed_takes_no_lock(designer, tmp_path) -> None:
+def test_a_document_that_was_not_changed_takes_no_lock(designer, tmp_path, qtbot) -> None:
     path = tmp_path / "red.brdfpaint"
     save_paint(load_shipped_paint("red"), path)
-    assert designer.documents.open(path)
+    open_and_wait(designer, qtbot, path)
     document = designer.documents.front
     lock = document.recovery.file.with_suffix(".lock")
     assert not lock.exists()

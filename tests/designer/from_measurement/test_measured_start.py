@@ -102,11 +102,13 @@ def test_a_handed_over_file_opens_its_paints(program, control, qtbot, tmp_path) 
     blue, red = load_shipped_paint("blue"), load_shipped_paint("red")
     form.write([ExportItem(blue), ExportItem(red)], path, None)
     program.window.open_requested.emit(path)
+    qtbot.waitUntil(lambda: program.reading.is_idle)
     opened = [one.store.value for one in program.documents.row]
     assert [paint.name for paint in opened] == [blue.name, red.name]
     assert opened[1].lab_at(45.0) == pytest.approx(red.lab_at(45.0), abs=1e-3)
     path.write_text(path.read_text("utf-8")[:-300], "utf-8")
     program.window.open_requested.emit(path)
+    qtbot.waitUntil(lambda: program.reading.is_idle)
     assert "season.cxf" in program.window.messages.shown()["open"].where
     assert len(program.documents.row) == 2
 
@@ -120,6 +122,7 @@ def test_an_instruments_export_by_the_menu_and_as_standard(program, control, ask
         "utf-16",
     )
     control.action.trigger()
+    qtbot.waitUntil(lambda: program.reading.is_idle)
     silver, blue = (one.store.value for one in program.documents.row)
     assert (silver.name, blue.name) == ("Silver", "Blue")
     assert silver.lab_at(15.0) == pytest.approx((120.6, 0.0, -1.0))
@@ -136,6 +139,7 @@ def test_what_is_neither_is_reported(program, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")
     program.window.open_requested.emit(text)
+    qtbot.waitUntil(lambda: program.reading.is_idle)
     assert "notes.txt" in program.window.messages.shown()["open"].where
     broken = tmp_path / "broken.bsdf"
     broken.write_bytes(b"tensor_file\0\1\0" + b"\xff" * 40)

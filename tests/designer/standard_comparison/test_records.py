@@ -31,34 +31,39 @@ def file(tmp_path):
     return path
 
 
-def open_anew(program, path) -> None:
+def open_and_wait(program, qtbot, path) -> None:
+    program.documents.open(path)
+    qtbot.waitUntil(lambda: program.reading.is_idle)
+
+
+def open_anew(program, qtbot, path) -> None:
     """Close every tab, and open the file as a start of the program does: nothing is known of it but what was kept."""
     for document in program.documents.row:
         program.documents.close(document)
-    program.documents.open(path)
+    open_and_wait(program, qtbot, path)
 
 
-def test_a_file_has_its_standard_again_when_it_is_opened_the_next_time(program, control, file) -> None:
-    program.documents.open(file)
+def test_a_file_has_its_standard_again_when_it_is_opened_the_next_time(program, control, file, qtbot) -> None:
+    open_and_wait(program, qtbot, file)
     control.take_present()
     red = control.standard
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     assert control.standard is not red
     assert control.standard.name == red.name
     assert control.standard.paint == red.paint
     assert control.section.verdict.text().startswith("pass")
     control.remove()
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     assert control.standard is None
 
 
-def test_a_paint_that_gets_a_file_takes_its_standard_along(program, control, fresh, tmp_path) -> None:
+def test_a_paint_that_gets_a_file_takes_its_standard_along(program, control, fresh, tmp_path, qtbot) -> None:
     control.take_present()
     darker = program.session.paint.with_lab(110.0, (6.0, 8.0, -28.0))
     program.session.set_paint(darker, "Darken")
     fresh[1].path = tmp_path / "darker.brdfpaint"
     assert program.files.save_as()
-    open_anew(program, fresh[1].path)
+    open_anew(program, qtbot, fresh[1].path)
     assert control.standard.paint == load_shipped_paint("blue")
     assert control.section.sentence.text() == "darker at 110°; slightly more flop"
 
@@ -84,17 +89,17 @@ def test_a_standard_out_of_a_palette_has_the_others_of_it_again(
     paints = [replace(load_shipped_paint(name), name=name.title()) for name in ("blue", "red", "pearl")]
     palette = tmp_path / "three.brdfpalette"
     save_palette(Palette("Three", tuple(Entry(paint) for paint in paints)), palette)
-    program.documents.open(file)
+    open_and_wait(program, qtbot, file)
     control.load(palette)
     qtbot.waitUntil(lambda: control.standard is not None)
     control.choose(1)
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     assert control.standard.name == "Red", "at once, before the palette is read"
     qtbot.waitUntil(lambda: control.section.choices.count() == 3)
     assert control.standard.name == "Red"
     # Another one is in its place now: the standard stays, and that is said.
     save_palette(Palette("Two", (Entry(paints[0]), Entry(paints[2]))), palette)
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     qtbot.waitUntil(lambda: "standard" in program.window.messages.shown())
     assert "has changed" in program.window.messages.shown()["standard"].what
     assert control.standard.paint == paints[1]
@@ -103,11 +108,11 @@ def test_a_standard_out_of_a_palette_has_the_others_of_it_again(
 def test_the_file_of_a_standard_may_be_gone(program, control, file, tmp_path, qtbot) -> None:
     other = tmp_path / "other.brdfpaint"
     save_paint(load_shipped_paint("pearl"), other)
-    program.documents.open(file)
+    open_and_wait(program, qtbot, file)
     control.load(other)
     qtbot.waitUntil(lambda: control.standard is not None)
     other.unlink()
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     qtbot.waitUntil(lambda: "standard" in program.window.messages.shown())
     assert "can no longer be read" in program.window.messages.shown()["standard"].what
     assert control.standard.paint == load_shipped_paint("pearl")
@@ -126,13 +131,13 @@ def test_a_measured_standard_keeps_what_was_read_of_it(tmp_path) -> None:
 
 
 @pytest.mark.parametrize("damage", ["{", "[]", '{"name": 1}', '{"name": "x", "origin": "", "notices": 5}'])
-def test_a_damaged_record_is_as_good_as_none(program, control, file, damage) -> None:
-    program.documents.open(file)
+def test_a_damaged_record_is_as_good_as_none(program, control, file, damage, qtbot) -> None:
+    open_and_wait(program, qtbot, file)
     control.take_present()
     (record,) = state_folder("standards").glob("*.json")
     record.write_text(damage, encoding="utf-8")
     assert kept(file) is None
-    open_anew(program, file)
+    open_anew(program, qtbot, file)
     assert control.standard is None
 
 

@@ -14,9 +14,11 @@ import pytest
 import trimesh
 from PIL import Image
 
+from brdf_suite import variables
 from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.outside import child
+from brdf_suite.files.meshes.outside.child import read_outside
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.resources import resource
 from brdf_suite.surface.mesh import Mesh
@@ -283,3 +285,30 @@ def test_compressed_data_that_announce_too_much_are_refused(writers: ModuleType,
     )
     with pytest.raises(FileError, match="GiB is allowed"):
         read_mesh(path)
+
+
+_DAE = """<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><library_geometries>
+<geometry id="g"><mesh><source id="p"><float_array id="a" count="{count}">0 0 0 1 0 0 0 1 0</float_array>
+<technique_common><accessor source="#a" count="3" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="1">
+<input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of memory are of Linux")
+def test_a_library_that_asks_for_more_than_is_allowed_is_refused_unless_more_is_set(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("assimp_py")
+    path = tmp_path / "small.dae"
+    path.write_text(_DAE.format(count=9))
+    assert [len(part.triangles) for part in read_outside(path, "assimp", "dae").parts] == [1]
+    path.write_text(_DAE.format(count=400_000_000))  # 1.6 GB, which nothing in the file fills
+    with pytest.raises(FileError, match=r"more than 1 GiB of memory \(BRDF_SUITE_READ_MB can allow more\)"):
+        read_outside(path, "assimp", "dae")
+    monkeypatch.setenv(variables.READ_MB, "4000")
+    with pytest.raises(FileError, match="Expected more values"):
+        read_outside(path, "assimp", "dae")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -138,6 +139,22 @@ def test_the_key_is_of_the_shape_and_of_what_is_seen_through(facet: Mesh) -> Non
     moved = Mesh("facet", (replace(part, positions=part.positions + 1.0),))
     assert occlusion_key(facet) == occlusion_key(renamed)
     assert len({occlusion_key(mesh) for mesh in (facet, moved, pane)}) == 3
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="named pipes are of POSIX")
+def test_a_pipe_in_the_place_of_an_entry_is_removed_and_not_waited_for(
+    facet: Mesh, folder: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    first = baked_occlusion(facet)
+    (entry,) = kept(folder)
+    entry.unlink()
+    os.mkfifo(entry)
+    again = baked_occlusion(facet)
+    assert "is not a plain file" in caplog.text
+    assert np.array_equal(first.parts[0].light, again.parts[0].light)
+    assert entry.is_file()
+    forbid_baking(monkeypatch)
+    baked_occlusion(facet)
 
 
 def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path, coarse: None) -> None:

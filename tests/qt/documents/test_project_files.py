@@ -96,6 +96,11 @@ def write(files: ProjectFiles, qtbot, key: str) -> None:
         files.parent().command(key).trigger()
 
 
+def open_and_wait(files: ProjectFiles, qtbot, path: Path) -> None:
+    files.open(path)
+    qtbot.waitUntil(lambda: files.is_idle)
+
+
 def said(files: ProjectFiles) -> str:
     message = files.parent().messages.shown()["project"]
     return " ".join((message.what, message.where, message.todo))
@@ -104,7 +109,7 @@ def said(files: ProjectFiles) -> str:
 def test_saving_replaces_what_is_open_and_keeps_the_rest(files, part, dialogs, project, tmp_path, qtbot):
     path = tmp_path / "spring.brdfproject"
     save_project(project, path)
-    assert files.open(path)
+    open_and_wait(files, qtbot, path)
     assert part.shown.project == project
     dialogs.path = path
     write(files, qtbot, "save_project")
@@ -121,7 +126,7 @@ def test_collected_files_stay_in_the_project_when_it_is_saved_again(
     path = tmp_path / "spring.brdfproject"
     save_project(project, path, folder=folder)
     assert is_project(path)
-    files.open(path)
+    open_and_wait(files, qtbot, path)
     dialogs.path = path
     write(files, qtbot, "collect_files")
     assert [name for name, _size in project_parts(path)] == ["street.exr"]
@@ -146,7 +151,7 @@ def test_a_missing_file_is_named_and_the_old_project_stays(
     path = tmp_path / "spring.brdfproject"
     save_project(project, path)
     before = path.read_bytes()
-    files.open(path)
+    open_and_wait(files, qtbot, path)
     map_file.unlink()
     dialogs.path = path
     files.collect()
@@ -161,7 +166,7 @@ def test_a_full_disk_leaves_the_old_project_and_is_reported(
     path = tmp_path / "spring.brdfproject"
     save_project(project, path)
     before = path.read_bytes()
-    files.open(path)
+    open_and_wait(files, qtbot, path)
     dialogs.path = path
 
     def full(_source: object, _target: object) -> None:
@@ -178,7 +183,7 @@ def test_a_full_disk_leaves_the_old_project_and_is_reported(
 def test_what_another_program_has_written_meanwhile_is_asked_about(files, dialogs, project, tmp_path, qtbot):
     path = tmp_path / "spring.brdfproject"
     save_project(project, path)
-    files.open(path)
+    open_and_wait(files, qtbot, path)
     save_project(replace(project, notes="Theirs"), path)
     dialogs.path = path
     files.save()
@@ -188,11 +193,11 @@ def test_what_another_program_has_written_meanwhile_is_asked_about(files, dialog
     assert load_project(path).notes == "Kept"
 
 
-def test_a_damaged_project_is_named_with_its_place(files, part, tmp_path):
+def test_a_damaged_project_is_named_with_its_place(files, part, tmp_path, qtbot):
     path = tmp_path / "broken.brdfproject"
     path.mkdir()
     (path / "project.json").write_text('{"format": "brdfproject", "version": 1, "name": "x", "paints": 3}')
-    assert not files.open(path)
+    open_and_wait(files, qtbot, path)
     assert "paints" in said(files)
     assert "project.json" in said(files)
     assert part.shown is None

@@ -21,6 +21,7 @@ def test_a_project_shows_its_view_and_its_paint(viewer, qtbot, tmp_path) -> None
     assert viewer.controller.views.path is None
     path.write_bytes(b"PK")
     viewer.window.files_dropped.emit([path])
+    qtbot.waitUntil(lambda: "project" in viewer.messages())
     assert "damaged" in viewer.window.messages.shown()["project"].what
 
 

@@ -61,6 +61,7 @@ def test_a_view_is_saved_opened_and_undone(start, lights, tmp_path) -> None:
     viewer.state.set_view(first)
     steps = viewer.state.history.steps
     viewer.controller.open_file(str(file))
+    viewer.wait_idle()
     assert viewer.view == saved
     assert viewer.state.history.steps == steps + 1
     assert (viewer.pixels() == pixels).all()
@@ -125,6 +126,7 @@ def test_a_view_that_cannot_be_read_is_reported(viewer, tmp_path) -> None:
     bad.write_text('{"format": "brdfview", "version": 3, "camera": {}, "exposure_ev": "bright"}')
     before = viewer.view
     viewer.controller.open_file(str(bad))
+    viewer.wait_idle()
     assert "exposure_ev" in viewer.messages()["view"]
     assert viewer.view == before
 

@@ -53,6 +53,7 @@ def test_a_swatch_of_the_open_palette_is_compared_by_its_name(viewer, tmp_path: 
     paints = [solid_paint("first", (30.0, 0.0, 0.0)), solid_paint("second", (70.0, 0.0, 0.0))]
     save_palette(Palette("Two", tuple(Entry(paint) for paint in paints)), file)
     viewer.controller.open_file(str(file))
+    viewer.wait_idle()
     keys = viewer.controller.paint._palette.keys
     click(viewer, keys[1], Qt.KeyboardModifier.ShiftModifier)
     viewer.qtbot.waitUntil(lambda: viewer.state.second is not None)

@@ -47,6 +47,7 @@ def test_the_arrow_keys_go_through_the_shipped_paints_round_and_round(start) -> 
 
 def test_a_palette_is_gone_through_and_closed(viewer, palette) -> None:
     viewer.controller.open_file(str(palette))
+    viewer.wait_idle()
     cell = viewer.window.status.cell("palette")
     assert (viewer.state.fit.name, cell.text()) == ("white", "Summer, 1 of 3")
     focus(viewer)
@@ -77,6 +78,7 @@ def test_a_paint_of_a_palette_that_cannot_be_is_reported_and_gone_past(viewer, t
     path = tmp_path / "mixed.brdfpalette"
     save_palette(Palette("Mixed", (Entry(good), Entry(impossible), Entry(other))), path)
     viewer.controller.open_file(str(path))
+    viewer.wait_idle()
     viewer.window.commands.step_requested.emit(1)
     assert "paint" in viewer.messages()
     assert viewer.state.fit.name == "sky"
@@ -89,6 +91,7 @@ def test_a_palette_that_cannot_be_read_is_reported(viewer, tmp_path) -> None:
     bad = tmp_path / "bad.brdfpalette"
     bad.write_text("{}")
     viewer.controller.open_file(str(bad))
+    viewer.wait_idle()
     assert "bad.brdfpalette" in viewer.messages()["paint"]
     assert viewer.state.fit is not None
 

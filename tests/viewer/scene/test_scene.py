@@ -391,3 +391,16 @@ def test_after_a_failure_a_new_context_draws_the_same_picture(viewer, qtbot) -> 
     assert viewer.canvas.cursor().shape() == Qt.CursorShape.ClosedHandCursor  # the new canvas is listened to
     assert viewer.view.camera.azimuth_deg == azimuth
     QTest.mouseRelease(viewer.canvas, Qt.MouseButton.LeftButton)
+
+
+def test_after_a_lost_context_a_new_one_draws_the_same_picture(viewer, qtbot, monkeypatch) -> None:
+    """No test can make a driver reset: the surface is made to see what Qt reports after one."""
+    before, old, canvas = viewer.pixels(), viewer.controller.drawer, viewer.canvas
+    surface = viewer.window.picture
+    monkeypatch.setattr(type(surface), "is_lost", property(lambda one: one.canvas is canvas))
+    with qtbot.waitSignal(surface.canvas_changed):
+        surface.redraw()
+    qtbot.waitUntil(lambda: viewer.controller.drawer is not old and viewer.controller.drawer.is_complete)
+    assert np.array_equal(viewer.pixels(), before)
+    assert surface.failure == ""
+    assert not viewer.messages()

@@ -20,9 +20,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite import variables
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import check_extra, import_extra
-from brdf_suite.files.bounded_reading import check_made
+from brdf_suite.files.bounded_reading import check_made, most_made_bytes
 from brdf_suite.processes import child_command
 from brdf_suite.regular_files import read_bytes
 from brdf_suite.surface.repair import ForeignLook, RawPart
@@ -57,6 +58,12 @@ def import_library(library: str) -> ModuleType:
     """Return the module of a library, for the child process; errors as :func:`import_extra`."""
     needed = LIBRARIES[library]
     return import_extra(needed.module, purpose=needed.purpose, instead=_INSTEAD)
+
+
+def needs_more_memory() -> str:
+    """Return how a message says that reading took all the memory that it may take."""
+    allowed = most_made_bytes() / 2**30
+    return f"reading it takes more than {allowed:,.3g} GiB of memory ({variables.READ_MB} can allow more)"
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,7 +165,8 @@ def _run(
         except OSError as error:
             raise FileError(path, f"no process could be started to read it ({error.strerror})") from error
         if done.returncode != 0 or not answer.is_file():
-            raise FileError(path, "damaged, or too large: the library that reads it broke down")
+            why = f"the library that reads it broke down: it is damaged, or {needs_more_memory()}"
+            raise FileError(path, why)
         check_made(path, answer.stat().st_size, "its triangles")
         content = read_bytes(answer)
     return _unpacked(path, content)

@@ -10,6 +10,7 @@ import contextlib
 import importlib
 import json
 import os
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -18,7 +19,8 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.errors import ExtraError
-from brdf_suite.files.meshes.outside.child import HEADER_BYTES
+from brdf_suite.files.bounded_reading import most_made_bytes
+from brdf_suite.files.meshes.outside.child import HEADER_BYTES, import_library, needs_more_memory
 from brdf_suite.files.meshes.outside.values import ReadMesh, Refused
 
 _READERS = {
@@ -27,8 +29,6 @@ _READERS = {
     "assimp": "brdf_suite.files.meshes.outside.assimp",
     "step": "brdf_suite.files.meshes.outside.step",
 }
-_MEMORY = 6 << 30
-_ANSWER = 1 << 30
 
 
 def main(arguments: list[str]) -> int:
@@ -37,13 +37,18 @@ def main(arguments: list[str]) -> int:
         print(__doc__, flush=True)
         return 0 if "--help" in arguments else 2
     library, file, answer, options = arguments
-    _limit()
     np.seterr(all="ignore")  # what is not finite is left out, and said, by the parent
     try:
         read: Callable[[Path, dict[str, Any]], ReadMesh] = importlib.import_module(_READERS[library]).read
+        import_library(library)
+        _limit()
         found = read(Path(file), json.loads(options))
+    except MemoryError:
+        found = ReadMesh([], refused=needs_more_memory())
     except Refused as refusal:
-        found = ReadMesh([], refused=str(refusal))
+        said = str(refusal)
+        # What C++ calls an allocation that failed; a library passes it on as its own message.
+        found = ReadMesh([], refused=needs_more_memory() if "bad_alloc" in said else said)
     except ExtraError as error:
         found = ReadMesh([], refused=error.reason)
     _write(Path(answer), found)
@@ -51,16 +56,28 @@ def main(arguments: list[str]) -> int:
 
 
 def _limit() -> None:
-    """Limit memory and what is written, where the system can."""
+    """Limit the memory that reading takes beside the libraries, and what is written, where the system can."""
+    allowed = most_made_bytes()
     with contextlib.suppress(ImportError):  # Windows has none
         resource = importlib.import_module("resource")
         for what, most in (
-            (resource.RLIMIT_AS, _MEMORY),
-            (resource.RLIMIT_FSIZE, _ANSWER + (1 << 20)),
+            # What is written to, and not the address space: a library reserves much of that and uses little.
+            (resource.RLIMIT_DATA, _data_bytes() + allowed),
+            (resource.RLIMIT_FSIZE, allowed + (1 << 20)),
             (resource.RLIMIT_CORE, 0),
         ):
-            with contextlib.suppress(ValueError, OSError):  # macOS has no limit of the address space
+            with contextlib.suppress(ValueError, OSError):  # a lower limit is set already
                 resource.setrlimit(what, (most, most))
+
+
+def _data_bytes() -> int:
+    """Return the private memory of this process that can be written to; 0 where the system does not report it."""
+    try:
+        status = Path("/proc/self/status").read_text("ascii", "replace")
+    except OSError:
+        return 0
+    found = re.search(r"^VmData:\s*(\d+) kB", status, re.MULTILINE)
+    return 0 if found is None else int(found[1]) << 10
 
 
 def _write(answer: Path, found: ReadMesh) -> None:

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from PySide6.QtCore import QObject, QTimer
+
 from brdf_qt.window.progress_strip import ProgressStrip
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject, QTimer
 
 SHOW_AFTER_MS = 400
 
