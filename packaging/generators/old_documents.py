@@ -47,7 +47,6 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import (
     Compare,
     Lamp,
-    Lens as ViewLens,
     LightColour,
     PartMaterial,
     Relief,
@@ -55,6 +54,7 @@ from brdf_suite.documents.view_settings import (
     SurfaceLook,
     TwoTone,
 )
+from brdf_suite.documents.view_settings import Lens as ViewLens
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.basis_search.document import save_basis
 from brdf_suite.fitting.basis_search.search import CountResult
@@ -101,7 +101,9 @@ def cook_torrance() -> CookTorrancePaint:
 
 def factored(textures: TextureFile) -> FactoredPaint:
     """Return a paint by :data:`MAPS`, which are in a file."""
-    return FactoredPaint("Maps", textures, "p:wo q:h p:wi", (0.5, 1.0, 2.0), largest=12.0, clearcoat=Clearcoat())
+    return FactoredPaint(
+        "Maps", textures, "p:wo q:h p:wi", (0.5, 1.0, 2.0), largest=12.0, clearcoat=Clearcoat()
+    )
 
 
 def palette() -> Palette:

@@ -11,8 +11,8 @@ setting the clock does not change it. A number that is far ahead of it is refuse
 them and in whichever order they arrive; a message that comes again is recognised, and what was published later wins
 also between programs that had not met before.
 
-``v`` is :data:`~brdf_qt.link.address.VERSION`. Programs of another version meet elsewhere, so that suites of two versions
-run side by side; a message of another version is refused all the same.
+``v`` is :data:`~brdf_qt.link.address.VERSION`. Programs of another version meet elsewhere, so that suites of two
+versions run side by side; a message of another version is refused all the same.
 
 Two further topics are for the link itself: ``hello`` (a program says what it is) and ``peers`` (the relay
 says who is there).
