@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 if __name__ == "__main__":
-    sys.path.insert(0, sys.argv[1])  # before the installed suite
+    sys.path[:0] = [sys.argv[1], str(Path(sys.argv[1], "apps"))]  # before the installed suite
 
 import numpy as np
 
@@ -259,10 +259,25 @@ def write(folder: Path) -> None:
     save_basis(folder / "basis.json", ("Meer",), [result], 3, {"made": "for a test"})
 
 
+def write_settings(folder: Path) -> None:
+    """Write what Viewer keeps of :func:`view`, and a format of Designer's export."""
+    from brdf_viewer.documents.remembered import remember  # Qt, which the documents do without
+    from PySide6.QtCore import QSettings
+
+    folder.mkdir()
+    store = QSettings(str(folder / "Viewer.ini"), QSettings.Format.IniFormat)
+    remember(store, view())
+    store.sync()
+    store = QSettings(str(folder / "Designer.ini"), QSettings.Format.IniFormat)
+    store.setValue("handover/format", "csv")
+    store.sync()
+
+
 if __name__ == "__main__":
     checkout, out = (Path(word).resolve() for word in sys.argv[1:3])
     if checkout not in Path(brdf_suite.__file__).parents:
         sys.exit(f"{brdf_suite.__file__} is not the code of {checkout}")
     shutil.rmtree(out, ignore_errors=True)
     write(out)
+    write_settings(out / "settings")
     print(*sorted(path.name for path in out.iterdir()), sep="\n")

@@ -123,7 +123,7 @@ def test_an_appimage_starts_the_suite_and_describes_it(share, tmp_path) -> None:
 
 
 def test_what_the_executable_is_called_says_what_it_opens() -> None:
-    code = "import json, sys, entry; called, *words = sys.argv[1:]; print(json.dumps(entry.command_words(called, words)))"
+    code = "import json, sys, entry; print(json.dumps(entry.command_words(sys.argv[1], sys.argv[2:])))"
 
     def words(*given: str) -> list[str]:
         command = [sys.executable, "-c", code, *given]
