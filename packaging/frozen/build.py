@@ -33,7 +33,7 @@ PYINSTALLER = "pyinstaller>=6.12"
 HOME = Path("opt") / "brdf-suite"
 """Where a package puts the folder, below the root."""
 NEEDED = (
-    "libc6 (>= 2.28)", "libegl1", "libgl1", "libxkbcommon-x11-0", "libxcb-cursor0", "libxcb-icccm4", "libxcb-image0",
+    "libegl1", "libgl1", "libxkbcommon-x11-0", "libxcb-cursor0", "libxcb-icccm4", "libxcb-image0",
     "libxcb-keysyms1", "libxcb-render-util0", "libxcb-shape0", "libxcb-xinerama0", "libfontconfig1", "libdbus-1-3",
 )  # fmt: skip
 """What the system brings: libraries that belong to its graphics driver or its display server."""
@@ -108,12 +108,14 @@ def build_deb(folder: Path, into: Path) -> Path:
         licences.mkdir(parents=True)
         shutil.copy(CHECKOUT / "LICENSE", licences / "copyright")
         shutil.copy(CHECKOUT / "THIRD_PARTY.md", licences)
+        # What is collected from this system needs its C library.
+        needed = (f"libc6 (>= {platform.libc_ver()[1]})", *NEEDED)
         control = root / "DEBIAN"
         control.mkdir()
         (control / "control").write_text(
             f"Package: brdf-suite\nVersion: {__version__}\nArchitecture: {machine}\nSection: graphics\n"
             "Priority: optional\nMaintainer: The BRDF Suite authors <brdf-suite@localhost>\n"
-            f"Installed-Size: {folder_size(root) // 1024}\nDepends: {', '.join(NEEDED)}\n"
+            f"Installed-Size: {folder_size(root) // 1024}\nDepends: {', '.join(needed)}\n"
             "Description: design automotive paint and see it on a car\n"
             " Four programs and a command for colourists, stylists and researchers.\n",
             encoding="utf-8",
