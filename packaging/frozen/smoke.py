@@ -81,7 +81,7 @@ class Suite:
         )
 
     def processes(self, executable: Path) -> list[int]:
-        """Return the processes of this home folder that run an executable, whoever started them."""
+        """Return the processes of this home folder that run an executable, also those that others started."""
         found = []
         for folder in Path("/proc").iterdir():
             with contextlib.suppress(OSError):  # ended meanwhile
