@@ -221,7 +221,11 @@ def tables() -> dict[str, IsotropicTable | AnisotropicTable | Factored | Scatter
     return {
         "isotropic": IsotropicTable(even(4, 5, 6, 3), holes, True, "a sphere", FACTS, coverage=coverage),
         "anisotropic": AnisotropicTable(
-            even(3, 4, 2, 4, 3).astype(np.float64), [0.0, 0.5, 1.0], [0.2, 1.4], "brushed", FACTS
+            even(3, 4, 2, 4, 3).astype(np.float64),
+            np.array([0.0, 0.5, 1.0]),
+            np.array([0.2, 1.4]),
+            "brushed",
+            FACTS,
         ),
         "factored": Factored(even(4, 4, 3), even(6, 6, 3), alpha, "a product", FACTS),
         "product": Factored(
