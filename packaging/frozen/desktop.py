@@ -99,6 +99,16 @@ def menu_entry(entry: Entry) -> str:
     )
 
 
+def suite_entry() -> str:
+    """Return the ``.desktop`` file of the whole suite, of which an AppImage has one."""
+    types = "".join(mime(ending) + ";" for ending in DOCUMENTS)
+    return (
+        "[Desktop Entry]\nType=Application\nVersion=1.4\nName=BRDF Suite\n"
+        f"Comment={PROGRAMS[0].comment}\nComment[de]={PROGRAMS[0].comment_de}\nExec=brdf-suite %F\nIcon=brdf-suite\n"
+        f"Terminal=false\nCategories=Graphics;3DGraphics;\nMimeType={types}\n"
+    )
+
+
 def media_types() -> str:
     """Return the description of the kinds of documents, by ending and by content."""
     kinds = []

@@ -16,9 +16,30 @@ PROGRAMS = {
     "brdf-swatch": "swatch",
 }
 
+OPENED_BY = {
+    ".brdfpaint": "designer",
+    ".brdfpalette": "swatch",
+    ".brdfview": "viewer",
+    ".brdfstudio": "viewer",
+    ".brdfproject": "viewer",
+}
+"""Which program opens a document that is the first word, as of an AppImage or a macOS bundle."""
+
+
+def command_words(called: str, words: list[str]) -> list[str]:
+    """Return the words of the command ``brdf-suite`` for ``words`` given to an executable ``called`` so.
+
+    A link with a program's name opens that program; a document as the first word opens the program of its kind.
+    """
+    if words[:1] == [MODULE_OPTION]:  # a child process
+        return words
+    if (program := PROGRAMS.get(Path(called).stem)) is not None:
+        return [program, *words]
+    if words and (program := OPENED_BY.get(Path(words[0]).suffix.lower())) is not None:
+        return [program, "--open", *words]
+    return words
+
+
 if __name__ == "__main__":
     multiprocessing.freeze_support()
-    # A link to the executable, called as a program is, opens that program.
-    is_child = sys.argv[1:2] == [MODULE_OPTION]
-    program = None if is_child else PROGRAMS.get(Path(sys.argv[0]).stem)
-    sys.exit(main(sys.argv[1:] if program is None else [program, *sys.argv[1:]]))
+    sys.exit(main(command_words(sys.argv[0], sys.argv[1:])))

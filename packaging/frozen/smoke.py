@@ -15,11 +15,12 @@ import contextlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 PATIENCE_S = 300.0
@@ -42,24 +43,11 @@ class Suite:
         self.home = home
         tools = home / "bin"
         tools.mkdir()
-        # Of the system only what `xdg-open` and Xvfb are made of; no Python among them.
-        for name in (
-            "sh",
-            "cat",
-            "sed",
-            "grep",
-            "awk",
-            "cut",
-            "head",
-            "tr",
-            "basename",
-            "dirname",
-            "env",
-            "uname",
-        ):
-            found = shutil.which(name)
-            if found:
-                (tools / name).symlink_to(found)
+        # The system's commands, for shell scripts as xdg-open is one; no Python among them.
+        for folder in (Path("/usr/bin"), Path("/bin")):
+            for file in folder.iterdir():
+                if not (file.name.startswith(("python", "pypy")) or (tools / file.name).is_symlink()):
+                    (tools / file.name).symlink_to(file)
         self.environment = {
             "HOME": str(home),
             "PATH": f"{commands}:{tools}",
@@ -91,6 +79,16 @@ class Suite:
         return subprocess.Popen(
             words, cwd=self.home, env=self.environment | {"DISPLAY": display}, stdin=subprocess.DEVNULL
         )
+
+    def processes(self, executable: Path) -> list[int]:
+        """Return the processes of this home folder that run an executable, also those that others started."""
+        found = []
+        for folder in Path("/proc").iterdir():
+            with contextlib.suppress(OSError):  # ended meanwhile
+                variables = (folder / "environ").read_bytes().split(b"\0")
+                if f"HOME={self.home}".encode() in variables and (folder / "exe").resolve() == executable:
+                    found.append(int(folder.name))
+        return found
 
 
 def check_command(suite: Suite) -> None:
@@ -148,20 +146,24 @@ def check_programs(suite: Suite, display: str) -> float:
 
 def check_file_manager(suite: Suite, display: str) -> None:
     """``xdg-open`` opens Designer for a paint; a second paint goes to the same window."""
-    suite.environment["PATH"] += ":/usr/bin:/bin"
     suite.environment["XDG_CURRENT_DESKTOP"] = "X-Generic"
+    executable = Path("/usr/bin/brdf-designer").resolve()
     for name in ("first", "second"):
         shutil.copy(suite.home / "paint.brdfpaint", suite.home / f"{name}.brdfpaint")
-    opened = suite.start(["xdg-open", str(suite.home / "first.brdfpaint")], display)
+    opened = [suite.start(["xdg-open", str(suite.home / "first.brdfpaint")], display)]
     try:
         _wait(lambda: _titles(display, "first"), "xdg-open shows no window with the paint")
-        suite.start(["xdg-open", str(suite.home / "second.brdfpaint")], display)
+        opened.append(suite.start(["xdg-open", str(suite.home / "second.brdfpaint")], display))
         _wait(lambda: _titles(display, "second"), "the second paint is not shown")
-        if len(_processes("brdf_designer")) != 1:
-            raise SmokeError("the second paint opened another program")
+        # What has handed its paint over ends; another program would stay.
+        _wait(lambda: opened[1].poll() is not None, "the second paint opened another program")
+        if opened[0].poll() is not None:
+            raise SmokeError("the first program ended")
     finally:
-        subprocess.run(["pkill", "-f", "brdf_designer"], check=False)
-        opened.wait(PATIENCE_S)
+        for process in suite.processes(executable):
+            os.kill(process, signal.SIGKILL)
+        for one in opened:
+            one.wait(PATIENCE_S)
     print("  xdg-open: opened, and the second document went to the same window")
 
 
@@ -172,14 +174,9 @@ def _titles(display: str, text: str) -> bool:
     return any(text in line for line in found.stdout.splitlines())
 
 
-def _processes(text: str) -> list[str]:
-    found = subprocess.run(["pgrep", "-f", text], capture_output=True, text=True, check=False)
-    return found.stdout.split()
-
-
-def _wait(what: object, problem: str) -> None:
+def _wait(what: Callable[[], bool], problem: str) -> None:
     end = time.monotonic() + PATIENCE_S
-    while not what():  # type: ignore[operator]
+    while not what():
         if time.monotonic() > end:
             raise SmokeError(problem)
         time.sleep(0.3)
@@ -190,7 +187,8 @@ def screen() -> Iterator[str]:
     """A display of Xvfb, which finds a free number itself."""
     reading, writing = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1080x24", "-nolisten", "tcp"],
+        # Without a reset when the last window closes, during which the next one finds no display.
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1920x1080x24", "-nolisten", "tcp", "-noreset"],
         pass_fds=[writing],
         stderr=subprocess.DEVNULL,
     )

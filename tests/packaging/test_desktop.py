@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -97,6 +98,49 @@ def test_the_metadata_are_valid(share) -> None:
         ["appstreamcli", "validate", "--no-net", str(file)], capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout
+
+
+def test_an_appimage_starts_the_suite_and_describes_it(share, tmp_path) -> None:
+    """The frozen suite is a script here, which prints what it is called with."""
+    folder, appdir = tmp_path / "brdf-suite", tmp_path / "AppDir"
+    folder.mkdir()
+    (folder / "brdf-suite").write_text('#!/bin/sh\necho suite "$@"\n', encoding="utf-8")
+    (folder / "brdf-suite").chmod(0o755)
+    code = "import sys, build; from pathlib import Path; build.write_appdir(*map(Path, sys.argv[1:]))"
+    words = [sys.executable, "-c", code, str(folder), str(appdir)]
+    subprocess.run(words, cwd=SCRIPT.parent, check=True, capture_output=True)
+    called = subprocess.run([appdir / "AppRun", "a b"], capture_output=True, text=True, check=True)
+    assert called.stdout == "suite a b\n"
+    (entry,) = appdir.glob("*.desktop")
+    icon = appdir / f"{entry_of(entry)['Desktop Entry']['Icon']}.png"
+    assert np.asarray(Image.open(icon)).shape == (256, 256, 4)
+    assert (appdir / ".DirIcon").resolve() == (appdir / "brdf-suite.png").resolve()
+    (described,) = (appdir / "usr/share/metainfo").iterdir()
+    root = ET.fromstring(described.read_text(encoding="utf-8"))
+    assert entry.stem == root.findtext("id")
+    if shutil.which("desktop-file-validate"):
+        subprocess.run(["desktop-file-validate", str(entry)], check=True)
+
+
+def test_what_the_executable_is_called_says_what_it_opens() -> None:
+    code = "import json, sys, entry; print(json.dumps(entry.command_words(sys.argv[1], sys.argv[2:])))"
+
+    def words(*given: str) -> list[str]:
+        command = [sys.executable, "-c", code, *given]
+        done = subprocess.run(command, cwd=SCRIPT.parent, capture_output=True, text=True, check=True)
+        return json.loads(done.stdout)
+
+    assert words("/usr/bin/brdf-viewer", "--open", "a.brdfview") == ["viewer", "--open", "a.brdfview"]
+    assert words("brdf-suite", "A.BRDFPAINT", "b.brdfpaint") == [
+        "designer",
+        "--open",
+        "A.BRDFPAINT",
+        "b.brdfpaint",
+    ]
+    assert words("brdf-suite", "render", "blue") == ["render", "blue"]
+    assert words("brdf-designer", "--module", "brdf_viewer") == ["--module", "brdf_viewer"]
+    opened = {kind: words("suite", f"a.{kind}")[0] for kind in ("brdfpalette", "brdfview", "brdfproject")}
+    assert opened == {"brdfpalette": "swatch", "brdfview": "viewer", "brdfproject": "viewer"}
 
 
 def test_a_thumbnailer_draws_paints_and_palettes(share, tmp_path) -> None:

@@ -199,13 +199,13 @@ def test_garbage_is_dropped_and_its_sender_cut_off(start: Callable[..., Program]
     lines = [
         b"\x00\xff\xfe garbage \x80",
         b"[" * 100_000,
-        b'{"v":1}',
-        b'{"v":99,"topic":"paint","value":{"n":1},"from":"x","seq":5}',
-        b'{"v":1,"topic":"paint","value":{"n":1},"from":"x","seq":-5}',
-        b'{"v":1,"topic":"paint","value":{"n":NaN},"from":"x","seq":5}',
-        b'{"v":1,"topic":"rm -rf","value":{"n":1},"from":"x","seq":5}',
-        b'{"v":1,"topic":"hello","value":{"role":17},"from":"x","seq":5}',
-        b'{"v":1,"topic":"paint","value":[1],"from":"x","seq":5}',
+        b'{"v":2}',
+        b'{"v":1,"topic":"paint","value":{"n":1},"from":"x","seq":5}',
+        b'{"v":2,"topic":"paint","value":{"n":1},"from":"x","seq":-5}',
+        b'{"v":2,"topic":"paint","value":{"n":NaN},"from":"x","seq":5}',
+        b'{"v":2,"topic":"rm -rf","value":{"n":1},"from":"x","seq":5}',
+        b'{"v":2,"topic":"hello","value":{"role":17},"from":"x","seq":5}',
+        b'{"v":2,"topic":"paint","value":[1],"from":"x","seq":5}',
     ]
     with raw_socket() as stranger:
         stranger.sendall(b"\n".join(lines) + b"\n")
@@ -226,6 +226,23 @@ def test_garbage_is_dropped_and_its_sender_cut_off(start: Callable[..., Program]
     viewer.wait_n(5)
     hub.wait_log("dropped")
     assert not any("Traceback" in line for line in hub.log + viewer.log)
+
+
+def test_suites_of_two_versions_do_not_meet(start: Callable[..., Program]) -> None:
+    """Version 1 listens at a socket of the link's own name, as suite 0.1.0 does; today's programs never call there."""
+    with socket.socket(socket.AF_UNIX) as first_version:
+        first_version.bind(str(private_folder() / f"{link_name()}.socket"))
+        first_version.listen()
+        first_version.setblocking(False)
+        hub, viewer = start("designer"), start("viewer")
+        assert (hub.hub, viewer.hub) == (True, False)
+        hub.publish(4)
+        viewer.wait_n(4)
+        with pytest.raises(BlockingIOError):
+            first_version.accept()
+    with raw_socket() as stranger:
+        stranger.sendall(b'{"v":1,"topic":"paint","value":{"n":6},"from":"x","seq":1795843200000}\n')
+        hub.wait_log("version 1, this program knows 2")
 
 
 def cut_off(stranger: socket.socket) -> bool:

@@ -19,6 +19,11 @@ from filelock import FileLock, Timeout
 from brdf_suite import variables
 from brdf_suite.errors import SuiteError
 
+VERSION = 2
+"""Of the link: what its messages are. Programs of different versions have different meeting places.
+
+Version 1 (suite 0.1.0) numbers messages by the time of day, version 2 by the time since the machine was started.
+"""
 _LONGEST_SOCKET_PATH = 100
 
 
@@ -39,7 +44,7 @@ def link_name() -> str:
 
 
 class LinkAddress:
-    """Socket name and relay lock of one link.
+    """Socket name and relay lock of one link, in this :data:`VERSION` of it.
 
     Parameters
     ----------
@@ -54,6 +59,7 @@ class LinkAddress:
 
     def __init__(self, name: str) -> None:
         folder = private_folder()
+        name = f"{name}-v{VERSION}"
         path = folder / f"{name}.socket"
         if len(os.fsencode(path)) > _LONGEST_SOCKET_PATH:
             path = folder / f"{hashlib.sha256(name.encode()).hexdigest()[:16]}.socket"

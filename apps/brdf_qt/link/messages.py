@@ -2,7 +2,7 @@
 
 One message is one line of JSON in UTF-8, ended by a newline and at most :data:`MAX_BYTES` long::
 
-    {"v": 1, "topic": "paint", "value": {...}, "from": "b3f1…", "seq": 17}
+    {"v": 2, "topic": "paint", "value": {...}, "from": "b3f1…", "seq": 17}
 
 ``seq`` is a hybrid logical clock: the time of publishing in milliseconds since the machine was started, and at least
 one more than the largest number of that topic that the publisher has seen. That time is the same in all programs, and
@@ -10,6 +10,9 @@ setting the clock does not change it. A number that is far ahead of it is refuse
 ``(seq, from)`` therefore orders all messages of a topic in the same way in every program, whichever program relays
 them and in whichever order they arrive; a message that comes again is recognised, and what was published later wins
 also between programs that had not met before.
+
+``v`` is :data:`~brdf_qt.link.address.VERSION`. Programs of another version meet elsewhere, so that suites of two
+versions run side by side; a message of another version is refused all the same.
 
 Two further topics are for the link itself: ``hello`` (a program says what it is) and ``peers`` (the relay
 says who is there).
@@ -23,10 +26,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_qt.link.address import VERSION
 from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.store import paint_from_json, view_from_json
 
-VERSION = 1
 MAX_BYTES = 1_000_000
 HELLO = "hello"
 PEERS = "peers"

@@ -89,6 +89,7 @@ class OpenFiles(QObject):
             socket.abort()
             return
         socket.write(_TAKEN)
+        socket.flush()  # before the files are opened: who asked does not wait long
         socket.disconnectFromServer()
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.raise_()

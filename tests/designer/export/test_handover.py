@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
 from brdf_designer.export.process import Request, run_export, tolerance_words
 from brdf_designer.export.section import DAILY, TITLES
 from brdf_designer.standard_comparison.control import StandardControl
+from brdf_qt.program.settings import settings
 from PySide6.QtCore import QPoint, Qt
 
 from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
@@ -43,6 +45,18 @@ def control(designer) -> HandoverControl:
 
 def settled(qtbot, control: HandoverControl) -> None:
     qtbot.waitUntil(lambda: control.section.losses.text().startswith(("Losses:", "No losses.")))
+
+
+@pytest.fixture
+def settings_of_an_earlier_version(own_session: Path) -> None:
+    """Version 0.1.0 exported to one format, and kept its name."""
+    own_session.mkdir()
+    kept = Path(__file__).resolve().parents[2] / "documents" / "old" / "0.1.0" / "settings" / "Designer.ini"
+    shutil.copy(kept, settings().fileName())
+
+
+def test_the_format_of_an_earlier_version_is_taken_over(settings_of_an_earlier_version, own_designer) -> None:
+    assert own_designer.feature(HandoverControl).section.chosen == ("csv",)
 
 
 def test_the_list_is_that_of_the_core() -> None:

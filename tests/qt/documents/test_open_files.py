@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -29,19 +28,39 @@ def listening(qtbot, monkeypatch, tmp_path):
     made.close()
 
 
+def started(role: str, files: list[Path], folder: Path | None = None) -> subprocess.Popen[str]:
+    """A process that hands files over, and prints whether they were taken.
+
+    Not a thread: waiting for the answer, it would hold the interpreter's lock and so the program that is to answer.
+    """
+    code = (
+        "import sys\nfrom pathlib import Path\nfrom brdf_qt.link.open_files import hand_over\n"
+        "print(hand_over(sys.argv[1], [Path(word) for word in sys.argv[2:]]))"
+    )
+    words = [sys.executable, "-P", "-c", code, role, *map(str, files)]
+    return subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, text=True)
+
+
 def test_the_running_program_gets_the_files(qtbot, listening, tmp_path) -> None:
     files = [tmp_path / "a.brdfview", tmp_path / "ä b.brdfview"]
-    with ThreadPoolExecutor(1) as other, qtbot.waitSignal(listening.requested) as got:
-        taken = other.submit(hand_over, "viewer", files)
-    assert taken.result() is True
+    with qtbot.waitSignal(listening.requested) as got:
+        other = started("viewer", files)
     assert got.args == [files]
+    assert other.communicate()[0] == "True\n"
 
 
-def test_names_are_made_absolute_where_they_are_given(qtbot, listening, tmp_path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    with ThreadPoolExecutor(1) as other, qtbot.waitSignal(listening.requested) as got:
-        other.submit(hand_over, "viewer", [Path("a.brdfview")])
+def test_the_answer_does_not_wait_for_the_files_to_be_opened(qtbot, listening, tmp_path) -> None:
+    answers = []
+    listening.requested.connect(lambda _files: answers.append(other.communicate()[0]))
+    other = started("viewer", [tmp_path / "a.brdfview"])
+    qtbot.waitUntil(lambda: answers == ["True\n"])
+
+
+def test_names_are_made_absolute_where_they_are_given(qtbot, listening, tmp_path) -> None:
+    with qtbot.waitSignal(listening.requested) as got:
+        other = started("viewer", [Path("a.brdfview")], tmp_path)
     assert got.args == [[tmp_path / "a.brdfview"]]
+    assert other.communicate()[0] == "True\n"
 
 
 def test_nobody_runs(listening, tmp_path) -> None:
@@ -54,13 +73,15 @@ def test_the_second_program_does_not_listen_until_the_first_has_ended(qtbot, lis
     window = QWidget()
     qtbot.addWidget(window)
     second = OpenFiles("viewer", window)
-    with ThreadPoolExecutor(1) as other, qtbot.waitSignal(listening.requested):
-        other.submit(hand_over, "viewer", [tmp_path / "a.brdfview"])
+    with qtbot.waitSignal(listening.requested):
+        first_files = started("viewer", [tmp_path / "a.brdfview"])
+    assert first_files.communicate()[0] == "True\n"
     second.close()
     listening.close()
     third = OpenFiles("viewer", window)
-    with ThreadPoolExecutor(1) as other, qtbot.waitSignal(third.requested):
-        other.submit(hand_over, "viewer", [tmp_path / "b.brdfview"])
+    with qtbot.waitSignal(third.requested):
+        second_files = started("viewer", [tmp_path / "b.brdfview"])
+    assert second_files.communicate()[0] == "True\n"
     third.close()
 
 
@@ -93,9 +114,9 @@ def test_a_command_with_a_file_ends_where_the_program_runs(qtbot, listening) -> 
     paint = str(resource("paints", "blue.brdfpaint"))
     command = child_command(MEMBERS["viewer"].package, "--open", paint)
     with qtbot.waitSignal(listening.requested) as got:
-        started = subprocess.Popen(command)
+        child = subprocess.Popen(command)
     assert got.args == [[Path(paint)]]
-    assert started.wait() == 0
+    assert child.wait() == 0
 
 
 def test_a_command_opens_the_file_itself_where_none_runs(tmp_path, monkeypatch) -> None:
