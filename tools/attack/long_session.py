@@ -132,7 +132,9 @@ def designer(scale: float, folder: Path) -> list[Sample]:
                     session.redo()
                 app.processEvents()
             front = program.documents.front
-            front.store.mark_clean(front.store.path)
+            path = front.store.path
+            assert path is not None  # it was opened from a file
+            front.store.mark_clean(path)
             program.documents.close(front)
         settle(lambda: program.is_idle)
         found.append(sample())
@@ -175,7 +177,11 @@ def swatch(scale: float, folder: Path) -> list[Sample]:
                 app.processEvents()
             session.set_state(replace(session.state, text="C-1"))
             settle(lambda: program.is_idle)
-            store = program.library.item(key).palette.store
+            item = program.library.item(key)
+            assert item is not None
+            assert item.palette is not None
+            store = item.palette.store
+            assert store.path is not None  # it was opened from a file
             store.mark_clean(store.path)
             program.library.close(key)
         settle(lambda: program.is_idle)
@@ -251,7 +257,7 @@ def run_program(name: str, scale: float, *, offscreen: bool = False) -> list[Sam
             own["QT_QPA_PLATFORM"] = "offscreen"
         else:
             sys.path.insert(0, str(ROOT / "packaging" / "screenshots"))
-            from screenshots import virtual_screen
+            from screenshots import virtual_screen  # type: ignore[import-not-found]  # a script, by its folder
 
             own |= {"DISPLAY": stack.enter_context(virtual_screen()), "QT_QPA_PLATFORM": "xcb"}
         command = [sys.executable, str(Path(__file__).resolve()), "--inside", name, "--scale", str(scale)]
