@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -233,6 +233,10 @@ class Designer(Program):
             Path(name_or_path), lambda _path, _progress: load_document(name_or_path), show, failed
         )
 
+    def _open_files(self, paths: Sequence[Path]) -> None:
+        for path in paths:
+            self.documents.open(path)
+
     def close(self) -> None:
         """Leave the link; unsaved work of a program that has to end is kept for the next start. Only once."""
         if self.closed:
@@ -247,7 +251,7 @@ class Designer(Program):
         window, controller, documents = self.window, self.controller, self.documents
         window.new_requested.connect(documents.new)
         window.open_requested.connect(documents.open)
-        window.files_dropped.connect(lambda paths: [documents.open(path) for path in paths])
+        window.files_dropped.connect(self._open_files)
         window.shipped_requested.connect(
             lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
         )

@@ -212,7 +212,8 @@ class Palette(Shown):
     def with_entries(self, changed: Mapping[int, Entry]) -> Palette:
         """Return the palette with other entries in some places; the rest is not checked once more.
 
-        Raises :class:`ValueRangeError` where one has another id than the entry whose place it takes.
+        ``changed`` has them by their places. Raises :class:`ValueRangeError` where one has another id than the entry
+        whose place it takes.
 
         >>> import brdf_suite as bs
         >>> mine = bs.Palette("Mine", (bs.Entry(bs.load("blue", bs.Paint), id="b"),))
