@@ -42,6 +42,8 @@ class Package:
             stated = str(metadata.get(field) or "")
             with contextlib.suppress(InvalidLicenseExpression):
                 return str(canonicalize_license_expression(_STATED.get(stated, stated)))
+            if found := _licence_of_text(" ".join(stated.split())):  # some state the whole text there
+                return found
         for file in self.found.files or ():
             if _LICENCE_FILE.fullmatch(file.name):
                 text = Path(str(file.locate())).read_text(encoding="utf-8", errors="replace")

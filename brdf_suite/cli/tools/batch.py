@@ -69,6 +69,7 @@ def add(command: CommandParser) -> None:
         "filter environments into the cache",
         lambda o: Prefilter(FitSettings(parse_basis(o)), o.layout),
         "an .exr or .hdr map, a .brdfstudio file, a shipped name; a folder stands for all below it",
+        "FILE|NAME|FOLDER",
     )
     add_environment_layout(prefilter)
     add_basis(prefilter)
@@ -93,9 +94,10 @@ def _step(
     summary: str,
     make: Callable[[argparse.Namespace], BatchStep],
     sources: str = "a name, a paint, a measured file, a palette of any format; a folder stands for all below it",
+    metavar: str = "PAINT|PALETTE|FOLDER",
 ) -> CommandParser:
     part = steps.add_parser(name, help=summary, description=summary[:1].upper() + summary[1:] + ".")
-    part.add_argument("sources", metavar="PAINT|PALETTE|FOLDER", nargs="*", help=sources)
+    part.add_argument("sources", metavar=metavar, nargs="*", help=sources)
     part.add_argument(
         "-o", "--output", metavar="FOLDER", type=Path, required=True, help="the folder of the results"
     )
@@ -109,7 +111,7 @@ def _step(
             "the sources and the results",
             "--jobs SYSTEM": "ask a job system for workers, by dask-jobqueue and its configuration file: "
             + ", ".join(JOB_SYSTEMS),
-            "--group N": "items that a worker takes at once (default: as many as take about 2 s)",
+            "--group N": "items that a worker takes at once (default: two seconds of work)",
         },
         workers=whole_number(1, 4096),
         jobs=JOB_SYSTEMS,
@@ -130,7 +132,7 @@ def run(options: argparse.Namespace) -> int:
     """Run the batch; 1 where an item failed."""
     sources = [*options.sources, *(() if options.list is None else _listed(options.list))]
     if not sources:
-        options.parser.error("name a PAINT, PALETTE or FOLDER, or give --list FILE")
+        options.parser.error("name what the batch is to work on, or give --list FILE")
     step = options.make(options)
     items = (list_lights if step.name == "prefilter" else list_paints)(sources, options.output)
     with progress_bar(f"batch {step.name}", quiet=options.json) as progress:
