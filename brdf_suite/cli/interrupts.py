@@ -15,6 +15,8 @@ from types import FrameType
 
 _AGAIN_S = 0.02
 _IMPORTS = "<frozen importlib._bootstrap>"
+_put_off = threading.Event()
+"""Set while an interrupt waits for the end of an import."""
 
 
 @contextmanager
@@ -25,19 +27,25 @@ def interrupts_between_imports() -> Iterator[None]:
         yield
         return
     signal.signal(signal.SIGINT, _interrupt)
+    _put_off.clear()
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    if _put_off.is_set():  # the block ended before it came again
+        _put_off.clear()
+        raise KeyboardInterrupt
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
     at = frame
     while at is not None:
         if at.f_code.co_filename == _IMPORTS:
+            _put_off.set()
             again = threading.Timer(_AGAIN_S, _thread.interrupt_main)
             again.daemon = True
             again.start()
             return
         at = at.f_back
+    _put_off.clear()
     signal.default_int_handler(number, frame)

@@ -104,6 +104,8 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     values = bs.load("fine_silver", bs.Material).eval(directions, views)
     bs.save(bs.samples(directions, views, values), folder / "sample.astm")
     (folder / "sample.astm").rename(folder / "sample.brdf")  # what it is, its content says
+    model = "def brdf(L, V, N, X, Y, a=number(0, 1, 0.5)):\n    return a / pi\n"
+    (folder / "model.brdf").write_text(model, encoding="utf-8")
     entries = (bs.Entry(bs.load(name, bs.Paint)) for name in ("blue", "copper", "fine_silver"))
     bs.save(bs.Palette("Summer", tuple(entries)), folder / "summer.brdfpalette")
     return folder

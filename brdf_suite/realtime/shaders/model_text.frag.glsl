@@ -1,4 +1,4 @@
-// f_r of a model that a user wrote, for a pair of directions a pixel; drawn without a mesh, over the whole target.
+// Provides: f_r of a model that a user wrote, for a pair of directions a pixel; drawn without a mesh.
 // Needs: BRDF(L, V, N, X, Y) and its uniforms, which take the place of the line MODEL.
 uniform sampler2D brdf_suite_light;
 uniform sampler2D brdf_suite_view;

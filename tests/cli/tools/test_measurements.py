@@ -70,7 +70,7 @@ def test_bench_writes_its_own_section_and_the_documents_that_quote_it(
     (folder / "bench_demo.py").write_text(DEMO, encoding="utf-8")
     (folder / "bench_other.py").write_text("import a_package_that_is_not_there\n", encoding="utf-8")
     monkeypatch.setattr(bench, "_FOLDER", folder)
-    options = argparse.Namespace(name="demo", list=False, all=False, json=True, write=True)
+    options = argparse.Namespace(name="demo", list=False, all=False, json=True, write=True, large=False)
     assert bench.run(options) == 0
     assert "-->4.0 ms<!--/-->" in (docs / "page.md").read_text(encoding="utf-8")
     kept = json.loads((docs / "measurements.json").read_text(encoding="utf-8"))
