@@ -16612,8 +16612,8 @@ h {hue}°</translation>
         <translation>ALTA, binär</translation>
     </message>
     <message>
-        <source>no row has light and view above the horizon</source>
-        <translation>keine Zeile hat Licht und Blick über dem Horizont</translation>
+        <source>holds no samples with light and view above the horizon</source>
+        <translation>enthält keine Messwerte mit Licht und Blick über dem Horizont</translation>
     </message>
     <message>
         <source>{0} is {1}; {2} is known</source>

@@ -29,7 +29,7 @@ PATTERN = re.compile(r"[A-Z]{3}(?!-)|[\[…]|\w\|\w")
 AFTER = re.compile(r"(\s{3,}\S| +#|\s+>|\s+\||\s+\().*$")
 
 SLOW = re.compile(
-    r"^(?:render|turntable|sheet|acquire|basis|agreement|represent|prefilter|factorize|fit-cook-torrance"
+    r"^(?:batch|render|turntable|sheet|acquire|basis|agreement|represent|prefilter|factorize|fit-cook-torrance"
     r"|completion (?:bash|zsh|fish)|environment (?:sky|info)|cache|export .*\.pdf|open|designer|viewer|lobes|swatch)\b"
 )
 """Commands that draw, filter, search, open windows, or write outside of the working folder."""
@@ -55,6 +55,8 @@ def parse(program: str, words: list[str]) -> None:
         from brdf_lobe_visualizer.__main__ import parser as lobes
 
         lobes().parse_args(words)
+    elif program == "brdf-suite" and words[:1] == ["lobes"]:
+        parse("brdf-lobes", words[1:])
     elif program == "brdf-suite" and words[:1] == ["help"]:
         parser(COMMANDS).parse_args([*words[1:], "--help"])
     elif program == "brdf-suite" and (not words or words[0] not in {"designer", "viewer", "lobes", "swatch"}):

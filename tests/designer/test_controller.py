@@ -18,7 +18,9 @@ from brdf_designer.session.paint_session import LONGEST_UNFITTED_S, PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import PaintStatus
 from brdf_designer.window.window import DesignerWindow
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.link.messages import BadMessageError, encode
+from brdf_qt.window.progress_strip import ProgressStrip
 from brdf_qt.window.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
@@ -48,7 +50,9 @@ class Parts:
 
     def __init__(self, fitter, dialogs) -> None:
         self.view = create_autospec(DesignerWindow, instance=True)
-        self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
+        self.strip = ProgressStrip()
+        reading = FileReading(self.strip)
+        self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, reading, pytest.fail)
         self.published = []
         self.publish = lambda *message: self.published.append(message)
         self.session = PaintSession(

@@ -232,12 +232,13 @@ def test_the_unmeasured_range_is_shown_by_the_nearest_angle_on_either_side(desig
     assert "than 15°" in designer.window.model.note.text()
 
 
-def test_a_shipped_name_is_that_paint_as_for_the_command(designer, tmp_path, monkeypatch):
+def test_a_shipped_name_is_that_paint_as_for_the_command(designer, qtbot, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "copper").write_text("a file of that name")
     designer.open("copper")
     assert designer.store.value.name == "Copper"
     designer.open("x" * 300)
+    qtbot.waitUntil(lambda: "open" in designer.window.messages.shown())
     assert "annot be read" in designer.window.messages.shown()["open"].what
     assert designer.store.value.name == "Copper"
 
@@ -248,6 +249,7 @@ def test_a_measured_paint_of_table_1_is_measured_and_a_design_starts_from_it(des
     assert not designer.store.is_clean
     assert designer.store.path is None
     designer.open("table1_blau")
+    qtbot.waitUntil(lambda: "open" in designer.window.messages.shown())
     what = designer.window.messages.shown()["open"].what
     assert "did you mean table1_blue" in what
 
@@ -314,7 +316,7 @@ def test_the_message_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, d
     assert "save" not in designer.window.messages.shown()
 
 
-def test_a_bad_file_is_reported_and_the_open_paint_stays(designer, dialogs, tmp_path):
+def test_a_bad_file_is_reported_and_the_open_paint_stays(designer, dialogs, qtbot, tmp_path):
     bad = tmp_path / "bad.brdfpaint"
     save_paint(load_shipped_paint("red"), bad)
     content = json.loads(bad.read_text())
@@ -323,6 +325,7 @@ def test_a_bad_file_is_reported_and_the_open_paint_stays(designer, dialogs, tmp_
     before = designer.store.value
     dialogs.path = bad
     action(designer, "File ▸ Open…").trigger()
+    qtbot.waitUntil(lambda: "open" in designer.window.messages.shown())
     message = designer.window.messages.shown()["open"]
     assert "measurements[1].lab[0]" in message.where
     assert designer.store.value == before

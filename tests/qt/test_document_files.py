@@ -130,7 +130,7 @@ def test_a_bad_file_is_reported_with_its_place_and_changes_nothing(files, tmp_pa
     assert not files.open(bad)
     assert files.store.value == "first"
     assert heard[0].what.startswith("bad.note: ")
-    assert f"{tmp_path}, line 1" in heard[0].where
+    assert heard[0].where == f"Line 1, in {tmp_path}"
     assert "unchanged" in heard[0].todo
 
 

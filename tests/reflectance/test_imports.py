@@ -51,4 +51,7 @@ def test_no_room_above_is_needed(loaded: set[str]) -> None:
         "arrays",
         "notebook",
         "release",
+        "plugins",
+        "processes",
+        "regular_files",
     }

@@ -138,7 +138,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
             rows, wi, wo, numbers = rows.only(kept), wi[kept], wo[kept], numbers[kept]
         numbers = numbers / wo[:, 2:]
     if not kept.any():
-        raise FileError(path, "no row has light and view above the horizon", "the table")
+        raise FileError(path, "holds no samples with light and view above the horizon", "the table")
     meaning = "grey" if header.outputs == 1 else "xyz" if header.param_out == "XYZ_COLOR" else "rgb"
     turning = system.anisotropic and not one_azimuth(np.arctan2(wi[:, 1], wi[:, 0]))
     return samples(

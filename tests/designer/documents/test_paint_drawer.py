@@ -57,5 +57,7 @@ def test_a_file_that_is_no_palette_is_reported_and_the_list_stays(qtbot, designe
     file.write_text("{")
     drawer.open_palette(str(file))
     qtbot.waitUntil(lambda: "palette" in designer.window.messages.shown())
-    assert str(file) in str(designer.window.messages.shown()["palette"])
+    message = designer.window.messages.shown()["palette"]
+    assert file.name in message.what
+    assert str(file.parent) in message.where
     assert drawer.model.rowCount() == len(paint_names())

@@ -109,7 +109,7 @@ def test_a_handed_over_file_opens_its_paints(program, control, qtbot, tmp_path) 
     path.write_text(path.read_text("utf-8")[:-300], "utf-8")
     program.window.open_requested.emit(path)
     qtbot.waitUntil(lambda: program.reading.is_idle)
-    assert "season.cxf" in program.window.messages.shown()["open"].where
+    assert "season.cxf" in program.window.messages.shown()["open"].what
     assert len(program.documents.row) == 2
 
 
@@ -140,12 +140,12 @@ def test_what_is_neither_is_reported(program, control, qtbot, tmp_path) -> None:
     text.write_text("nothing measured")
     program.window.open_requested.emit(text)
     qtbot.waitUntil(lambda: program.reading.is_idle)
-    assert "notes.txt" in program.window.messages.shown()["open"].where
+    assert "notes.txt" in program.window.messages.shown()["open"].what
     broken = tmp_path / "broken.bsdf"
     broken.write_bytes(b"tensor_file\0\1\0" + b"\xff" * 40)
     before = program.session.paint
     program.window.open_requested.emit(broken)
-    qtbot.waitUntil(lambda: "broken.bsdf" in program.window.messages.shown()["open"].where)
+    qtbot.waitUntil(lambda: "broken.bsdf" in program.window.messages.shown()["open"].what)
     assert program.session.paint is before
     assert program.window.progress.jobs == ()
 

@@ -228,7 +228,7 @@ def test_what_cannot_be_read_is_reported_and_nothing_changes(program, control, q
     broken.write_text("{")
     control.load(broken)
     qtbot.waitUntil(lambda: "standard" in program.window.messages.shown())
-    assert "broken.brdfpaint" in program.window.messages.shown()["standard"].where
+    assert "broken.brdfpaint" in program.window.messages.shown()["standard"].what
     assert control.standard is mine
 
 
