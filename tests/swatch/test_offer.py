@@ -8,6 +8,8 @@ import pytest
 from brdf_designer.assembly import paint_format
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
+from brdf_qt.documents.file_reading import FileReading
+from brdf_qt.window.progress_strip import ProgressStrip
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import paint_to_json
@@ -18,7 +20,13 @@ BLUE = solid_paint("Blue", (30.0, 5.0, -40.0))
 @pytest.fixture
 def documents(qapp, dialogs):
     """Designer's documents, with one that is worked at."""
-    found = Documents(solid_paint("First", (50.0, 0.0, 0.0)), paint_format(), dialogs, lambda error: None)
+    found = Documents(
+        solid_paint("First", (50.0, 0.0, 0.0)),
+        paint_format(),
+        dialogs,
+        FileReading(ProgressStrip()),
+        lambda error: None,
+    )
     found.front.store.set(solid_paint("Mine", (51.0, 0.0, 0.0)), "edit")
     yield found
     for document in found.row:

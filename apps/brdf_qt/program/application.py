@@ -26,12 +26,11 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QFont, QGuiApplication, QIcon, QSurfaceFormat
+from PySide6.QtGui import QColorSpace, QFont, QGuiApplication, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
 from brdf_qt.program.diagnostics import start_log
-from brdf_qt.program.monitor_profile import declared_colour_space
 from brdf_qt.program.settings import ORGANISATION
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.window.message_bar import Message, message_of
@@ -59,6 +58,13 @@ class ErrorRelay(QObject):
 def error_relay() -> ErrorRelay:
     """Return the relay of this process."""
     return ErrorRelay()
+
+
+def declared_colour_space(platform: str) -> QColorSpace:
+    """Return what windows are declared to be in on a platform that manages colour; of others an invalid one."""
+    if platform == "cocoa" or platform.startswith("wayland"):
+        return QColorSpace(QColorSpace.NamedColorSpace.SRgb)
+    return QColorSpace()
 
 
 def surface_format(samples: int = 4) -> QSurfaceFormat:

@@ -12,10 +12,10 @@ import platform
 import re
 from contextlib import suppress
 from logging.handlers import RotatingFileHandler
+from numbers import Number
 from pathlib import Path
 from traceback import extract_tb
 
-import numpy as np
 from PySide6.QtCore import QSettings, qVersion
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 
@@ -51,7 +51,7 @@ class PrivateFormatter(logging.Formatter):
 
 
 def _shown(value: object) -> object:
-    if isinstance(value, (int, float, np.number)):
+    if isinstance(value, Number):
         return value
     return type(value).__name__ if isinstance(value, BaseException) else "…"
 

@@ -17,9 +17,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtGui import QColorSpace, QGuiApplication, QScreen
+from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QWidget
 
+from brdf_qt.program.application import declared_colour_space
 from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import tr
 from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
@@ -39,13 +40,6 @@ class Monitor:
     space: DisplaySpace
     description: str
     is_measured: bool
-
-
-def declared_colour_space(platform: str) -> QColorSpace:
-    """Return what windows are declared to be in on a platform that manages colour; of others an invalid one."""
-    if platform == "cocoa" or platform.startswith("wayland"):
-        return QColorSpace(QColorSpace.NamedColorSpace.SRgb)
-    return QColorSpace()
 
 
 def monitor_of(widget: QWidget | None, platform: str | None = None) -> Monitor:

@@ -14,6 +14,7 @@ from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import RemoveAngle, SetFlop
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import colours_of
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.main_window import SuiteWindow
 from hypothesis import HealthCheck, given, settings
@@ -49,7 +50,11 @@ class Host:
         )
         fitter.fit.side_effect = UnreachableError("What the paint is fitted to does not matter here.")
         self.documents = Documents(
-            paint, paint_format(), create_autospec(QtDialogs, instance=True), pytest.fail
+            paint,
+            paint_format(),
+            create_autospec(QtDialogs, instance=True),
+            create_autospec(FileReading, instance=True),
+            pytest.fail,
         )
         self.session = PaintSession(self.documents, fitter, lambda *_: None, window)
         self.store = self.documents.front.store

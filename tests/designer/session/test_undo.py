@@ -27,6 +27,8 @@ from brdf_designer.session.edits import (
 )
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
+from brdf_qt.documents.file_reading import FileReading
+from brdf_qt.window.progress_strip import ProgressStrip
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -90,7 +92,9 @@ def session(qapp, dialogs):
     fitter = create_autospec(PaintFitter, instance=True)
     fitter.fit.side_effect = FITTER_IS_NOT_ASKED
     view = create_autospec(DesignerWindow, instance=True)
-    documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
+    documents = Documents(
+        load_shipped_paint("blue"), paint_format(), dialogs, FileReading(ProgressStrip()), pytest.fail
+    )
     documents.add(load_shipped_paint("red"))
     documents.add(load_shipped_paint("copper"))
     session = PaintSession(documents, fitter, lambda *_: None, view)

@@ -39,6 +39,7 @@ def hostile(walks, tmp_path: Path) -> Path:
 def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbot, tmp_path: Path) -> None:
     window = designer.window
     designer.open(str(hostile))
+    qtbot.waitUntil(lambda: designer.reading.is_idle)
     designer.open("blue")
     standard, between = part(designer, StandardControl), part(designer, InterpolationControl)
     for kind in (VariationsControl, InterpolationControl, StandardControl):
@@ -60,7 +61,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     measured.open(lobes)
     qtbot.waitUntil(lambda: measured.start_of_front() is not None)
     designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # a message names it
-    assert window.messages.shown()
+    qtbot.waitUntil(lambda: bool(window.messages.shown()))
     window.show_recent(designer.files.recent())
     history = part(designer, HistoryControl).strip.states
     for front in (designer.documents.front, designer.documents.row[0]):

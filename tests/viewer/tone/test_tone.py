@@ -15,7 +15,8 @@ from types import ModuleType
 import numpy as np
 import pytest
 from brdf_qt.program import monitor_profile
-from brdf_qt.program.monitor_profile import declared_colour_space, monitor_of
+from brdf_qt.program.application import declared_colour_space
+from brdf_qt.program.monitor_profile import monitor_of
 from brdf_qt.window.view_titles import TONE_TITLES
 from brdf_viewer.tone.section import describe_clipping
 from PIL import Image
