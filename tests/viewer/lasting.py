@@ -38,7 +38,7 @@ from brdf_suite.documents.store import view_to_json
 
 CHANGING = {
     *("_frames", "_losses", "_settled", "counted", "frame_ms", "reading"),  # by the time that something takes
-    *("_generation", "_gesture", "_latest", "generation"),  # counts of what was done
+    *("_generation", "_gesture", "_latest", "generation", "newest"),  # counts of what was done
     *("_button", "_last", "_merged"),  # of a gesture that is over; the next one begins by setting them
     *("_tallest", "_widest"),  # the place that the longest text so far is given
     *("_encoded", "_widths"),  # what was worked out of a document and of texts, to be looked up again

@@ -229,7 +229,7 @@ def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
     assert "ΔE" not in viewer.window.status.cell("fit").text()
     viewer.controller.paint.show_fit(fit, "file")
     assert "maximum ΔE00" in viewer.window.paint.fit.text()
-    assert "ΔE 0." in viewer.window.status.cell("fit").text()
+    assert "ΔE00 0." in viewer.window.status.cell("fit").text()
 
 
 def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
@@ -250,7 +250,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     assert section.fit.mark is Mark.BAD
     assert section.fit.font().bold()
     assert "no non-negative sum of the lobes" in section.fit.toolTip()
-    assert "ΔE 3" in cell.text()
+    assert "ΔE00 3" in cell.text()
     assert cell.mark is Mark.BAD
     assert cell.font().bold()
     assert "no non-negative sum of the lobes" in cell.toolTip()

@@ -22,7 +22,11 @@ def children(process: subprocess.Popen[str]) -> dict[str, int]:
     for pid in listed:
         with suppress(OSError):  # it ended meanwhile
             commands[int(pid)] = Path(f"/proc/{pid}/cmdline").read_bytes().split(b"\0")
-    return {words[3].decode(): pid for pid, words in commands.items() if words[1:3] == [b"-P", b"-m"]}
+    return {
+        words[words.index(b"-m") + 1].decode(): pid
+        for pid, words in commands.items()
+        if b"-P" in words and b"-m" in words
+    }
 
 
 def wait_for(condition, seconds: float = 200.0):

@@ -94,7 +94,8 @@ def test_a_bad_environment_is_reported_and_the_old_picture_stays(filled, tmp_pat
     drop(filled, bad)
     filled.wait_idle()
     text = filled.messages()["environment"]
-    assert str(bad) in text
+    assert text.startswith("notes.hdr: ")
+    assert str(tmp_path) in text
     assert "The picture shows dim.exr" in text
     assert filled.view == view
     filled.qtbot.waitUntil(lambda: filled.window.environment.chooser.list.currentText() == "dim.exr")
@@ -120,7 +121,7 @@ def test_a_bad_mesh_is_reported_and_the_old_one_stays(viewer, tmp_path) -> None:
     first = viewer.pixels()
     drop(viewer, bad)
     viewer.wait_idle()
-    assert str(bad) in viewer.messages()["surface"]
+    assert viewer.messages()["surface"].startswith("empty.obj: ")
     assert viewer.view.surface == "sphere"
     viewer.window.messages.dismiss("surface")
     viewer.qtbot.waitUntil(lambda: viewer.pixels().shape == first.shape)
@@ -320,13 +321,15 @@ def test_a_dropped_paint_is_shown(viewer, tmp_path) -> None:
     save_paint(solid_paint("Ruby", (35.0, 60.0, 35.0)), file)
     before = viewer.pixels()
     drop(viewer, file)
+    viewer.wait_idle()
     assert viewer.state.fit.paint.name == "Ruby"
     assert np.abs(viewer.pixels().astype(int) - before).max() > 30
     assert not viewer.window.paint.follow.isChecked()
     assert viewer.window.windowTitle() == "Ruby, Sphere, dim.exr"
     file.write_text("{}")
     drop(viewer, file)
-    assert str(file) in viewer.messages()["paint"]
+    viewer.wait_idle()
+    assert viewer.messages()["paint"].startswith("ruby.brdfpaint: ")
     assert viewer.state.fit.paint.name == "Ruby"
 
 
@@ -335,6 +338,7 @@ def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
     save_paint(load_document("table1_2k_acrylack"), file)
     before = viewer.pixels()
     drop(viewer, file)
+    viewer.wait_idle()
     assert viewer.state.fit.name == "2K Acrylack"
     assert np.abs(viewer.pixels().astype(int) - before).max() > 30
     assert viewer.window.windowTitle() == "2K Acrylack, Sphere, dim.exr"
