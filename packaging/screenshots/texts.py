@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QAbstractSpinBox,
     QComboBox,
+    QFileDialog,
     QFrame,
     QGraphicsSimpleTextItem,
     QGraphicsTextItem,
@@ -251,6 +252,8 @@ def _rows(view: QAbstractItemView, window: QWidget) -> Iterator[Fault]:
     model = view.model()
     if model is None or view.horizontalScrollBar().maximum() > 0:
         return
+    if isinstance(view.window(), QFileDialog):
+        return  # Qt's own; its columns are as wide as the user makes them
     area = view.viewport().rect()
     for row in range(min(model.rowCount(view.rootIndex()), _MOST_ROWS)):
         for column in range(1 if isinstance(view, QListView) else model.columnCount(view.rootIndex())):

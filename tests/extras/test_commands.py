@@ -38,6 +38,7 @@ WORKING = (
     "export blue -o blue.csv",
     "palette convert list.gpl list.brdfpalette",
     "palette info list.gpl",
+    "thumbnail list.gpl -o list.png --size 32",
     "palette find blue --in list.gpl",
     "project pack -o mine.brdfproject --paint blue",
     "project list mine.brdfproject",
@@ -69,6 +70,11 @@ NEEDY = {
     "turntable blue -o a.mp4 {small}": "ffmpeg",
     "turntable blue --renderer raytraced -o a.webm {small}": "ffmpeg",
     "acquire session -o a.brdftable": "numba",
+    **{
+        f"batch {step} blue -o batched": "Dask"
+        for step in ("measure", "fit", "render {small}", "factorize", "export")
+    },
+    "batch prefilter light.exr -o batch_light": "Dask",
 }
 """What stops at a missing package, and which."""
 

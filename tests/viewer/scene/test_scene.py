@@ -342,8 +342,9 @@ def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
     assert viewer.state.fit.name == "2K Acrylack"
     assert np.abs(viewer.pixels().astype(int) - before).max() > 30
     assert viewer.window.windowTitle() == "2K Acrylack, Sphere, dim.exr"
-    assert "ΔE 0." in viewer.window.status.cell("fit").text()
+    assert "ΔE00 0." in viewer.window.status.cell("fit").text()
     drop(viewer, file.with_name("missing.brdfpaint"))
+    viewer.wait_idle()
     assert viewer.state.fit.name == "2K Acrylack"
     assert "2K Acrylack" in viewer.messages()["paint"]
 
