@@ -318,10 +318,14 @@ def _recovery(folder: Path) -> Any:
 def _write_autosave(folder: Path, number: int) -> None:
     """Do what a start and an edit do: earlier work is taken up, and the new version saved by itself."""
     store, recovery = _recovery(folder)
-    for item in recovery.found():
-        recovery.take(item)
-    store.replace(_paint(number), None, clean=False)
-    recovery.close(keep=True)
+    try:
+        for item in recovery.found():
+            recovery.take(item)
+        store.replace(_paint(number), None, clean=False)
+        recovery.close(keep=True)
+    except SuiteError:
+        recovery.close(keep=False)  # as the program does where nothing can be written: its lock goes with it
+        raise
 
 
 def _read_autosave(folder: Path) -> int:
