@@ -13,7 +13,7 @@ import random
 import tempfile
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -240,7 +240,7 @@ def _simulated(figures: dict[str, float | None], row_bytes: float, item_bytes: f
             )
     _APPENDIX[:] = [*lines, "", f"Groups of {usual} are what a batch chooses by itself: about 2 s of work."]
     NOTES["million_100_hours"] = json.dumps(
-        {key: value for key, value in asdict(costs).items() if key != "item_s"}
+        {key: value for key, value in costs._asdict().items() if key != "item_s"}
     )
     return {"million_100_hours": hours[100], "million_1000_hours": hours[1000]}
 

@@ -8,13 +8,12 @@ results are written at the end, by one process.
 from __future__ import annotations
 
 import heapq
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 
-@dataclass(frozen=True)
-class Costs:
+class Costs(NamedTuple):
     """Seconds on one core, and bytes.
 
     Attributes
@@ -42,8 +41,7 @@ class Costs:
     row_bytes: float
 
 
-@dataclass(frozen=True)
-class Simulated:
+class Simulated(NamedTuple):
     """Hours, the share of the workers' time in which they worked, the busiest share of the client, and what limits."""
 
     hours: float
