@@ -26,6 +26,7 @@ from brdf_suite.pipeline.material import (
     Material,
     file_kind,
     is_file,
+    is_folder,
     load_material,
     load_palette_file,
     material_of_entry,
@@ -75,14 +76,6 @@ def load_item(item: BatchItem) -> Material:
     if item.entry:
         return material_of_entry(entry_from_json(json.loads(item.entry), item.source), item.label)
     return load_material(item.source)
-
-
-def is_folder(text: str) -> bool:
-    """Return whether there is such a folder; False also for a name that the file system does not take."""
-    try:
-        return Path(text).is_dir()
-    except (OSError, ValueError):
-        return False
 
 
 def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:

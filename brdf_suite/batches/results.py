@@ -51,8 +51,9 @@ def write_results(
     """
     done = [found[item.key] for item in items if item.key in found]
     columns = _columns(done)
-    _write_csv(folder / CSV, columns, done)
-    _write_parquet(folder / PARQUET, columns, done)
+    rows = [_row(one) for one in done]
+    _write_csv(folder / CSV, columns, rows)
+    _write_parquet(folder / PARQUET, columns, rows)
     if step not in ("prefilter", "factorize"):
         _write_palette(folder / PALETTE, step, items, found)
     write_atomically(folder / SUMMARY, _summary(step, items, done, columns, seconds).encode())
@@ -63,12 +64,11 @@ def _columns(done: Iterable[Finished]) -> list[str]:
     return [*_FIRST, *dict.fromkeys(column for one in done for column in one.row)]
 
 
-def _write_csv(path: Path, columns: Sequence[str], done: Iterable[Finished]) -> None:
+def _write_csv(path: Path, columns: Sequence[str], rows: Iterable[Mapping[str, Value]]) -> None:
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
-    for one in done:
-        row = _row(one)
+    for row in rows:
         writer.writerow([_cell(row.get(column)) for column in columns])
     write_atomically(path, text.getvalue().encode())
 
@@ -90,10 +90,9 @@ def _cell(value: Value) -> str:
     return json.dumps(value) if isinstance(value, list | bool) else repr(value)
 
 
-def _write_parquet(path: Path, columns: Sequence[str], done: Iterable[Finished]) -> None:
+def _write_parquet(path: Path, columns: Sequence[str], rows: Sequence[Mapping[str, Value]]) -> None:
     arrow = import_extra("pyarrow", purpose="a Parquet table")
     parquet = import_module("pyarrow.parquet")
-    rows = [_row(one) for one in done]
     table = arrow.Table.from_pydict({column: [row.get(column) for row in rows] for column in columns})
     with replacing(path) as temporary:
         parquet.write_table(table, temporary, compression="zstd")

@@ -154,8 +154,9 @@ class _Run:
             if not self._out:
                 self._submit(self._suspects.popleft())
             return
-        size = self._group or self._size(done)
-        while len(self._out) < _AHEAD * self._workers.width() and self._waiting:
+        width = self._workers.width()  # of a cluster, its scheduler is asked
+        size = self._group or self._size(done, width)
+        while len(self._out) < _AHEAD * width and self._waiting:
             self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
 
     def _submit(self, group: list[BatchItem]) -> None:
@@ -167,11 +168,11 @@ class _Run:
             raise self._lost() from error
         self._out[future] = group
 
-    def _size(self, done: int) -> int:
+    def _size(self, done: int, width: int) -> int:
         """Return how many items take a worker about two seconds, by those that are done; at first a few."""
         if done == 0:
             return 1
-        each = (monotonic() - self._start) * self._workers.width() / done
+        each = (monotonic() - self._start) * width / done
         return max(1, min(MOST_IN_A_GROUP, round(_GROUP_S / max(each, 1e-6))))
 
     def _collected(self, future: Future[list[Finished]], alone: bool) -> list[Finished]:

@@ -233,7 +233,7 @@ def paints_of(name_or_path: str | os.PathLike[str]) -> tuple[str, ...]:
     text = os.fspath(name_or_path)
     if packaged_name(text, [*paint_names(), *TABLE_1]) is not None:
         return (text,)
-    if Path(text).is_dir():
+    if is_folder(text):
         found = tuple(sorted(map(str, documents_in(Path(text), PAINT_ENDING)), key=str.casefold))
         if not found:
             raise FileError(text, f"holds no {PAINT_ENDING} file")
@@ -315,6 +315,14 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
             raise FileError(path, reason, no_measurement.place) from no_measurement
         return "palette"
     return "measured"
+
+
+def is_folder(text: str) -> bool:
+    """Return whether there is such a folder; False also for a name that the file system does not take."""
+    try:
+        return Path(text).is_dir()
+    except (OSError, ValueError):
+        return False
 
 
 def is_file(text: str) -> bool:
