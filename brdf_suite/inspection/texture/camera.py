@@ -126,21 +126,23 @@ def _blurred(at: Floats, light: Floats, side: int, spread_mm: float) -> Floats:
 
 def read_sparkle(picture: Floats, share: float, light_deg: float) -> Sparkle:
     """Return the reading of X (h, w) of :func:`sparkle_picture`, of flakes that send a share of the light."""
-    contrast = share * (picture - 1.0)
-    rows, columns = np.nonzero(contrast >= VISIBLE_CONTRAST)
-    bright = contrast[rows, columns]
-    if bright.size == 0:
+    height, width = picture.shape
+    if share <= 0.0:
         return Sparkle(light_deg, 0.0, 0.0, 0.0, 0.0)
-    height, width = contrast.shape
-    peak = np.ones(bright.size, bool)
+    light = picture.ravel()
+    seen = np.flatnonzero(light >= 1.0 + VISIBLE_CONTRAST / share)
+    if seen.size == 0:
+        return Sparkle(light_deg, 0.0, 0.0, 0.0, 0.0)
+    peaks = seen
     for i, j in ((i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)):
-        peak &= bright > contrast[(rows + i) % height, (columns + j) % width]
+        row, column = np.divmod(peaks, width)
+        peaks = peaks[light[peaks] > light[(row + i) % height * width + (column + j) % width]]
     return Sparkle(
         light_deg,
-        float(peak.sum()) / (contrast.size * PIXEL_MM**2),
-        bright.size / contrast.size,
-        float(bright[peak].mean()) if peak.any() else 0.0,
-        math.sqrt(float((bright**2).sum()) / contrast.size),
+        peaks.size / (light.size * PIXEL_MM**2),
+        seen.size / light.size,
+        share * float(light[peaks].mean() - 1.0) if peaks.size else 0.0,
+        share * math.sqrt(float(((light[seen] - 1.0) ** 2).sum()) / light.size),
     )
 
 
