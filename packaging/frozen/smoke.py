@@ -1,6 +1,6 @@
 """Test a frozen suite as a user has it: no Python on the path, nothing of this checkout.
 
-    python packaging/frozen/smoke.py FOLDER|FILE.deb|FILE.run
+    python packaging/frozen/smoke.py FOLDER|FILE.deb|FILE.run [--figures FILE.json]
 
 A package is installed before and removed after (as root), an archive extracted. Then: the command's version and list, a
 picture, an export, a comparison, a measured paint; each program opens its document under Xvfb and saves a picture of
@@ -116,7 +116,6 @@ def check_command(suite: Suite) -> None:
 
 def check_programs(suite: Suite, display: str) -> float:
     """Each program opens its document and saves a picture of its window; return Designer's start to a usable window."""
-    ready = 0.0
     for program in ("brdf-designer", "brdf-viewer", "brdf-lobes", "brdf-swatch"):
         document = DOCUMENTS.get(program, "paint.brdfpaint")
         words = [
@@ -229,7 +228,9 @@ def main() -> int:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("built", type=Path)
-    built = parser.parse_args().built.absolute()
+    parser.add_argument("--figures", type=Path, default=None, metavar="FILE")
+    options = parser.parse_args()
+    built = options.built.absolute()
     with tempfile.TemporaryDirectory() as work, installed(built, Path(work)) as commands:
         home = Path(work, "home")
         home.mkdir(mode=0o700)
@@ -241,9 +242,11 @@ def main() -> int:
         suite = Suite(own, home)
         check_command(suite)
         with screen() as display:
-            check_programs(suite, display)
+            ready = check_programs(suite, display)
             if built.suffix == ".deb":
                 check_file_manager(suite, display)
+    if options.figures is not None:
+        options.figures.write_text(json.dumps({"designer_ready_s": ready}), encoding="utf-8")
     print(f"{built.name}: passed")
     return 0
 

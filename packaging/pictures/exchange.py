@@ -29,7 +29,6 @@ from brdf_suite.appearance.colour.colorimetry import (
     REC709_TO_WORKING,
     WORKING_TO_SRGB,
     srgb_encode,
-    working_to_lab,
 )
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
@@ -47,7 +46,7 @@ from brdf_suite.reference.passes import trace
 from brdf_suite.reference.scene.camera import PinholeCamera
 from brdf_suite.reference.scene.scene import SurfacePart, build_scene
 from brdf_suite.reference.variant import start
-from brdf_suite.reflectance.instruments.rendered_sphere import light_map, sphere_difference
+from brdf_suite.reflectance.instruments.rendered_sphere import light_map, shown_lab, sphere_difference
 from brdf_suite.reports.handover import item_of
 from tools.evaluation.materialx_picture import draw_sphere
 
@@ -253,7 +252,9 @@ CLIENTS: Mapping[str, Callable[[ExportItem, Studio], tuple[Floats, float]]] = {
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
     """Return the mean ΔE00, exposed for the first, and both as shown (h, w, 3).
 
-    It is that of the blocks, each the mean of its pixels that are whole in both, and counted by their number.
+    It is that of the blocks, each the mean of its pixels that are whole in both, and counted by their number. Light is
+    cut off at 1 in the working space, as in the losses that are reported: a material whose colours end with Rec. 709
+    differs from a paint that is outside.
     """
     inside = (first[..., 3] > 0.999) & (other[..., 3] > 0.999)
     light = first[..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
@@ -261,7 +262,7 @@ def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
     pixels = _blocks(inside[..., None].astype(float))[..., 0]
     used = pixels > 0.0
     lab, other_lab = (
-        working_to_lab(np.clip(factor * mean, 0.0, 1.0) @ REC709_TO_WORKING.T)
+        shown_lab(mean @ REC709_TO_WORKING.T, factor)
         for picture in (first, other)
         for mean in (_blocks(picture[..., :3] * inside[..., None])[used] / pixels[used][:, None],)
     )

@@ -1,4 +1,5 @@
-"""The standing attack on the suite: damaged files, kills, wrong command lines, hostile surroundings; one table.
+"""The standing attack on the suite: damaged files, kills, wrong command lines, hostile surroundings, a flood on the
+live link, a long day; one table.
 
     python tools/attack/run.py [--minutes 2] [--json]                  a slice of everything
     python tools/attack/run.py --inputs 20000 --results long.json      the long run; the same line goes on with it
@@ -14,11 +15,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import subprocess
 import sys
 import tempfile
 import time
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from brdf_suite.documents.atomic import encode, write_atomically
 from tools.attack import report as tables
@@ -31,7 +34,7 @@ from tools.attack.replay import replay
 from tools.attack.surroundings import run_cases
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = ("readers", "kills", "lines", "surroundings")
+PARTS = ("readers", "kills", "lines", "surroundings", "link", "session")
 DOCUMENT = ROOT / "docs" / "development" / "reliability.md"
 
 
@@ -51,6 +54,9 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--inputs", type=int, help="damaged files of each reader")
     parser.add_argument("--kills", type=int, default=1000, help="kills in all (fewer in a slice)")
     parser.add_argument("--lines", type=int, default=300, help="command lines in all (fewer in a slice)")
+    parser.add_argument(
+        "--scale", type=float, help="share of the simulated day (default: 1, and 0.01 in a slice)"
+    )
     parser.add_argument("--parts", nargs="+", choices=PARTS, default=PARTS)
     parser.add_argument(
         "--only", nargs="*", default=[], metavar="NAME", help="beginnings of names of readers, writers, cases"
@@ -66,6 +72,17 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     parser.add_argument("--replay", type=Path, metavar="FOLDER")
     parser.add_argument("--table", type=Path, metavar="RESULTS")
     return parser.parse_args(arguments)
+
+
+def script(name: str, *words: str) -> list[dict[str, Any]]:
+    """Run another program of this folder, and return the JSON that it prints line by line."""
+    done = subprocess.run(
+        [sys.executable, str(Path(__file__).with_name(name)), "--json", *words],
+        stdout=subprocess.PIPE,
+        text=True,
+        check=False,  # its status says that a figure is over its bound, as the table does
+    )
+    return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
 
 
 def run(options: argparse.Namespace) -> dict[str, object]:
@@ -101,6 +118,21 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             say("surroundings")
             (folder / "cases").mkdir()
             figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
+            keep()
+        if "link" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+            say("link")
+            (figures["link"],) = script("link_flood.py", "--seconds", "6")
+            keep()
+        if "session" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+            scale = options.scale or (1.0 if whole else 0.01)
+            say(f"session of scale {scale:g}")
+            programs = script("long_session.py", "--scale", f"{scale:g}")
+            figures["session"] = {
+                "scale": scale,
+                "programs": {
+                    one["program"]: {key: one[key] for key in ("found", "faults")} for one in programs
+                },
+            }
             keep()
         if "readers" in options.parts:
             say("readers")

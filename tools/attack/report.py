@@ -67,6 +67,24 @@ def rows(figures: Figures) -> list[Row]:
             ("local files shown", f"{one['local_files_shown']}", "0", one["local_files_shown"] == 0),
             ("other faults in hostile surroundings", f"{bad}", "0", bad == 0),
         ]
+    if "link" in figures:
+        one = figures["link"]
+        oldest, stall = max(one["oldest_s"], one["last_s"]), one["stall_ms"]
+        found += [
+            ("flood on the link: oldest value at its delivery, s", f"{oldest:.2f}", "≤ 0.5", oldest <= 0.5),
+            ("the same: longest stall of the event loop, ms", f"{stall:.0f}", "≤ 50", stall <= 50.0),
+        ]
+    if "session" in figures:
+        one = figures["session"]
+        growth = max(row["found"]["memory_mb"]["growth"] for row in one["programs"].values())
+        grown = sum(name != "memory_mb" for row in one["programs"].values() for name in row["faults"])
+        title = f"simulated day of {len(one['programs'])} programs, {100.0 * one['scale']:.0f} %"
+        # Before, histories still fill.
+        shown = "≤ 10 %" if one["scale"] >= 0.2 else ""
+        found += [
+            (f"{title}: growth of memory", f"{100.0 * growth:+.1f} %", shown, not shown or growth <= 0.1),
+            ("the same: growing counts of threads, files, timers, objects", f"{grown}", "0", grown == 0),
+        ]
     return found
 
 
