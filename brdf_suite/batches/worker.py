@@ -21,7 +21,8 @@ from brdf_suite.batches.steps import BatchStep, Work
 from brdf_suite.errors import SuiteError
 from brdf_suite.release import __version__
 
-_IDLE_S = 60.0
+IDLE_S = 60.0
+"""After so long without an item a step is closed."""
 
 
 @dataclass
@@ -36,7 +37,8 @@ class _Open:
 
 _thread = ThreadPoolExecutor(1, "batch")
 _open: list[_Open] = []
-"""One at most; only ``_thread`` changes it."""
+_timers: list[Timer] = []
+"""One of each at most; only ``_thread`` changes them."""
 
 
 def do_items(
@@ -88,14 +90,25 @@ def _close() -> None:
 def _close_when_idle() -> None:
     """Close the step once a minute has passed without an item: the scene of a batch that has ended takes memory."""
     _open[0].used = monotonic()
-    timer = Timer(_IDLE_S, _thread.submit, [_close_if_idle])
+    if not _timers:  # one for all items: each is a thread, and items may take a millisecond
+        _look_after(IDLE_S)
+
+
+def _look_after(seconds: float) -> None:
+    timer = Timer(seconds, _thread.submit, [_close_if_idle])
     timer.daemon = True
     timer.start()
+    _timers.append(timer)
 
 
 def _close_if_idle() -> None:
-    if _open and monotonic() - _open[0].used >= _IDLE_S:
-        _close()
+    _timers.clear()
+    if _open:
+        left = _open[0].used + IDLE_S - monotonic()
+        if left > 0.0:
+            _look_after(left)
+        else:
+            _close()
 
 
 def _finished(work: Work, item: BatchItem, folder: Path) -> Finished:

@@ -6,12 +6,14 @@ import csv
 import json
 import os
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, ThreadPoolExecutor
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import ClassVar
+from time import monotonic, sleep
+from typing import Any, ClassVar
 
 import numpy as np
 import pyarrow.parquet
@@ -21,6 +23,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import brdf_suite as bs
+from brdf_suite.batches import worker
 from brdf_suite.batches.items import BatchItem, list_lights, list_paints, sources_in
 from brdf_suite.batches.journal import JOURNAL, Finished, Journal
 from brdf_suite.batches.running import run_batch
@@ -32,6 +35,7 @@ from brdf_suite.errors import Cancelled, FileError, SuiteError, ValueRangeError
 from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions
 from brdf_suite.pipeline.scene import default_view
 from brdf_suite.progress import Progress
+from brdf_suite.release import __version__
 
 Hire = Callable[[], AbstractContextManager[BatchWorkers]]
 
@@ -286,6 +290,42 @@ class Odd:
 def test_an_error_of_the_program_is_one_items_problem(tmp_path: Path, hire: Hire) -> None:
     done = run_batch(Odd(), list_paints(["blue", "red"]), tmp_path, hire)
     assert done.problems == (("red", "ZeroDivisionError: by nothing"),)
+
+
+class Shown:
+    """A step that says when it is opened and closed, in this process."""
+
+    name: ClassVar[str] = "shown"
+    __dataclass_fields__: ClassVar[dict[str, Any]] = {}
+
+    def __init__(self, said: list[str]) -> None:
+        self._said = said
+
+    def prepare(self, _progress: Progress | None) -> None:
+        """There is nothing to prepare."""
+
+    @contextmanager
+    def open(self) -> Iterator[Work]:
+        self._said.append("opened")
+        yield lambda item, _folder: Outcome({"name": item.label})
+        self._said.append("closed")
+
+
+def test_a_step_stays_open_between_groups_and_is_closed_when_idle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker, "IDLE_S", 0.5)
+    Journal(tmp_path, "x").append(())
+    said: list[str] = []
+    before = threading.active_count()
+    for _ in range(300):
+        worker.do_items(Shown(said), "x", list_paints(["blue"]), str(tmp_path), __version__)
+        assert threading.active_count() <= before + 2  # the one that works, and a timer
+    assert len(said) < 10  # once, but where this machine stood still meanwhile
+    end = monotonic() + 60.0
+    while said[-1] != "closed":
+        assert monotonic() < end, said
+        sleep(0.05)
 
 
 _DONE = [
