@@ -43,20 +43,22 @@ def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats
     The lengths are the singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs``
     per unit of ``positions``.
     """
-    along, other = edge_columns(positions, triangles)
-    base = np.sqrt(np.einsum("ij,ij->j", along, along))
-    x_axis = along / base
-    shear = np.einsum("ij,ij->j", other, x_axis)
-    up = other - shear * x_axis
-    height = np.sqrt(np.einsum("ij,ij->j", up, up))
-    uv_along, uv_other = edge_columns(uvs, triangles)
-    uv_along = uv_along / base
-    uv_up = (uv_other - shear * uv_along) / height
-    # Singular values of the 2×2 matrix with these columns.
-    total = np.einsum("ij,ij->j", uv_along, uv_along) + np.einsum("ij,ij->j", uv_up, uv_up)
-    area = np.abs(uv_along[0] * uv_up[1] - uv_along[1] * uv_up[0])
-    root = np.sqrt(np.maximum(total * total - 4.0 * area * area, 0.0))
-    smallest, largest = np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
+    # Coordinates that no scale can hold give infinite lengths, or none.
+    with np.errstate(over="ignore", invalid="ignore"):
+        along, other = edge_columns(positions, triangles)
+        base = np.sqrt(np.einsum("ij,ij->j", along, along))
+        x_axis = along / base
+        shear = np.einsum("ij,ij->j", other, x_axis)
+        up = other - shear * x_axis
+        height = np.sqrt(np.einsum("ij,ij->j", up, up))
+        uv_along, uv_other = edge_columns(uvs, triangles)
+        uv_along = uv_along / base
+        uv_up = (uv_other - shear * uv_along) / height
+        # Singular values of the 2×2 matrix with these columns.
+        total = np.einsum("ij,ij->j", uv_along, uv_along) + np.einsum("ij,ij->j", uv_up, uv_up)
+        area = np.abs(uv_along[0] * uv_up[1] - uv_along[1] * uv_up[0])
+        root = np.sqrt(np.maximum(total * total - 4.0 * area * area, 0.0))
+        smallest, largest = np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
     return smallest, largest, 0.5 * base * height
 
 

@@ -78,7 +78,8 @@ def read_pgii(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     wo = directions(rows, np.radians(table[:, 0]), np.radians(table[:, 1]))
     values = table[:, 2:]
     if kind == "DSF":
-        values = values / np.maximum(wo[:, 2:], _LEAST_COSINE)
+        with np.errstate(over="ignore"):  # what becomes infinite is refused with all other values
+            values = values / np.maximum(wo[:, 2:], _LEAST_COSINE)
     facts: dict[str, object] = {"format": "pgII text", "name": name, "colour": "grey"}
     facts["incidence"] = f"{theta_i:g}°"
     if transmitted:
