@@ -26,7 +26,8 @@ def samples(growth: dict[str, float]) -> list[dict[str, float]]:
         ({"memory_mb": 0.5}, 1.0, []),
         ({"memory_mb": 2.0}, 1.0, ["memory_mb"]),
         ({"memory_mb": 2.0}, 0.01, []),
-        ({"threads": 1.0, "gl_objects": 1.0}, 0.01, ["threads", "gl_objects"]),
+        ({"threads": 1.0, "gl_objects": 1.0}, 1.0, ["threads", "gl_objects"]),
+        ({"threads": 1.0, "gl_objects": 1.0}, 0.01, ["gl_objects"]),
         ({"threads": -0.1}, 1.0, []),
     ],
 )
