@@ -13780,10 +13780,6 @@ h {hue}°</translation>
         <translation>ist beschädigt oder kein lesbares {0}: {1}</translation>
     </message>
     <message>
-        <source>is {0} × {1} pixels, too large to be read: they would take {2} MB, and at most {3} MB are given to a picture</source>
-        <translation>hat {0} × {1} Pixel, zu groß zum Lesen: Das wären {2} MB, und einem Bild werden höchstens {3} MB gegeben</translation>
-    </message>
-    <message>
         <source>is not a Radiance picture (it does not begin with #?RADIANCE)</source>
         <translation>ist kein Radiance-Bild (beginnt nicht mit #?RADIANCE)</translation>
     </message>
@@ -16594,6 +16590,10 @@ h {hue}°</translation>
     <message>
         <source>One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.</source>
         <translation>Eine Farbe, die eines Metalls oder einer matten Schicht, und eine Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
+    </message>
+    <message>
+        <source>is {0} × {1} pixels, too large to be read: at most {2} million pixels are</source>
+        <translation>hat {0} × {1} Pixel, zu groß zum Lesen: höchstens {2} Millionen Pixel werden gelesen</translation>
     </message>
     <message>
         <source>holds numbers over {0}, which are neither shares nor directions</source>

@@ -72,7 +72,7 @@ def stored_choice() -> FitChoice:
         kept = json.loads(str(settings(SHARED).value(_STORED, "{}")))
         known = vars(FitChoice())
         return FitChoice(**{name: type(known[name])(kept[name]) for name in known if name in kept})
-    except (ValueError, TypeError, RecursionError):
+    except (ValueError, TypeError, OverflowError, RecursionError):
         return FitChoice()  # a settings file that another version wrote
 
 

@@ -30,6 +30,8 @@ MOST_OWN_BYTES = 5 << 28
 
 _PIXEL_BYTES = {"1": 1, "L": 1, "P": 1, "I;16": 2, "I;16L": 2, "I;16B": 2, "I;16N": 2}
 """Bytes a pixel of Pillow's modes; all others take 4."""
+_COLOUR_BYTES = 7
+"""The same in colour, with our copy. Others count as much, since they take as long."""
 _STRIP_BYTES = 1 << 24
 
 
@@ -95,12 +97,12 @@ def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: in
     channels = 3 if mode == "RGB" else 1
     stored = _PIXEL_BYTES.get(image.mode, 4)
     item = 1 if mode is not None else stored
-    made = image.width * image.height * (stored + channels * item)
-    if made > most_bytes:
+    most = most_bytes // max(_COLOUR_BYTES, stored + channels * item)
+    if image.width * image.height > most:
         raise FileError(
             path,
-            f"is {image.width} × {image.height} pixels, too large to be read: they would take {made >> 20:,} MB, "
-            f"and at most {most_bytes >> 20:,} MB are given to a picture",
+            f"is {image.width} × {image.height} pixels, too large to be read: "
+            f"at most {most / 1e6:.0f} million pixels are",
         )
     image.load()
     image.info.pop("transparency", None)  # Pillow warns where it drops it

@@ -57,7 +57,7 @@ def read_baked(path: PathLike, mesh: Mesh) -> BakedMesh:
         height, x0, z0, x1, z1 = (float(number) for number in header["ground"])
         transfer = arrays["ground"].astype(np.float32)
         parts = tuple(_part(original, number, arrays) for number, original in enumerate(mesh.parts))
-    except (ValueError, KeyError, TypeError, IndexError) as error:
+    except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise FileError(path, f"does not fit the mesh ({error})") from error
     return BakedMesh(parts, GroundLight(height, (x0, z0), (x1, z1), transfer))
 
