@@ -29,7 +29,8 @@ OPENED_BY = {
 def command_words(called: str, words: list[str]) -> list[str]:
     """Return the words of the command ``brdf-suite`` for ``words`` given to an executable ``called`` so.
 
-    A link with a program's name opens that program; a document as the first word opens the program of its kind.
+    A link with a program's name opens that program; a document as the first word opens the program of its kind. A macOS
+    bundle that is opened without a document shows Designer.
     """
     if words[:1] == [MODULE_OPTION]:  # a child process
         return words
@@ -37,7 +38,7 @@ def command_words(called: str, words: list[str]) -> list[str]:
         return [program, *words]
     if words and (program := OPENED_BY.get(Path(words[0]).suffix.lower())) is not None:
         return [program, "--open", *words]
-    return words
+    return words or (["designer"] if ".app/Contents/MacOS/" in called else [])
 
 
 if __name__ == "__main__":

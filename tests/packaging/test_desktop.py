@@ -137,6 +137,7 @@ def test_what_the_executable_is_called_says_what_it_opens() -> None:
         "A.BRDFPAINT",
         "b.brdfpaint",
     ]
+    assert words("/Applications/BRDF Suite.app/Contents/MacOS/brdf-suite") == ["designer"]
     assert words("brdf-suite", "render", "blue") == ["render", "blue"]
     assert words("brdf-designer", "--module", "brdf_viewer") == ["--module", "brdf_viewer"]
     opened = {kind: words("suite", f"a.{kind}")[0] for kind in ("brdfpalette", "brdfview", "brdfproject")}

@@ -91,6 +91,10 @@ class OpenFiles(QObject):
         socket.write(_TAKEN)
         socket.flush()  # before the files are opened: who asked does not wait long
         socket.disconnectFromServer()
+        self.open(files)
+
+    def open(self, files: list[Path]) -> None:
+        """Bring the window to the front, and request the files."""
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.raise_()
         self._window.activateWindow()

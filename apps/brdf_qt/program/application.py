@@ -17,6 +17,7 @@ from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import (
+    QEvent,
     QMessageLogContext,
     QObject,
     QSocketNotifier,
@@ -26,7 +27,7 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QColorSpace, QFont, QGuiApplication, QIcon, QSurfaceFormat
+from PySide6.QtGui import QColorSpace, QFileOpenEvent, QFont, QGuiApplication, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.program import theme, translation
@@ -60,6 +61,19 @@ def error_relay() -> ErrorRelay:
     return ErrorRelay()
 
 
+class SuiteApplication(QApplication):
+    """The application object; ``file_opened(Path)`` when macOS opens a file with the program that runs."""
+
+    file_opened = Signal(Path)
+
+    def event(self, event: QEvent) -> bool:
+        """Take the files that are opened."""
+        if isinstance(event, QFileOpenEvent) and event.file():
+            self.file_opened.emit(Path(event.file()))
+            return True
+        return super().event(event)
+
+
 def declared_colour_space(platform: str) -> QColorSpace:
     """Return what windows are declared to be in on a platform that manages colour; of others an invalid one."""
     if platform == "cocoa" or platform.startswith("wayland"):
@@ -87,7 +101,7 @@ def surface_format(samples: int = 4) -> QSurfaceFormat:
 
 def create_application(
     name: str, argv: list[str] | None = None, theme_name: str | None = None, language: str | None = None
-) -> QApplication:
+) -> SuiteApplication:
     """Make the application object of program ``name`` ("Designer"), with theme, language, log and error handling.
 
     ``theme_name`` and ``language`` (ISO 639 code) override what is remembered for this run only. Call once, before
@@ -98,7 +112,7 @@ def create_application(
         sys.exit(f"{name} cannot open a window: {missing}. `brdf-suite render` needs none.")
     QSurfaceFormat.setDefaultFormat(surface_format())
     QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
-    app = QApplication([name, *(argv or [])])
+    app = SuiteApplication([name, *(argv or [])])
     QSurfaceFormat.setDefaultFormat(surface_format())  # with the colours of the platform, which is known now
     app.setOrganizationName(ORGANISATION)
     app.setApplicationName(name)

@@ -160,6 +160,7 @@ def run_program(
     run = _Run(app, program, options, parser.prog, run_actions)
     open_files = OpenFiles(role, program.window)
     open_files.requested.connect(program.window.files_dropped)
+    app.file_opened.connect(lambda file: open_files.open([file]))
     app.aboutToQuit.connect(open_files.close)
     if launch is None:
         program.window.show()

@@ -63,6 +63,18 @@ def test_names_are_made_absolute_where_they_are_given(qtbot, listening, tmp_path
     assert other.communicate()[0] == "True\n"
 
 
+def test_a_file_that_macos_opens_is_taken(tmp_path) -> None:
+    code = (
+        "from brdf_qt.program.application import create_application\n"
+        "from PySide6.QtGui import QFileOpenEvent\n"
+        "app = create_application('Viewer')\n"
+        "app.file_opened.connect(lambda file: print('opened', file))\n"
+        "print(app.sendEvent(app, QFileOpenEvent('/a b.brdfview')))"
+    )
+    done = subprocess.run([sys.executable, "-P", "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split("\n")[:2] == ["opened /a b.brdfview", "True"]
+
+
 def test_nobody_runs(listening, tmp_path) -> None:
     assert hand_over("designer", [tmp_path / "a.brdfpaint"]) is False
     listening.close()
