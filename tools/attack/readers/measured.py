@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import struct
 from pathlib import Path
 
 import numpy as np
@@ -127,6 +128,18 @@ def _write_polarized(path: Path) -> None:
     path.write_bytes(pack(fields | {"wvls": np.array((500, 600), np.uint16), "M": matrices}))
 
 
+def _write_mbsdf(folder: Path) -> None:
+    """Write small tables, in grey and in colour with transmission behind; those that the suite writes have 17 MB."""
+    rng = np.random.default_rng(6)
+    shapes = {"grey": (0, 5, 5, 6, 1), "colour": (1, 4, 4, 4, 3)}
+    for name, (kind, *shape) in shapes.items():
+        table = struct.pack("<3I", kind, shape[0], shape[2]) + rng.random(shape).astype("<f4").tobytes()
+        content = b'NVIDIA ARC MBSDF V1\nname="small"\nMBSDF_DATA_REFLECTION=\n' + table
+        if kind:
+            content += b"\nMBSDF_DATA_TRANSMISSION=\n" + table
+        (folder / f"{name}.mbsdf").write_bytes(content)
+
+
 def _made(known: MeasuredFormat, folder: Path) -> list[Path]:
     ending = known.endings[0]
     if known.name in _TEXTS:
@@ -136,6 +149,8 @@ def _made(known: MeasuredFormat, folder: Path) -> list[Path]:
         _write_rgl(folder / "small.bsdf")
     elif known.name == "pbsdf":
         _write_polarized(folder / "gold.pbsdf")
+    elif known.name == "mbsdf":
+        _write_mbsdf(folder)
     elif known.name == "merl":
         write_measured(
             IsotropicTable.from_reflectance(Lambertian(0.5), HalfAngleGrid(20, 20, 40)),
