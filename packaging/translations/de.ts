@@ -16964,6 +16964,10 @@ h {hue}°</translation>
         <translation>Polarimetrische BRDF (Intensität)</translation>
     </message>
     <message>
+        <source>its indices are no whole numbers</source>
+        <translation>die Indizes sind keine ganzen Zahlen</translation>
+    </message>
+    <message>
         <source>needs {0} beside it, which {1}</source>
         <translation>braucht {0} daneben; diese Datei {1}</translation>
     </message>

@@ -38,10 +38,10 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
             if prim.IsA(UsdGeom.Mesh) and _is_drawn(prim):
                 matrix = np.array(matrices.GetLocalToWorldTransform(prim), np.float64)
                 parts += _parts(UsdGeom.Mesh(prim), matrix)
+        up = "z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "y"
+        return ReadMesh(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
     except (Tf.ErrorException, RuntimeError, ValueError, TypeError, OverflowError) as error:
         raise Refused("damaged, or refers to files that are not there") from error
-    up = "z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "y"
-    return ReadMesh(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
 
 
 def _is_drawn(prim: Any) -> bool:
