@@ -26,6 +26,7 @@ from tools.attack.loop import Loop, Seed, seeds_of
 from tools.attack.readers import READERS, chosen, coverage
 from tools.attack.readers.reader import Reader, WrongValueError, text_files
 from tools.attack.replay import replay
+from tools.attack.writers import WRITERS, Writer
 
 INPUTS = 40
 """Of each reader; a limit of time would depend on what else the machine does."""
@@ -185,8 +186,8 @@ def test_what_was_found_stays_mended() -> None:
     assert replay(FOUND) == []
 
 
-@pytest.mark.parametrize("writer", kills.WRITERS, ids=lambda writer: writer.name)
-def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: kills.Writer, tmp_path: Path) -> None:
+@pytest.mark.parametrize("writer", WRITERS, ids=lambda writer: writer.name)
+def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: Writer, tmp_path: Path) -> None:
     found = kills.Trial(writer, tmp_path, 1).run(10)
     assert (found.damaged, found.lost, found.leftovers, found.full_disk_faults) == (0, 0, 0, 0), (
         found.examples
@@ -217,7 +218,7 @@ def test_careless_writers_are_seen(fault: str, tmp_path: Path) -> None:
         (version,) = set((folder / "a").read_text().split())
         return int(version)
 
-    found = kills.Trial(kills.Writer("x", write, read), tmp_path, 1).run(12)
+    found = kills.Trial(Writer("x", write, read), tmp_path, 1).run(12)
     assert getattr(found, fault) > 0
     assert not report.passed({"kills": {"x": vars(found)}})
 
