@@ -9,7 +9,7 @@ import threading
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import OpenTab, TabsRecord
-from brdf_qt.documents.recovery import MOST_STATES, Recovery
+from brdf_qt.documents.recovery import MOST_STATES, Recovery, force
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import QThreadPool
@@ -253,6 +253,8 @@ def test_a_power_loss_before_an_autosave_is_on_the_disk_leaves_the_one_before(
     store.set(5, "Step")
     assert ended.write()
     QThreadPool.globalInstance().waitForDone()
+    force(ended.file)  # once more changes nothing
+    assert sorted(one.suffix for one in ended.folder.glob("*.recovery.*")) == [".forced", ".json", ".lock"]
     monkeypatch.setattr(QThreadPool, "start", lambda *_: None)  # the power is lost before the disk is reached
     store.set(6, "Step")
     ended.close(keep=True)

@@ -42,7 +42,8 @@ _ENDING = ".recovery.json"
 _SAVED_ENDING = ".history.json"
 _FORCED = ".forced"
 """Ending of the second name of the last version that was forced to the disk."""
-_UNFINISHED = (".tmp", ".link")
+_LINK = ".link"
+"""Ending of that name while it is made."""
 _forcing = threading.Lock()
 MOST_STATES = 200
 """States of a history that are kept, around the present one."""
@@ -248,9 +249,11 @@ class Recovery(QObject, Generic[T]):
             ):  # its run was killed while it made it; Qt takes it for held
                 lock.unlink(missing_ok=True)
             if self._has_ended(autosave):
-                for file in (autosave, _saved_file(autosave)):
-                    for ending in _UNFINISHED:
-                        file.with_suffix(ending).unlink(missing_ok=True)
+                autosave.with_suffix(".tmp").unlink(missing_ok=True)
+                _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
+        for link in self.folder.glob(f"*{_LINK}"):
+            if self._has_ended(link.with_suffix(".json")):
+                link.unlink(missing_ok=True)
         for forced in self.folder.glob(f"*{_FORCED}"):
             if not forced.with_suffix(".json").exists():
                 forced.unlink(missing_ok=True)
@@ -377,7 +380,7 @@ def flush_later(file: Path) -> None:
 def force(file: Path) -> None:
     """Force an autosave to the disk now, and give this version a second name for the time when the next is written."""
     # The file may be gone or replaced by now, and some file systems cannot: the autosave is there all the same.
-    link = file.with_suffix(".link")
+    link = file.with_suffix(_LINK)
     with _forcing, contextlib.suppress(OSError):
         with file.open("rb+") as written:
             os.fsync(written.fileno())
@@ -386,8 +389,7 @@ def force(file: Path) -> None:
         link.hardlink_to(file)
         if link.stat().st_ino == number:
             link.replace(file.with_suffix(_FORCED))
-        else:
-            link.unlink()
+        link.unlink(missing_ok=True)  # it is still there where both were names of one file already
         sync_folder(file.parent)
 
 
