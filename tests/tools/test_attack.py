@@ -32,7 +32,7 @@ from tools.attack.power import lose_power
 from tools.attack.readers import READERS, chosen, coverage
 from tools.attack.readers.reader import Reader, WrongValueError, text_files
 from tools.attack.replay import replay
-from tools.attack.seeds import CrossedSeed, Seed, SplicedSeed, crossing_seeds, seeds_of
+from tools.attack.seeds import CrossedSeed, Seed, SplicedSeed, contents_of, crossing_seeds, seeds_of
 from tools.attack.writers import WRITERS, Writer
 
 INPUTS = 40
@@ -72,9 +72,16 @@ def test_files_that_change_while_they_are_read_are_read_or_refused(group: str, t
     assert any(tally.refused for tally in tallies) or group in ("settings", "text")
 
 
+@pytest.fixture(scope="module")
+def contents(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[bytes]]:
+    return contents_of(list(READERS), tmp_path_factory.mktemp("others"))
+
+
 @pytest.mark.parametrize("group", GROUPS)
-def test_files_of_other_formats_and_spliced_ones_are_read_or_refused(group: str, tmp_path: Path) -> None:
-    seeds = list(crossing_seeds(chosen([f"{group}:"]), tmp_path, READERS, ONE_IN))
+def test_files_of_other_formats_and_spliced_ones_are_read_or_refused(
+    group: str, contents: dict[str, list[bytes]], tmp_path: Path
+) -> None:
+    seeds = list(crossing_seeds(chosen([f"{group}:"]), tmp_path, contents, ONE_IN))
     run = Loop(seeds, 7, CHANGES, keep=tmp_path / "kept")
     run.run()
     assert not faults_of(run)

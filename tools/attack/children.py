@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable
 
 
@@ -32,3 +33,10 @@ def in_child(work: Callable[[], str]) -> str:
     if not answer or answer.startswith("!"):
         raise RuntimeError(f"a child failed: {answer[1:] or 'it died'}")
     return answer
+
+
+def wait_for_threads() -> None:
+    """Wait for what a program waits for at its end: threads that force autosaves to the disk."""
+    qt = sys.modules.get("PySide6.QtCore")
+    if qt is not None:
+        qt.QThreadPool.globalInstance().waitForDone()

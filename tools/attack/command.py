@@ -33,7 +33,7 @@ from tools.attack.power import lose_power_in_writers
 from tools.attack.readers import READERS, chosen
 from tools.attack.readers.coverage import missing
 from tools.attack.replay import replay
-from tools.attack.seeds import Seed, crossing_seeds, seeds_of
+from tools.attack.seeds import Seed, contents_of, crossing_seeds, seeds_of
 from tools.attack.surroundings import run_cases
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -104,7 +104,7 @@ def _seeds(part: str, only: list[str], folder: Path) -> list[Seed]:
     """Return what the loop of a part reads: damaged files, files that change, or files that are crossed."""
     readers = chosen(only)
     if part == "crossing":
-        return list(crossing_seeds(readers, folder, READERS))
+        return list(crossing_seeds(readers, folder, contents_of(READERS, folder / "others")))
     if part == "changing":
         at_call = seeds_of(readers, folder, SeedChangedAtCall)
         return [*at_call, *seeds_of(readers, folder / "again", SeedChangedBeside)]

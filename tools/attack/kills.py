@@ -31,7 +31,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from brdf_suite.errors import SuiteError
-from tools.attack.children import be_quiet, in_child
+from tools.attack.children import be_quiet, in_child, wait_for_threads
 from tools.attack.writers import VERSIONS, WRITERS, Writer
 
 _STEPS = frozenset(
@@ -260,7 +260,8 @@ class Trial:
             self._undisturbed()
 
     def _listed(self) -> Counter[str]:
-        """Return the files that there are, hashes and numbers made alike."""
+        """Return the files that there are once the threads are done, hashes and numbers made alike."""
+        wait_for_threads()
         files = (str(path.relative_to(self._folder)) for path in self._folder.rglob("*") if path.is_file())
         return Counter(re.sub(r"[0-9a-f]{8,}|-\w{8}(?=\.)", "#", name) for name in files)
 

@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tools.attack.children import be_quiet, in_child
+from tools.attack.children import be_quiet, in_child, wait_for_threads
 from tools.attack.writers import WRITERS, Writer
 
 Names = dict[str, tuple[int, bool]]
@@ -116,7 +116,7 @@ def lose_power(writer: Writer, folder: Path) -> Losses:
         for number in (1, 2):
             disk.moments = []
             writer.write(folder, number)
-            _finish_threads()
+            wait_for_threads()
             moments, disk.moments = disk.moments, []  # reading has steps of its own
             _judge(writer, disk, (number,), f"after version {number} was reported", found)
         for said, after in moments:
@@ -137,13 +137,6 @@ def _judge(writer: Writer, disk: Disk, allowed: tuple[int, ...], when: str, foun
             return
     if version not in allowed:
         found.faults.append(f"{when}: version {version} is left")
-
-
-def _finish_threads() -> None:
-    """Wait for what a program waits for at its end: threads that force autosaves to the disk."""
-    qt = sys.modules.get("PySide6.QtCore")
-    if qt is not None:
-        qt.QThreadPool.globalInstance().waitForDone()
 
 
 def lose_power_in_writers(

@@ -148,14 +148,18 @@ def seeds_of(readers: Sequence[Reader], folder: Path, make: Make = Seed) -> Iter
             yield make(reader, path)
 
 
-def crossing_seeds(
-    readers: Sequence[Reader], folder: Path, others: Sequence[Reader], step: int = 1
-) -> Iterator[Seed]:
-    """Yield each seed spliced, and for each ending of a reader one in ``step`` of the files of ``others``."""
-    made = _made(others, folder / "others")
-    contents = {
-        reader.name: [path.read_bytes()[:_LARGEST_FOREIGN] for path in paths] for reader, paths in made
+def contents_of(readers: Sequence[Reader], folder: Path) -> dict[str, list[bytes]]:
+    """Return the beginnings of the undamaged files of each reader by its name."""
+    return {
+        reader.name: [path.read_bytes()[:_LARGEST_FOREIGN] for path in paths]
+        for reader, paths in _made(readers, folder)
     }
+
+
+def crossing_seeds(
+    readers: Sequence[Reader], folder: Path, contents: Mapping[str, Sequence[bytes]], step: int = 1
+) -> Iterator[Seed]:
+    """Yield each seed spliced, and for each ending of a reader one in ``step`` of the ``contents`` of others."""
     for reader, paths in _made(readers, folder):
         group = reader.name.partition(":")[0]
         foreign = [one for name, all_of in contents.items() if name != reader.name for one in all_of]
