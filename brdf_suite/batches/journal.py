@@ -16,6 +16,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from brdf_suite.batches.steps import Value
+from brdf_suite.documents.atomic import make_folder, sync_folder
 from brdf_suite.errors import FileError
 
 JOURNAL = "finished.jsonl"
@@ -51,10 +52,13 @@ class Journal:
             self.finished[one.key] = one
             lines.append(json.dumps({"step": self._step, **asdict(one)}))
         try:
+            is_new = not self.path.exists()
             with self.path.open("a", encoding="utf-8") as file:
                 file.write("".join(line + "\n" for line in lines))
                 file.flush()
                 os.fsync(file.fileno())
+            if is_new:
+                sync_folder(self.path.parent)
         except OSError as error:
             raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
 
@@ -99,7 +103,7 @@ def journal_of(folder: Path, step: str) -> Iterator[Journal]:
     """
     lock = FileLock(folder / _LOCK)
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         lock.acquire(blocking=False)
     except Timeout as error:
         raise FileError(folder, "another batch is running in this folder") from error

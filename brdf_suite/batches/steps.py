@@ -16,6 +16,7 @@ from typing import Any, ClassVar, Protocol, TypeAlias
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.batches.items import BatchItem, content_hash, load_item
+from brdf_suite.documents.atomic import make_folder
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.homomorphic.reflectance_fit import (
@@ -271,5 +272,5 @@ def _fit_facts(fitted: LobeFit) -> dict[str, Value]:
 
 
 def _made(path: Path) -> Path:
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_folder(path.parent)
     return path

@@ -58,9 +58,9 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
                 file.close()  # Windows renames no open file
             yield temporary
             with temporary.open("rb+") as written:
+                if mode is not None:
+                    temporary.chmod(mode)
                 os.fsync(written.fileno())
-            if mode is not None:
-                temporary.chmod(mode)
             os.replace(temporary, target)  # noqa: PTH105 - tests interpose here as a full disk would
             temporary = None
         sync_folder(target.parent)
@@ -175,6 +175,17 @@ def _mode_of(target: Path) -> int | None:
     if not stat.S_ISREG(found.st_mode):
         raise OSError(0, "it is not a plain file")
     return stat.S_IMODE(found.st_mode)
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder, and those that it lies in, where there are none, and force their names to the disk.
+
+    A file in a folder is lost with the name of the folder. Raises :class:`OSError`: it cannot be made.
+    """
+    missing = [one for one in (folder, *folder.parents) if not one.exists()]
+    folder.mkdir(parents=True, exist_ok=True)
+    for one in missing:
+        sync_folder(one.parent)
 
 
 def sync_folder(folder: Path) -> None:

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import IO, TypeVar
 
-from brdf_suite.documents.atomic import encode, replacing, write_atomically
+from brdf_suite.documents.atomic import encode, make_folder, replacing, write_atomically
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import Paint
@@ -238,7 +238,7 @@ def load_project(path: PathLike, unpack_into: PathLike | None = None) -> Project
     if source.is_dir():
         if not (source / MANIFEST).is_file():
             raise FileError(path, f"is a folder without {MANIFEST}")
-        names = {file.name for file in (source / FILES).iterdir()} if (source / FILES).is_dir() else set()
+        names = {file.name for file in _collected(source)}
         return project_from_json(read_json(source / MANIFEST), source / MANIFEST, source, names)
     with _opened(path) as archive:
         names = _checked_parts(archive, path)
@@ -254,11 +254,22 @@ def project_parts(path: PathLike) -> tuple[tuple[str, int], ...]:
     """Return name and size in bytes of each collected file, unread; errors as :func:`load_project`."""
     source = Path(path)
     if source.is_dir():
-        files = sorted((source / FILES).iterdir()) if (source / FILES).is_dir() else []
-        return tuple((file.name, file.stat().st_size) for file in files)
+        try:
+            return tuple((file.name, file.stat().st_size) for file in _collected(source))
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
     with _opened(path) as archive:
         names = _checked_parts(archive, path)
         return tuple((name, archive.getinfo(f"{FILES}/{name}").file_size) for name in sorted(names))
+
+
+def _collected(folder: Path) -> list[Path]:
+    """Return the collected files of a project that is a folder, by their names."""
+    files = folder / FILES
+    try:
+        return sorted(files.iterdir()) if files.is_dir() else []
+    except OSError as error:
+        raise FileError(files, f"cannot be read: {error.strerror or error}") from error
 
 
 def project_to_json(project: Project, replaced: Mapping[str, str] | None = None) -> dict[str, object]:
@@ -397,14 +408,21 @@ def _holds_other(home: Path | None, name: str, path: str) -> bool:
     """Whether a folder of collected files has something else under a name."""
     if home is None or not (home / name).exists():
         return False
-    return not filecmp.cmp(home / name, path, shallow=False)
+    try:
+        return not filecmp.cmp(home / name, path, shallow=False)
+    except OSError as error:
+        raise FileError(path, f"cannot be collected: {error.strerror or error}") from error
 
 
 class _Copying:
     """Copies files and reports how many of all bytes are done."""
 
     def __init__(self, parts: Mapping[str, str], progress: Progress | None) -> None:
-        self._all = sum(Path(file).stat().st_size for file in parts) or 1
+        try:
+            self._all = sum(Path(file).stat().st_size for file in parts) or 1
+        except OSError as error:
+            reason = f"a file that it names cannot be collected: {error.strerror or error}"
+            raise FileError(error.filename, reason) from error
         self._done, self._progress = 0, progress
 
     def copy(self, file: str, target: IO[bytes]) -> None:
@@ -438,13 +456,13 @@ def _write_zip(path: PathLike, content: bytes, parts: Mapping[str, str], copying
 
 def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str], copying: _Copying) -> None:
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         others = {entry.name for entry in folder.iterdir()} - {FILES}  # which may have been unpacked just now
         if others and not (folder / MANIFEST).is_file():
             raise FileError(folder, "is not empty and holds no project; name another folder")
         for file, name in parts.items():
             target = folder / FILES / name
-            target.parent.mkdir(exist_ok=True)
+            make_folder(target.parent)
             if target.exists():
                 continue  # the same content, as its name says
             with replacing(target) as temporary, temporary.open("wb") as out:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from brdf_suite.documents.atomic import sync_folder
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.fitting.lobes.settings import FitSettings
@@ -176,6 +177,7 @@ def _new_folder(path: Path) -> Iterator[Path]:
         if path.is_dir():
             path.rmdir()
         temporary.rename(path)
+        sync_folder(temporary.parent)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:

@@ -85,8 +85,10 @@ def file_kind(path: str | os.PathLike[str]) -> FileKind:
     Raises :class:`FileError`: it cannot be read, or its content is of no known format.
     """
     known = document_kind(path)
-    if known is None and is_file(os.fspath(path)) and not Path(path).stat().st_size:
-        raise FileError(path, "is empty", "byte 0")
+    if known is None and is_file(os.fspath(path)):
+        with open_regular(path) as stream:
+            if not stream.read(1):
+                raise FileError(path, "is empty", "byte 0")
     return known or _foreign_kind(path)
 
 

@@ -13,7 +13,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.arrays import Bytes
-from brdf_suite.documents.atomic import replacing
+from brdf_suite.documents.atomic import replacing, sync_folder
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
@@ -137,6 +137,7 @@ def write_traced_turntable(
             if path.is_dir():
                 path.rmdir()
             folder.rename(path)
+            sync_folder(path.absolute().parent)
         except OSError as error:
             raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     report(progress, 1.0, "written")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import os
 import struct
 import sys
 import tempfile
@@ -19,6 +20,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from brdf_suite.acquisition.photographs import tiff as tiff_pixels
+from brdf_suite.acquisition.photographs.png import FileContent, png_parts
 from brdf_suite.acquisition.photographs.reading import photograph_facts, read_photograph
 from brdf_suite.acquisition.simulator.folder import exif, write_photograph
 from brdf_suite.errors import FileError
@@ -350,6 +352,18 @@ def test_a_damaged_file_is_named(tmp_path: Path, content: bytes, words: str) -> 
     with pytest.raises(FileError, match=words) as caught:
         read_photograph(path)
     assert caught.value.path == str(path)
+
+
+def test_a_file_that_is_cut_off_while_it_is_read_is_reported(tmp_path: Path) -> None:
+    path = tmp_path / "a.png"
+    write_photograph(path, RANDOM.integers(0, 256, (60, 80, 3)).astype(np.uint8), 0.0125)
+    with path.open("rb", buffering=0) as file:
+        content = FileContent(file)
+        assert content[:4] == path.read_bytes()[:4]
+        os.truncate(path, 100)
+        with pytest.raises(FileError, match="it was not copied whole"):
+            png_parts(content, path)
+        assert content[99:200] == content[99:100]
 
 
 def test_a_missing_file_and_a_folder_are_reported(tmp_path: Path) -> None:

@@ -143,6 +143,15 @@ def test_a_missing_file_is_named_and_nothing_is_written(named: Project, tmp_path
         save_project(named, full, folder=True)
 
 
+def test_a_collected_file_that_has_gone_is_reported(named: Project, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    save_project(named, folder, collect=True, folder=True)
+    assert len(project_parts(folder)) > 1
+    (folder / "files/gone.png").symlink_to(tmp_path / "nowhere")
+    with pytest.raises(FileError, match="cannot be read: No such file"):
+        project_parts(folder)
+
+
 @pytest.mark.parametrize(
     ("change", "place", "words"),
     [

@@ -22,6 +22,7 @@ from brdf_suite.documents.project import Project, load_project, save_project
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.measured import write_measured
 from brdf_suite.geometry.directions import illumination, mirror
+from brdf_suite.pipeline import material
 from brdf_suite.pipeline.material import file_kind
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
@@ -87,6 +88,17 @@ def test_a_paint_under_another_name_is_still_a_paint(tmp_path) -> None:
     shutil.copy(resource("paints", "copper.brdfpaint"), renamed)
     assert file_kind(renamed) == "paint"
     assert only(renamed).material.document.name == "Copper"
+
+
+def test_a_file_that_is_removed_while_its_kind_is_looked_at_is_reported(tmp_path, monkeypatch) -> None:
+    path = tmp_path / "a.csv"
+    path.touch()
+    with pytest.raises(FileError, match="is empty"):
+        file_kind(path)
+    path.unlink()
+    monkeypatch.setattr(material, "is_file", lambda _text: True)  # it was there at the first look
+    with pytest.raises(FileError, match="No such file"):
+        file_kind(path)
 
 
 def test_a_brushed_metal_is_anisotropic_and_a_table_is_not(holed_table) -> None:

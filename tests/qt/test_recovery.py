@@ -9,9 +9,10 @@ import threading
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.open_tabs import OpenTab, TabsRecord
-from brdf_qt.documents.recovery import MOST_STATES, Recovery
+from brdf_qt.documents.recovery import MOST_STATES, Recovery, force
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from PySide6.QtCore import QThreadPool
 
 NUMBERS = DocumentFormat(
     kind="number",
@@ -225,6 +226,8 @@ def test_the_tabs_of_an_ended_run_are_found_by_the_newest_record_alone(qapp, own
 
 
 def test_an_autosave_reaches_the_disk_on_another_thread(qtbot, own_settings, monkeypatch):
+    store = DocumentStore(0)
+    recovery = Recovery(store, NUMBERS, fail)
     flushed: list[tuple[bool, int]] = []
     real = os.fsync
 
@@ -234,11 +237,42 @@ def test_an_autosave_reaches_the_disk_on_another_thread(qtbot, own_settings, mon
         real(descriptor)
 
     monkeypatch.setattr(os, "fsync", fsync)
-    store = DocumentStore(0)
-    recovery = Recovery(store, NUMBERS, fail)
     store.set(5, "Step")
     assert recovery.write()
     wanted = {recovery.file.stat().st_ino, recovery.folder.stat().st_ino if os.name != "nt" else 0} - {0}
     qtbot.waitUntil(lambda: wanted <= {inode for _, inode in flushed})
     assert not any(is_window for is_window, _ in flushed)
     recovery.close(keep=False)
+
+
+def test_a_power_loss_before_an_autosave_is_on_the_disk_leaves_the_one_before(
+    qapp, own_settings, monkeypatch
+):
+    store = DocumentStore(0)
+    ended = Recovery(store, NUMBERS, fail)
+    store.set(5, "Step")
+    assert ended.write()
+    QThreadPool.globalInstance().waitForDone()
+    force(ended.file)  # once more changes nothing
+    assert sorted(one.suffix for one in ended.folder.glob("*.recovery.*")) == [".forced", ".json", ".lock"]
+    monkeypatch.setattr(QThreadPool, "start", lambda *_: None)  # the power is lost before the disk is reached
+    store.set(6, "Step")
+    ended.close(keep=True)
+    ended.file.write_bytes(b"")
+    own = DocumentStore(0)
+    mine = Recovery(own, NUMBERS, fail)
+    (item,) = mine.found()
+    assert item.value == 5
+    mine.take(item)
+    assert own.value == 5
+    assert [file for file in mine.folder.iterdir() if file.name.startswith(item.file.stem)] == []
+    mine.close(keep=False)
+    assert list(mine.folder.iterdir()) == []
+
+
+def test_a_second_name_of_what_was_saved_goes_with_the_next_start(qapp, own_settings):
+    mine = Recovery(DocumentStore(0), NUMBERS, fail)
+    (mine.folder / "x.recovery.forced").write_text("{}")
+    assert mine.found() == []
+    assert not (mine.folder / "x.recovery.forced").exists()
+    mine.close(keep=False)

@@ -1,11 +1,14 @@
-"""A slice of the standing attack with fixed seeds: damaged files of every reader, kills of every writer, wrong lines.
+"""A slice of the standing attack with fixed seeds: damaged, changing and crossed files of every reader, kills and power
+losses of every writer, wrong lines.
 
 ``python tools/attack/run.py`` goes on with other seeds; docs/development/reliability.md has the figures of a long run.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
+import mmap
 import os
 import signal
 import time
@@ -18,17 +21,26 @@ pytest.importorskip("resource", reason="memory limits are set through the Unix m
 if not Path("/proc/self/clear_refs").exists():
     pytest.skip("memory in use is read from /proc", allow_module_level=True)
 
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import sync_folder, write_atomically
 from brdf_suite.errors import FileError
+from brdf_suite.regular_files import read_bytes
 from tools.attack import kills, loop, report
+from tools.attack.changing import SeedChangedAtCall, SeedChangedBeside
 from tools.attack.command_lines import signals, wrong
-from tools.attack.loop import Loop, Seed, seeds_of
+from tools.attack.loop import Loop
+from tools.attack.power import lose_power
 from tools.attack.readers import READERS, chosen, coverage
 from tools.attack.readers.reader import Reader, WrongValueError, text_files
 from tools.attack.replay import replay
+from tools.attack.seeds import CrossedSeed, Seed, SplicedSeed, contents_of, crossing_seeds, seeds_of
+from tools.attack.writers import WRITERS, Writer
 
 INPUTS = 40
 """Of each reader; a limit of time would depend on what else the machine does."""
+CHANGES = 6
+"""Of each reader."""
+ONE_IN = 19
+"""Files of other readers that are given to each."""
 GROUPS = sorted({reader.name.partition(":")[0] for reader in READERS})
 FOUND = Path(__file__).with_name("found")
 
@@ -47,6 +59,33 @@ def test_damaged_files_are_read_or_refused(group: str, tmp_path: Path) -> None:
     assert min(tally.inputs for tally in tallies) >= INPUTS
     assert any(tally.read for tally in tallies)  # some damage does no harm, so the readers were reached
     assert any(tally.refused for tally in tallies) or group in ("settings", "text")
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_files_that_change_while_they_are_read_are_read_or_refused(group: str, tmp_path: Path) -> None:
+    seeds = list(seeds_of(chosen([f"{group}:"]), tmp_path, SeedChangedAtCall))
+    run = Loop(seeds, 7, CHANGES)
+    run.run()
+    assert not faults_of(run)
+    tallies = run.tallies.values()
+    assert min(tally.inputs for tally in tallies) >= CHANGES
+    assert any(tally.refused for tally in tallies) or group in ("settings", "text")
+
+
+@pytest.fixture(scope="module")
+def contents(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[bytes]]:
+    return contents_of(list(READERS), tmp_path_factory.mktemp("others"))
+
+
+@pytest.mark.parametrize("group", GROUPS)
+def test_files_of_other_formats_and_spliced_ones_are_read_or_refused(
+    group: str, contents: dict[str, list[bytes]], tmp_path: Path
+) -> None:
+    seeds = list(crossing_seeds(chosen([f"{group}:"]), tmp_path, contents, ONE_IN))
+    run = Loop(seeds, 7, CHANGES, keep=tmp_path / "kept")
+    run.run()
+    assert not faults_of(run)
+    assert any(tally.refused for tally in run.tallies.values()) or group in ("settings", "text")
 
 
 def test_every_reader_has_a_seed_that_reaches_it() -> None:
@@ -162,6 +201,93 @@ def test_what_goes_wrong_in_a_reader_is_seen(
     assert not report.passed({"readers": {"x:y": vars(tally)}})
 
 
+def mapped(path: Path) -> int:
+    with path.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        file.read(1)
+        return sum(content[:])
+
+
+def trusts_its_size(path: Path) -> None:
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        if len(file.read(size)) != size:
+            raise IndexError("cut off")
+
+
+def is_there(path: Path) -> int:
+    if not path.exists():
+        raise FileError(path, "is missing")
+    return len(path.read_bytes())
+
+
+@pytest.mark.parametrize(
+    ("read", "words"),
+    [(mapped, "died (SIGBUS)"), (trusts_its_size, "cut off"), (is_there, "FileNotFoundError")],
+)
+def test_careless_readers_of_changing_files_are_seen(
+    read: Callable[[Path], object], words: str, tmp_path: Path
+) -> None:
+    (tmp_path / "a.txt").write_bytes(b"whole" * 1000)
+    seed = SeedChangedAtCall(Reader("x:y", read, lambda _folder: []), tmp_path / "a.txt")
+    run = Loop([seed], 1, 60)
+    run.run()
+    assert any(words in fault for fault in run.tallies["x:y"].faults), run.tallies
+    assert not report.passed({"changing": {"x:y": vars(run.tallies["x:y"])}})
+
+
+def test_another_process_changes_what_is_read(tmp_path: Path) -> None:
+    def read(path: Path) -> None:
+        begun = path.with_name("begun")
+        if not begun.exists():  # the first reading of a worker is undisturbed
+            begun.touch()
+            return
+        begin = time.monotonic()
+        while len(read_bytes(path)) == 5000:
+            if time.monotonic() - begin > 60.0:
+                return
+        raise KeyError("changed")
+
+    (tmp_path / "a.txt").write_bytes(b"whole" * 1000)
+    run = Loop([SeedChangedBeside(Reader("x:y", read, lambda _folder: []), tmp_path / "a.txt")], 1, 5)
+    run.run()
+    tally = run.tallies["x:y"]
+    assert (tally.inputs, tally.read) == (5, 0)
+    assert set(tally.faults) <= {"KeyError: 'changed'"}
+
+
+def test_careless_readers_of_crossed_files_are_seen(tmp_path: Path) -> None:
+    def read(path: Path) -> None:
+        content = path.read_bytes()
+        if content not in (b"a" * 40, b"b" * 40):
+            raise KeyError("foreign" if content == b"foreign" else "spliced")
+
+    (tmp_path / "a.txt").write_bytes(b"a" * 40)
+    reader = Reader("x:y", read, lambda _folder: [])
+    crossed = CrossedSeed(reader, tmp_path / "a.txt", [b"foreign"])
+    spliced = SplicedSeed(reader, tmp_path / "a.txt", [b"b" * 40])
+    run = Loop([crossed, spliced], 1, 40)
+    run.run()
+    tally = run.tallies["x:y"]
+    assert tally.done == {crossed.key: 1, spliced.key: 20}
+    assert tally.faults["KeyError: 'foreign'"] == 1
+    assert tally.faults["KeyError: 'spliced'"] > 5
+
+
+def test_both_of_two_files_that_refer_to_each_other_are_damaged(tmp_path: Path) -> None:
+    digest = hashlib.sha256(b"0 1 2 3").hexdigest()
+    (tmp_path / "a.txt").write_text(f"uses b.txt {digest}")
+    (tmp_path / "b.txt").write_bytes(b"0 1 2 3")
+    seed = Seed(Reader("x:y", Path.read_bytes, lambda _folder: []), tmp_path / "a.txt")
+    damaged = [seed.damaged(1, number) for number in range(200)]
+    assert {tuple(sorted(files)) for files in damaged} == {("a.txt",), ("b.txt",), ("a.txt", "b.txt")}
+    sums = [
+        (files["a.txt"], hashlib.sha256(files["b.txt"]).hexdigest()) for files in damaged if len(files) == 2
+    ]
+    assert any(main == f"uses b.txt {made}".encode() for main, made in sums)
+    assert any(files["b.txt"] == seed.content for files in damaged if "b.txt" in files)
+    assert damaged[7] == seed.damaged(1, 7)
+
+
 def test_a_run_goes_on_where_it_was_stopped(tmp_path: Path) -> None:
     seeds = list(seeds_of(chosen(["palette:gpl"]), tmp_path / "seeds"))
     results = tmp_path / "results.json"
@@ -185,14 +311,78 @@ def test_what_was_found_stays_mended() -> None:
     assert replay(FOUND) == []
 
 
-@pytest.mark.parametrize("writer", kills.WRITERS, ids=lambda writer: writer.name)
-def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: kills.Writer, tmp_path: Path) -> None:
+@pytest.mark.parametrize("writer", WRITERS, ids=lambda writer: writer.name)
+def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: Writer, tmp_path: Path) -> None:
     found = kills.Trial(writer, tmp_path, 1).run(10)
     assert (found.damaged, found.lost, found.leftovers, found.full_disk_faults) == (0, 0, 0, 0), (
         found.examples
     )
     assert found.kills >= 10
     assert found.in_a_write > 3
+
+
+DOCUMENTS = [one for one in WRITERS if not one.optional]
+
+
+@pytest.mark.parametrize("writer", DOCUMENTS, ids=lambda writer: writer.name)
+def test_a_document_that_was_saved_survives_a_power_loss(writer: Writer, tmp_path: Path) -> None:
+    found = lose_power(writer, tmp_path)
+    assert found.faults == []
+    assert found.losses >= 2
+
+
+def forced(path: Path, content: bytes) -> None:
+    with path.open("wb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        ("", ""),
+        ("content", "at os.rename of draft to a"),
+        ("early", "after version 1 was reported"),
+        ("folder", "after version 1 was reported"),
+        ("inner", "after version 1 was reported"),
+        ("removed", "at os.remove of a"),
+    ],
+)
+def test_writers_that_a_power_loss_damages_are_seen(fault: str, words: str, tmp_path: Path) -> None:
+    def write(folder: Path, number: int) -> None:
+        home, content = folder / "inner", f"{number} ".encode() * 2
+        home.mkdir(exist_ok=True)
+        draft = home / "draft"
+        if fault == "content":
+            draft.write_bytes(content)
+        else:
+            forced(draft, content)
+        if fault == "early":
+            draft.write_bytes(content + content)
+        if fault == "removed":
+            (home / "a").unlink(missing_ok=True)
+            sync_folder(home)
+        draft.replace(home / "a")
+        for synced, name in ((home, "folder"), (folder, "inner")):
+            if fault != name:
+                sync_folder(synced)
+        if fault == "content":
+            with (home / "a").open("rb+") as file:
+                os.fsync(file.fileno())
+
+    def read(folder: Path) -> int:
+        words = (folder / "inner" / "a").read_text().split()
+        if fault == "early" and len(words) != 4:
+            raise ValueError("cut off")
+        (version,) = set(words)
+        return int(version)
+
+    found = lose_power(Writer("x", write, read), tmp_path)
+    assert found.losses >= 3
+    assert [text for text in found.faults if text.startswith(words)] == found.faults[:1]
+    assert bool(found.faults) is bool(fault)
+    assert report.passed({"power": {"x": vars(found)}}) is not bool(fault)
 
 
 @pytest.mark.parametrize("fault", ["damaged", "lost", "leftovers", "full_disk_faults"])
@@ -217,7 +407,7 @@ def test_careless_writers_are_seen(fault: str, tmp_path: Path) -> None:
         (version,) = set((folder / "a").read_text().split())
         return int(version)
 
-    found = kills.Trial(kills.Writer("x", write, read), tmp_path, 1).run(12)
+    found = kills.Trial(Writer("x", write, read), tmp_path, 1).run(12)
     assert getattr(found, fault) > 0
     assert not report.passed({"kills": {"x": vars(found)}})
 

@@ -1,5 +1,5 @@
-"""The standing attack on the suite: damaged files, kills, wrong command lines, hostile surroundings, a flood on the
-live link, a long day; one table.
+"""The standing attack on the suite: damaged, changing and crossed files, kills, power losses, wrong command lines,
+hostile surroundings, a flood on the live link, a long day; one table.
 
     python tools/attack/run.py [--minutes 2] [--json]                  a slice of everything
     python tools/attack/run.py --inputs 20000 --results long.json      the long run; the same line goes on with it
@@ -25,16 +25,21 @@ from typing import Any
 
 from brdf_suite.documents.atomic import encode, write_atomically
 from tools.attack import report as tables
+from tools.attack.changing import SeedChangedAtCall, SeedChangedBeside
 from tools.attack.command_lines import signals, wrong
 from tools.attack.kills import kill_writers
-from tools.attack.loop import Loop, seeds_of
-from tools.attack.readers import chosen
+from tools.attack.loop import Loop
+from tools.attack.power import lose_power_in_writers
+from tools.attack.readers import READERS, chosen
 from tools.attack.readers.coverage import missing
 from tools.attack.replay import replay
+from tools.attack.seeds import Seed, contents_of, crossing_seeds, seeds_of
 from tools.attack.surroundings import run_cases
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = ("readers", "kills", "lines", "surroundings", "link", "session")
+PARTS = ("readers", "changing", "crossing", "kills", "power", "lines", "surroundings", "link", "session")
+_SHARES = {"readers": 1.0, "changing": 0.05, "crossing": 0.05}
+"""Of the inputs and of the time: what each loop over the readers gets."""
 DOCUMENT = ROOT / "docs" / "development" / "reliability.md"
 
 
@@ -95,6 +100,17 @@ def session(scale: float) -> dict[str, Any]:
     return {name: {key: one[key] for key in ("found", "faults")} for name, one in found.items()}
 
 
+def _seeds(part: str, only: list[str], folder: Path) -> list[Seed]:
+    """Return what the loop of a part reads: damaged files, files that change, or files that are crossed."""
+    readers = chosen(only)
+    if part == "crossing":
+        return list(crossing_seeds(readers, folder, contents_of(READERS, folder / "others")))
+    if part == "changing":
+        at_call = seeds_of(readers, folder, SeedChangedAtCall)
+        return [*at_call, *seeds_of(readers, folder / "again", SeedChangedBeside)]
+    return list(seeds_of(readers, folder))
+
+
 def run(options: argparse.Namespace) -> dict[str, object]:
     """Run the parts and return their figures; those of an earlier run in ``--results`` are kept."""
     whole = options.minutes is None and options.inputs is not None
@@ -118,6 +134,12 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             found = kill_writers(max(60, round(options.kills * share)), options.seed, options.only, say)
             figures["kills"] = {name: asdict(one) for name, one in found.items()}
             keep()
+        if "power" in options.parts:
+            say("power losses")
+            figures["power"] = {
+                name: asdict(one) for name, one in lose_power_in_writers(options.only, say).items()
+            }
+            keep()
         if "lines" in options.parts:
             say("command lines")
             count = max(10, round(options.lines * share))
@@ -138,22 +160,20 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             say(f"session of scale {scale:g}")
             figures["session"] = {"scale": scale, "programs": session(scale)}
             keep()
-        if "readers" in options.parts:
-            say("readers")
-            seeds = list(seeds_of(chosen(options.only), folder / "seeds"))
-            of_readers = None if store is None else store.with_suffix(".readers.json")
+        for part in [name for name in _SHARES if name in options.parts]:
+            say(part)
             loop = Loop(
-                seeds,
+                _seeds(part, options.only, folder / part),
                 options.seed,
-                options.inputs or 1 << 40,
-                results=of_readers,
+                round(_SHARES[part] * (options.inputs or 1 << 40)),
+                results=None if store is None else store.with_suffix(f".{part}.json"),
                 keep=options.keep,
                 report=say,
             )
             try:
-                loop.run(options.jobs, 60.0 * minutes)
+                loop.run(options.jobs, 60.0 * minutes * max(_SHARES[part], 0.25))
             finally:
-                figures["readers"] = {name: asdict(tally) for name, tally in sorted(loop.tallies.items())}
+                figures[part] = {name: asdict(tally) for name, tally in sorted(loop.tallies.items())}
                 keep()
     return figures
 

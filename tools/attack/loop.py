@@ -13,7 +13,6 @@ from __future__ import annotations
 import faulthandler
 import json
 import os
-import random
 import re
 import resource
 import selectors
@@ -22,13 +21,13 @@ import sys
 import tempfile
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from brdf_suite.documents.atomic import encode, write_atomically
-from tools.attack.mutation import mutate
-from tools.attack.readers.reader import MEGABYTE, Reader, outcome
+from tools.attack.readers.reader import MEGABYTE, outcome
+from tools.attack.seeds import Seed
 
 HANG_S = 5.0
 """Of processor time for one input."""
@@ -63,38 +62,6 @@ class Tally:
         return self.faults[text]
 
 
-class Seed:
-    """An undamaged file with its companions, and its damaged versions by number."""
-
-    def __init__(self, reader: Reader, path: Path, label: str = "") -> None:
-        self.reader, self.name = reader, path.name
-        self.key = label or f"{path.parent.name}/{path.name}"
-        self.content = path.read_bytes()
-        beside = [one for one in path.parent.iterdir() if one.is_file() and one.name != path.name]
-        self.companions = {one.name: one.read_bytes() for one in beside if one.name.encode() in self.content}
-
-    def damaged(self, run: int, number: int) -> tuple[str, bytes]:
-        """Return which of the files is damaged, and its content; the same each time."""
-        rng = random.Random(f"{run} {self.reader.name} {self.key} {number}")
-        if self.companions and rng.random() < 0.25:
-            name = rng.choice(sorted(self.companions))
-            return name, mutate(self.companions[name], rng)
-        return self.name, mutate(self.content, rng)
-
-    def write(self, folder: Path, run: int, number: int) -> Path:
-        """Write the files, one of them damaged; return the main one."""
-        name, content = self.damaged(run, number)
-        if name != self.name:
-            (folder / self.name).write_bytes(self.content)
-        (folder / name).write_bytes(content)
-        return folder / self.name
-
-    def restore(self, folder: Path) -> None:
-        """Write the undamaged companions."""
-        for name, content in self.companions.items():
-            (folder / name).write_bytes(content)
-
-
 @dataclass
 class _Worker:
     """A forked worker and what was heard of it."""
@@ -117,9 +84,7 @@ class Loop:
     seeds, run
         What is damaged, and the number that all damage is drawn from.
     inputs
-        Of each reader, divided among its seeds.
-    undamaged
-        The files are read as they are, once: they were damaged before.
+        Of each reader, divided among its seeds; a seed with a number of its own has all of those.
     results
         A file that is written every 15 s and from which another call goes on; None: nowhere.
     keep
@@ -128,18 +93,17 @@ class Loop:
 
     def __init__(
         self,
-        seeds: list[Seed],
+        seeds: Sequence[Seed],
         run: int,
         inputs: int,
         *,
         results: Path | None = None,
         keep: Path | None = None,
         hang_s: float = HANG_S,
-        undamaged: bool = False,
         report: Callable[[str], None] = lambda _text: None,
     ) -> None:
         self._seeds, self._run, self._results, self._keep = seeds, run, results, keep
-        self._hang_s, self._report, self._undamaged = hang_s, report, undamaged
+        self._hang_s, self._report = hang_s, report
         self.tallies: dict[str, Tally] = {}
         if results is not None and results.exists():
             kept = json.loads(results.read_text())
@@ -150,7 +114,10 @@ class Loop:
         for seed in seeds:
             self.tallies.setdefault(seed.reader.name, Tally()).done.setdefault(seed.key, 0)
             count[seed.reader.name] = count.get(seed.reader.name, 0) + 1
-        self._wanted = {id(seed): -(-inputs // count[seed.reader.name]) for seed in seeds}
+        self._wanted = {
+            id(seed): -(-inputs // count[seed.reader.name]) if seed.inputs is None else seed.inputs
+            for seed in seeds
+        }
         self._selector = selectors.DefaultSelector()
         self._slice_s = SLICE_S
         self._saved = self._reported = time.monotonic()
@@ -210,7 +177,6 @@ class Loop:
                     send,
                     ends,
                     self._hang_s,
-                    self._undamaged,
                 )
                 status = 0
             except BaseException as error:  # noqa: BLE001 - the other side is the parent's
@@ -285,7 +251,6 @@ class Loop:
         if self._keep is not None and times <= _KEPT_PER_FAULT:
             folder = self._keep / worker.seed.reader.name.replace(":", "-") / f"{worker.seed.name}-{number}"
             folder.mkdir(parents=True, exist_ok=True)
-            worker.seed.restore(folder)
             worker.seed.write(folder, self._run, number)
 
     def _tell_and_save(self) -> None:
@@ -313,7 +278,6 @@ def _work(
     pipe: int,
     until: float,
     hang_s: float,
-    undamaged: bool,
 ) -> None:
     """Read damaged versions of a seed and report each: seconds, megabytes, and what came out."""
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
@@ -324,41 +288,39 @@ def _work(
     scratch = folder / "files"
     scratch.mkdir()
     os.chdir(scratch)
-    seed.restore(scratch)
     sys.setrecursionlimit(1000)
-    (scratch / seed.name).write_bytes(seed.content)
+    seed.restore(scratch)
     found = outcome(seed.reader, scratch / seed.name)  # imports and caches are not what is limited
-    if found != "read" and not undamaged:
+    if found != "read" and seed.is_whole:
         raise RuntimeError(f"the undamaged {seed.name} is not read: {found}")
     warnings.simplefilter("error")
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    bound = seed.reader.memory + 3 * len(seed.content)
+    bound = seed.reader.memory + 3 * seed.size
     wide = 4 if seed.reader.outside else 1
     resource.setrlimit(
         resource.RLIMIT_AS, (_status("VmSize") + wide * bound + _SLACK, resource.RLIM_INFINITY)
     )
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     begin = _status("VmRSS")
-    for number in numbers:
-        path = scratch / seed.name if undamaged else seed.write(scratch, run, number)
-        _forget_peak()
-        before = _status("VmRSS")
-        signal.setitimer(signal.ITIMER_PROF, hang_s)
-        start = time.process_time()
-        result = outcome(seed.reader, path)
-        seconds = time.process_time() - start
-        signal.setitimer(signal.ITIMER_PROF, 0.0)
-        growth = _status("VmHWM") - before
-        if growth > bound and result in ("read", "refused") and not seed.reader.outside:
-            result = "over the memory bound"
-        line = " ".join(f"{seconds:.4f} {growth / MEGABYTE:.1f} {result}".splitlines())
-        os.write(pipe, line.encode("utf-8", "backslashreplace") + b"\n")
-        if seed.companions:
-            seed.restore(scratch)
-        if time.monotonic() > until or _status("VmRSS") - begin > GROWTH:
-            break
-        if os.fstat(log).st_size > MEGABYTE:
-            os.truncate(log, 0)
+    with seed.beside(scratch):
+        for number in numbers:
+            path = seed.write(scratch, run, number)
+            _forget_peak()
+            before = _status("VmRSS")
+            signal.setitimer(signal.ITIMER_PROF, hang_s)
+            start = time.process_time()
+            result = seed.outcome(path)
+            seconds = time.process_time() - start
+            signal.setitimer(signal.ITIMER_PROF, 0.0)
+            growth = _status("VmHWM") - before
+            if growth > bound and result in ("read", "refused") and not seed.reader.outside:
+                result = "over the memory bound"
+            line = " ".join(f"{seconds:.4f} {growth / MEGABYTE:.1f} {result}".splitlines())
+            os.write(pipe, line.encode("utf-8", "backslashreplace") + b"\n")
+            if time.monotonic() > until or _status("VmRSS") - begin > GROWTH:
+                break
+            if os.fstat(log).st_size > MEGABYTE:
+                os.truncate(log, 0)
 
 
 def _status(name: str) -> int:
@@ -373,12 +335,3 @@ def _status(name: str) -> int:
 def _forget_peak() -> None:
     """Let the kernel begin a new largest resident size."""
     Path("/proc/self/clear_refs").write_text("5")
-
-
-def seeds_of(readers: list[Reader], folder: Path) -> Iterator[Seed]:
-    """Write the undamaged files of readers below ``folder`` and yield them; a reader without one is left out."""
-    for reader in readers:
-        own = folder / reader.name.replace(":", "_")
-        own.mkdir(parents=True, exist_ok=True)
-        for path in reader.make(own):
-            yield Seed(reader, path)

@@ -96,6 +96,19 @@ def mutate_bytes(content: bytes, rng: Random) -> bytes:
     return bytes(data)
 
 
+def splice(first: bytes, second: bytes, rng: Random) -> bytes:
+    """Return the beginning of one file with the end of another, or one with blocks of the other in it."""
+    at, other = rng.randrange(len(first) + 1), rng.randrange(len(second) + 1)
+    if rng.random() < 0.5:
+        return restamp(first[:at] + second[at if rng.random() < 0.5 else other :])
+    data = bytearray(first)
+    for _ in range(rng.choice((1, 1, 2, 4))):
+        length = rng.choice((1, 4, 16, 64, 256, 4096))
+        data[at : at + length] = second[other : other + length]
+        at, other = rng.randrange(len(data) + 1), rng.randrange(len(second) + 1)
+    return restamp(bytes(data))
+
+
 def restamp(data: bytes) -> bytes:
     """Return one of our own array files with its first checksum made right; other content as it is."""
     if data.startswith(b"BRDFTABL") and len(data) >= 48:

@@ -6,8 +6,9 @@ import shutil
 import tempfile
 from pathlib import Path
 
-from tools.attack.loop import Loop, Seed
+from tools.attack.loop import Loop
 from tools.attack.readers import READERS
+from tools.attack.seeds import StoredSeed
 
 
 def replay(folder: Path) -> list[str]:
@@ -32,8 +33,8 @@ def replay(folder: Path) -> list[str]:
                     target.mkdir(parents=True)
                     shutil.copy(case, target)
                     name = case.name
-                seeds.append(Seed(readers[own.name], target / name, label=f"{own.name}/{case.name}"))
-        loop = Loop(seeds, 0, 1, undamaged=True)
+                seeds.append(StoredSeed(readers[own.name], target / name, label=f"{own.name}/{case.name}"))
+        loop = Loop(seeds, 0, 1)
         loop.run()
         for name, tally in loop.tallies.items():
             faults += [f"{name}: {fault}" for fault in tally.faults]

@@ -9,6 +9,11 @@ from typing import Any
 
 _BEGIN, _END = "<!-- attack: begin -->", "<!-- attack: end -->"
 _HANG_S = 5.0
+_LOOPS = {
+    "readers": "damaged inputs of {} readers",
+    "changing": "inputs of {} readers that change while they are read",
+    "crossing": "spliced inputs, and other readers' files, of {} readers",
+}
 
 Figures = Mapping[str, Any]
 Row = tuple[str, str, str, bool]
@@ -17,16 +22,18 @@ Row = tuple[str, str, str, bool]
 def rows(figures: Figures) -> list[Row]:
     """Return the rows: figure, value, bound, and whether the value is within it."""
     found: list[Row] = []
-    readers = figures.get("readers", {})
-    if readers:
+    for part, title in _LOOPS.items():
+        readers = figures.get(part, {})
+        if not readers:
+            continue
         total = sum(one["inputs"] for one in readers.values())
         least = min(one["inputs"] for one in readers.values())
         faults = sum(sum(one["faults"].values()) for one in readers.values())
         slowest = max(one["longest_s"] for one in readers.values())
         died = sum(one["died"] for one in readers.values())
         found += [
-            (f"inputs of {len(readers)} readers", f"{total:,}", "", True),
-            ("inputs of each reader, at least", f"{least:,}", "", True),
+            (title.format(len(readers)), f"{total:,}", "", True),
+            ("the same: of each reader, at least", f"{least:,}", "", True),
             ("crashes, uncaught exceptions, hangs, over the memory bound", f"{faults:,}", "0", faults == 0),
             ("slowest input, s of processor time", f"{slowest:.2f}", f"≤ {_HANG_S:g}", slowest <= _HANG_S),
             ("deaths of libraries that have a process of their own", f"{died:,}", "", True),
@@ -50,6 +57,14 @@ def rows(figures: Figures) -> list[Row]:
                     (f"faults on {total_of['full_disks']} full disks", "full_disk_faults"),
                 )
             ),
+        ]
+    power = figures.get("power", {})
+    if power:
+        losses = sum(one["losses"] for one in power.values())
+        bad = sum(len(one["faults"]) for one in power.values())
+        found += [
+            (f"simulated power losses of {len(power)} writers", f"{losses:,}", "", True),
+            ("documents damaged or lost by them", f"{bad:,}", "0", bad == 0),
         ]
     for name, title in (("lines", "wrong command lines"), ("signals", "signals and closed pipes")):
         if name in figures:
@@ -126,10 +141,13 @@ def text(figures: Figures) -> str:
         else []
     )
     lines += [f"{row[0]:<28}" + "".join(f"{cell:>11}" for cell in row[1:]) for row in reader_rows(figures)]
-    for name, one in figures.get("readers", {}).items():
-        lines += [f"{name}: {count} × {fault}" for fault, count in one["faults"].items()]
+    for part in _LOOPS:
+        for name, one in figures.get(part, {}).items():
+            lines += [f"{part} {name}: {count} × {fault}" for fault, count in one["faults"].items()]
     for one in figures.get("kills", {}).values():
         lines += one["examples"]
+    for name, one in figures.get("power", {}).items():
+        lines += [f"{name}: {fault}" for fault in one["faults"]]
     for name in ("lines", "signals", "surroundings"):
         lines += [f"{place}: {fault}" for place, fault in figures.get(name, {}).get("faults", {}).items()]
     return "\n".join(lines)

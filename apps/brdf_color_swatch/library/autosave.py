@@ -14,7 +14,15 @@ from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recovery import MOST_STATES, KeptHistory, Recovered, Recovery, flush_later
+from brdf_qt.documents.recovery import (
+    MOST_STATES,
+    KeptHistory,
+    Recovered,
+    Recovery,
+    flush_later,
+    kept_content,
+    remove_autosave,
+)
 from brdf_qt.program.translation import tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -30,7 +38,6 @@ from brdf_suite.documents.palette_store import (
 )
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
-from brdf_suite.regular_files import read_bytes
 
 _MANY = 300
 """Fewer swatches are written within a frame or two."""
@@ -84,7 +91,7 @@ class PaletteRecovery(Recovery[Palette]):
         """Return the history in an autosave; None where there is none that ends at ``value``: the work counts."""
         try:
             with without_collection():
-                found = _kept(json.loads(read_bytes(file))["history"], file)
+                found = _kept(kept_content(file)["history"], file)
         except (ValueError, KeyError, TypeError, LookupError, RecursionError, SuiteError):
             return None
         return found if found.history.states[found.history.place][1] == value else None
@@ -96,18 +103,18 @@ class PaletteRecovery(Recovery[Palette]):
             if not self._has_ended(file):
                 continue
             try:
-                content = json.loads(read_bytes(file))
+                content = kept_content(file)
                 path, when = Path(content["path"]), str(content["time"])
             except (FileError, ValueError, KeyError, TypeError, RecursionError):
-                file.unlink(missing_ok=True)
+                remove_autosave(file)
                 continue
             older = found.get(path)
             if older is not None:
-                min((when, file), older)[1].unlink(missing_ok=True)
+                remove_autosave(min((when, file), older)[1])
             if path.is_file():
                 found[path] = max((when, file), older or ("", file))
             else:
-                file.unlink(missing_ok=True)
+                remove_autosave(file)
         return {path: file for path, (_, file) in found.items()}
 
     def write(self) -> bool:
@@ -126,7 +133,7 @@ class PaletteRecovery(Recovery[Palette]):
         if self._keeps_saved:
             self._write_now(self._saved_file)
         else:
-            self._saved_file.unlink(missing_ok=True)
+            remove_autosave(self._saved_file)
 
     def _read_history(self, _content: Any, _value: Palette, _file: Path) -> None:
         """Leave the history where it is until :meth:`kept` is asked for it: that of a large palette takes long."""
@@ -218,7 +225,7 @@ class PaletteRecovery(Recovery[Palette]):
         try:
             draft.replace(file)
             flush_later(file)
-            other.unlink(missing_ok=True)
+            remove_autosave(other)
         except OSError as error:
             draft.unlink(missing_ok=True)
             self._report_unwritten(error, file)

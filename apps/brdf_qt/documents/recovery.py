@@ -4,6 +4,10 @@ A document that is saved has no work to lose, but a history: where that is kept,
 comes back with the document. Each run has a file of its own and holds a lock beside it; the system frees the lock of a
 process that dies. So the work of a program that still runs is never offered to another. A file goes once its work is
 saved or discarded.
+
+A power loss can take what the system has not forced to the disk. A file gets its place at once, so that it survives a
+kill, and a thread forces it to the disk. Until that is done the version before has a second name, which is read where
+the file is damaged.
 """
 
 from __future__ import annotations
@@ -11,6 +15,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import threading
 import uuid
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -35,6 +40,11 @@ T = TypeVar("T")
 INTERVAL_MS = 700
 _ENDING = ".recovery.json"
 _SAVED_ENDING = ".history.json"
+_FORCED = ".forced"
+"""Ending of the second name of the last version that was forced to the disk."""
+_LINK = ".link"
+"""Ending of that name while it is made."""
+_forcing = threading.Lock()
 MOST_STATES = 200
 """States of a history that are kept, around the present one."""
 
@@ -121,10 +131,10 @@ class Recovery(QObject, Generic[T]):
         try:
             if self._store.is_clean:
                 self._write_saved()
-                self.file.unlink(missing_ok=True)
+                remove_autosave(self.file)
             else:
                 self._write()
-                self._saved_file.unlink(missing_ok=True)
+                remove_autosave(self._saved_file)
         except OSError as error:
             reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
             self._fails = True
@@ -169,7 +179,7 @@ class Recovery(QObject, Generic[T]):
             head = json.dumps(self.head(), ensure_ascii=False)
             _replace(self._saved_file, f'{head[:-1]}, "history": {self._history()}}}')
         else:
-            self._saved_file.unlink(missing_ok=True)
+            remove_autosave(self._saved_file)
 
     def saved_history(self, autosave: str) -> KeptHistory[T] | None:
         """Return the history of a saved document of an ended run by the name of its autosave; None where none is kept.
@@ -188,7 +198,7 @@ class Recovery(QObject, Generic[T]):
     def _read_saved(self, file: Path) -> Recovered[T] | None:
         """Return a saved document with its history; None where it cannot be read: the document is in its own file."""
         try:
-            content = json.loads(read_bytes(file))
+            content = kept_content(file)
             rows = content["history"]
             value = self._format.from_json(rows["states"][int(rows["place"])][1], file)
             return self._recovered(content, value, file)
@@ -208,7 +218,7 @@ class Recovery(QObject, Generic[T]):
         """Remove the histories of saved documents of ended runs: they were taken, or given up."""
         for file in self.folder.glob(f"*{_SAVED_ENDING}"):
             if self._has_ended(file):
-                file.unlink(missing_ok=True)
+                remove_autosave(file)
 
     def _history(self) -> str:
         """Return the history as JSON; a state that was encoded before is not encoded again."""
@@ -241,6 +251,12 @@ class Recovery(QObject, Generic[T]):
             if self._has_ended(autosave):
                 autosave.with_suffix(".tmp").unlink(missing_ok=True)
                 _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
+        for link in self.folder.glob(f"*{_LINK}"):
+            if self._has_ended(link.with_suffix(".json")):
+                link.unlink(missing_ok=True)
+        for forced in self.folder.glob(f"*{_FORCED}"):
+            if not forced.with_suffix(".json").exists():
+                forced.unlink(missing_ok=True)
 
     def found(self) -> list[Recovered[T]]:
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
@@ -260,12 +276,15 @@ class Recovery(QObject, Generic[T]):
                 RecursionError,
                 SuiteError,
             ) as error:
+                if _is_blank(file):
+                    remove_autosave(file)
+                    continue
                 text = tr("unsaved work of an earlier run cannot be read ({reason})").format(reason=error)
                 self._failed(FileError(_aside(file), text))
         return sorted(result, key=lambda item: item.when, reverse=True)
 
     def _read(self, file: Path) -> Recovered[T]:
-        content: dict[str, Any] = json.loads(read_bytes(file))
+        content = kept_content(file)
         return self._recovered(content, self._format.from_json(content["document"], file), file)
 
     def _recovered(self, content: dict[str, Any], value: T, file: Path) -> Recovered[T]:
@@ -304,12 +323,13 @@ class Recovery(QObject, Generic[T]):
                 history.states, history.place, item.path, saved=history.saved, stamp=item.stamp
             )
         if self.write():
+            force(self.file)  # it is the only one from here on
             self.drop(item)
 
     def drop(self, item: Recovered[T]) -> None:
         """Give recovered work up."""
         try:
-            item.file.unlink(missing_ok=True)
+            remove_autosave(item.file)
         except OSError as error:
             text = tr("it cannot be removed, and will be offered again ({reason})")
             self._failed(FileError(item.file, text.format(reason=error.strerror)))
@@ -329,8 +349,8 @@ class Recovery(QObject, Generic[T]):
             if keep:
                 self.write()
             else:
-                self.file.unlink(missing_ok=True)
-                self._saved_file.unlink(missing_ok=True)
+                remove_autosave(self.file)
+                remove_autosave(self._saved_file)
         finally:
             if self._lock.isLocked():
                 self._lock.unlock()
@@ -354,15 +374,52 @@ def _replace(file: Path, text: str) -> None:
 
 def flush_later(file: Path) -> None:
     """Have a thread force a file and the entry of its folder to the disk; a power loss from then on leaves it whole."""
-    QThreadPool.globalInstance().start(partial(_flush, file))
+    QThreadPool.globalInstance().start(partial(force, file))
 
 
-def _flush(file: Path) -> None:
+def force(file: Path) -> None:
+    """Force an autosave to the disk now, and give this version a second name for the time when the next is written."""
     # The file may be gone or replaced by now, and some file systems cannot: the autosave is there all the same.
-    with contextlib.suppress(OSError):
+    link = file.with_suffix(_LINK)
+    with _forcing, contextlib.suppress(OSError):
         with file.open("rb+") as written:
             os.fsync(written.fileno())
+            number = os.fstat(written.fileno()).st_ino
+        link.unlink(missing_ok=True)
+        link.hardlink_to(file)
+        if link.stat().st_ino == number:
+            link.replace(file.with_suffix(_FORCED))
+        link.unlink(missing_ok=True)  # it is still there where both were names of one file already
         sync_folder(file.parent)
+
+
+def remove_autosave(file: Path) -> None:
+    """Remove an autosave, and the second name of it. OSError."""
+    file.unlink(missing_ok=True)
+    file.with_suffix(_FORCED).unlink(missing_ok=True)
+
+
+def kept_content(file: Path) -> dict[str, Any]:
+    """Return the content of an autosave; where a power loss has taken it, of the version before.
+
+    Raises :class:`FileError` or :class:`ValueError`: neither can be read.
+    """
+    try:
+        content: dict[str, Any] = json.loads(read_bytes(file))
+    except (FileError, ValueError):
+        forced = file.with_suffix(_FORCED)
+        if not forced.exists():
+            raise
+        content = json.loads(read_bytes(forced))
+    return content
+
+
+def _is_blank(file: Path) -> bool:
+    """Whether a file holds nothing: a power loss came before the disk had anything of it."""
+    try:
+        return not read_bytes(file).strip(b"\0")
+    except FileError:
+        return False
 
 
 def _aside(file: Path) -> Path:

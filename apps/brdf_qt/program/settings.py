@@ -17,6 +17,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QSettings
 
 from brdf_suite import variables
+from brdf_suite.documents.atomic import make_folder
 
 ORGANISATION = "BRDF Suite"
 _log = logging.getLogger(__name__)
@@ -41,7 +42,7 @@ def state_folder(kind: str, program: str = "") -> Path:
     file = Path(settings(program).fileName())
     folder = file.with_suffix("") / kind
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
     except OSError as error:
         folder = _temporary_state(file.parent, error.strerror or str(error)) / file.stem / kind
         folder.mkdir(parents=True, exist_ok=True)

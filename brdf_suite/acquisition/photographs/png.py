@@ -5,12 +5,12 @@ Written here because none of the imaging libraries that are always there reads 1
 
 from __future__ import annotations
 
-import mmap
+import os
 import struct
 import sys
 import zlib
 from dataclasses import dataclass
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,8 +58,26 @@ def unfilter(rows: Array, filters: Array, step: int) -> None:
             rows[y, x] = (int(rows[y, x]) + guess) & 255
 
 
-Content = bytes | mmap.mmap
-"""Of a file: as bytes, or mapped, so that only what is asked for is read."""
+class FileContent:
+    """The content of an open file, of which only what is asked for is read.
+
+    It is not mapped into memory: the system ends a process that looks at a place of a mapped file that another process
+    has cut off. Here such a place is empty.
+    """
+
+    def __init__(self, file: IO[bytes]) -> None:
+        self._file, self._size = file, os.fstat(file.fileno()).st_size
+
+    def __len__(self) -> int:
+        return self._size
+
+    def __getitem__(self, part: slice) -> bytes:
+        start, stop, _ = part.indices(self._size)
+        self._file.seek(start)
+        return self._file.read(max(0, stop - start))
+
+
+Content = bytes | FileContent
 
 
 @dataclass(frozen=True)
@@ -86,8 +104,11 @@ def png_parts(content: Content, path: PathLike) -> PngParts:
     at, header, exif, ended = len(SIGNATURE), b"", None, False
     packed: list[slice] = []
     while at + 12 <= len(content) and not ended:
-        (size,) = struct.unpack_from(">I", content, at)
-        kind, end = content[at + 4 : at + 8], at + 12 + size
+        start = content[at : at + 8]
+        if len(start) < 8:  # another process has cut the file off
+            break
+        size, kind = struct.unpack(">I4s", start)
+        end = at + 12 + size
         if end > len(content):
             break
         data = slice(at + 8, end - 4)

@@ -6,7 +6,6 @@ Nothing is converted: codes are those of the file, and of three equal channels w
 
 from __future__ import annotations
 
-import mmap
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.jpeg import jpeg_parts, jpeg_pixels
-from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts, png_pixels
+from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, FileContent, png_parts, png_pixels
 from brdf_suite.acquisition.photographs.tiff import first_page, read_exposure, tiff_facts, tiff_pixels
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
@@ -109,8 +108,7 @@ def _opened(path: PathLike) -> Iterator[Content]:
     with open_regular(path, LARGEST_FILE) as file:
         if os.fstat(file.fileno()).st_size == 0:
             raise FileError(path, "is empty; it was not copied whole")
-        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-            yield content
+        yield FileContent(file)
 
 
 def _facts(content: Content, path: PathLike) -> PhotographFacts:

@@ -25,6 +25,7 @@ from typing import Any
 from filelock import FileLock, Timeout
 
 from brdf_suite.arrays import AnyArray
+from brdf_suite.documents.atomic import sync_folder
 from brdf_suite.errors import FileError
 from brdf_suite.files.array_file import Layout, encode_arrays, read_next
 
@@ -134,6 +135,8 @@ def open_work(path: Path) -> Iterator[WorkFile]:
         try:
             # Without a buffer: what a full disk refused would be written once more when the file is closed.
             stream = FileIO(path, mode)
+            if mode == "w+":
+                sync_folder(path.absolute().parent)
         except OSError as error:
             raise FileError(path, f"cannot be opened: {error.strerror or error}") from error
         with stream:

@@ -31,6 +31,7 @@ from brdf_suite.acquisition.session.session import (
     WhiteReference,
 )
 from brdf_suite.acquisition.session.store import write_session
+from brdf_suite.documents.atomic import make_folder
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 
 EXPOSURES = 16
@@ -71,7 +72,7 @@ def write_template(folder: PathLike) -> Template:
     if (target / SESSION_FILE).exists():
         raise FileError(target / SESSION_FILE, "is there already, and is not overwritten")
     try:
-        target.mkdir(parents=True, exist_ok=True)
+        make_folder(target)
     except OSError as error:
         raise FileError(target, f"cannot be made ({error.strerror})") from error
     try:

@@ -18,7 +18,7 @@ from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator.rig import TRUTH_FILE, Simulator
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 from brdf_suite.arrays import Codes
-from brdf_suite.documents.atomic import encode, write_atomically
+from brdf_suite.documents.atomic import encode, make_folder, write_atomically
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
@@ -53,7 +53,7 @@ def simulate(
             report(progress, done / total, f"photograph {done + 1:,} of {total:,}")
             path = target / file
             try:
-                path.parent.mkdir(parents=True, exist_ok=True)
+                make_folder(path.parent)
             except OSError as error:
                 raise FileError(path.parent, f"cannot be made ({error.strerror})") from error
             write_photograph(path, picture, seconds)
@@ -67,7 +67,7 @@ def simulate(
 def make_empty_folder(folder: Path) -> None:
     """Make the folder where there is none; refuse one that holds anything."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
         occupied = any(folder.iterdir())
     except OSError as error:
         raise FileError(folder, f"cannot be made ({error.strerror})") from error

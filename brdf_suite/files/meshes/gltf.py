@@ -254,10 +254,8 @@ class _Primitives:
         if positions.shape[1] != 3:
             raise FileError(self._path, "its points do not have three coordinates each", f"meshes[{mesh}]")
         positions[~(np.abs(positions) <= np.finfo(np.float32).max)] = np.nan
-        corners = values.get("indices", np.arange(len(positions))).ravel()
-        if not (np.abs(corners) < 1 << 53).all():  # stored as floats
-            raise FileError(self._path, "its indices are no whole numbers", f"meshes[{mesh}]")
-        corners = corners.astype(np.int64)
+        with np.errstate(invalid="ignore"):  # a number that is none becomes no corner, and is left out below
+            corners = values.get("indices", np.arange(len(positions))).ravel().astype(np.int64)
         normals, uvs = values.get("NORMAL"), values.get("TEXCOORD_0")
         if uvs is not None:
             uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v downwards

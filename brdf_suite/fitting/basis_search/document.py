@@ -210,6 +210,6 @@ def load_search(path: Path) -> StoredSearch:
     results = tuple(result_from_json(item, len(names)) for item in reader.take_objects("results"))
     if any(a.count >= b.count for a, b in itertools.pairwise(results)):
         reader.fail("the counts do not rise", "results")
-    if default is not None and default not in {result.count for result in results}:
+    if default is not None and default not in [result.count for result in results]:  # a value of any type
         reader.fail(f"there is no basis of {describe(default)} lobes", "default_count")
     return StoredSearch(tuple(names), results, str(sha256 or ""), default, str(date or ""))

@@ -1,5 +1,7 @@
 """Kinds of OpenEXR files beside the plain one: several parts, luminance and chroma, cube maps; very large images."""
 
+import io
+import os
 import struct
 import tracemalloc
 from pathlib import Path
@@ -14,6 +16,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.images.area_reduction import MOST_ROWS, read_reduced
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.images.exr import image as exr
+from brdf_suite.files.images.exr.header import parse_headers
 from brdf_suite.files.images.primaries import REC709, REC2020, rgb_to_xyz
 
 SHAPE = (16, 32)
@@ -52,6 +55,20 @@ def test_parts_that_are_cut_off_are_refused(tmp_path: Path) -> None:
         path.write_bytes(whole[:end])
         with pytest.raises(FileError, match="cut off"):
             read_environment_image(path)
+
+
+def test_a_file_that_is_cut_off_while_it_is_read_is_refused(tmp_path: Path) -> None:
+    class CutOff(io.BytesIO):
+        def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
+            at = super().seek(offset, whence)
+            if whence == os.SEEK_END:
+                self.truncate(300)
+            return at
+
+    path = several_parts(tmp_path / "parts.exr", planes(), OpenEXR.scanlineimage)
+    assert len(parse_headers(path, io.BytesIO(path.read_bytes()))) == 2
+    with pytest.raises(FileError, match="cut off"):
+        parse_headers(path, CutOff(path.read_bytes()))
 
 
 @pytest.mark.parametrize("kind", [OpenEXR.scanlineimage, OpenEXR.tiledimage])

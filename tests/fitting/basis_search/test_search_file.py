@@ -59,6 +59,7 @@ def test_a_paint_is_the_same_in_another_version_of_its_file_and_not_with_another
         ({"format": "lobe_weights"}, "format"),
         ({"paints": "blue"}, "paints"),
         ({"default_count": 99}, "default_count"),
+        ({"default_count": [3]}, "default_count"),
         ({"results": []}, "default_count"),
     ],
 )

@@ -40,6 +40,7 @@ from brdf_suite.lighting.lobe_map_cache import encode_maps, pack_maps, read_maps
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.palettes.swatches.store import SwatchStore
 from brdf_suite.pipeline.material import load_material, load_shipped_paint
+from brdf_suite.regular_files import read_bytes
 from brdf_suite.reports.handover import formats, read_paints
 from brdf_suite.reports.paint_report import html
 from brdf_suite.resources import resource
@@ -121,7 +122,7 @@ def _textures(folder: Path) -> list[Path]:
 
 def _read_textures(path: Path) -> None:
     """Read maps by a paint that names the damaged file's own checksum."""
-    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    digest = hashlib.sha256(read_bytes(path)).hexdigest()
     read_textures(_factored_paint(TextureFile(str(path), digest)))
 
 
@@ -216,7 +217,7 @@ def _read_swatches(path: Path) -> None:
     """Put the damaged file in the store's place: what is served is what was kept, or nothing."""
     store = SwatchStore(path.parent / "cache", limit_bytes=1 << 24)
     store.folder.mkdir(parents=True, exist_ok=True)
-    store.path.write_bytes(path.read_bytes())
+    store.path.write_bytes(read_bytes(path))
     rng = np.random.default_rng(1)
     kept = {f"{key:064x}": rng.integers(0, 255, (8, 8, 3), dtype=np.uint8) for key in range(3)}
     try:

@@ -6,12 +6,14 @@ to each: their deaths are counted, and are no crash of the suite.
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import importlib
 import importlib.util
 import json
 import struct
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -46,15 +48,15 @@ _FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 def run_here(path: PathLike, library: str, file: str, options: dict[str, Any]) -> Any:
     """Do what the child process does, in this one."""
     read = importlib.import_module(worker._READERS[library]).read
-    try:
-        with np.errstate(all="ignore"):
-            found = read(Path(file), options)
-    except Refused as refusal:
-        found = ReadMesh([], refused=str(refusal))
-    answer = Path(file).with_suffix(".answer")
-    worker._write(answer, found)
-    content = answer.read_bytes()
-    answer.unlink()
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        try:
+            with np.errstate(all="ignore"):
+                found = read(Path(file), options)
+        except Refused as refusal:
+            found = ReadMesh([], refused=str(refusal))
+        answer = Path(folder, "answer")
+        worker._write(answer, found)
+        content = answer.read_bytes()
     return child._unpacked(path, content)
 
 

@@ -12,6 +12,7 @@ from brdf_suite.documents.palette import Entry, Group, Palette
 from brdf_suite.documents.palette_store import encode_palette, palette_from_bytes
 from brdf_suite.files.palettes import FORMATS, read_content, read_palette
 from brdf_suite.files.palettes.format import PaletteFormat
+from brdf_suite.regular_files import read_bytes
 from tools.attack.readers.reader import Reader, WrongValueError
 
 
@@ -118,7 +119,7 @@ def reader_of(known: PaletteFormat) -> Reader:
     """Return the reader of a format: what is read by content or by the format comes back from our own format."""
 
     def read(path: Path) -> None:
-        palette = read_content(path.read_bytes(), path, known).palette
+        palette = read_content(read_bytes(path), path, known).palette
         if palette_from_bytes(encode_palette(palette), "again") != palette:
             raise WrongValueError("what was read does not come back")
         read_palette(path)

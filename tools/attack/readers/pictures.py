@@ -29,6 +29,7 @@ from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate
 from brdf_suite.reference.raytraced.picture import Sums, read_sums, write_sums
+from brdf_suite.regular_files import read_bytes
 from tools.attack.readers.reader import MEGABYTE, Reader, WrongValueError
 
 _SHAPE = (32, 64)
@@ -200,7 +201,7 @@ def _read_photograph(path: Path) -> None:
 
 
 def _read_display(path: Path) -> None:
-    read_display_profile(path.read_bytes(), path.name)
+    read_display_profile(read_bytes(path), path.name)
 
 
 # L*a*b* of a screen's eight corners, from black, blue and green to white.

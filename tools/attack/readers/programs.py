@@ -17,6 +17,7 @@ from brdf_suite.documents.store import paint_to_json, view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.geometry.factor_words import parse_factors
 from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.regular_files import read_bytes
 from tools.attack.readers.palettes import small_palette
 from tools.attack.readers.reader import REFUSALS, Reader, WrongValueError, text_files
 
@@ -69,7 +70,7 @@ def _messages(folder: Path) -> list[Path]:
 
 def _read_message(path: Path) -> None:
     link = importlib.import_module("brdf_qt.link.messages")
-    message = link.decode(path.read_bytes())
+    message = link.decode(read_bytes(path))
     check = link.document_checks().get(message.topic)
     if check is not None:
         check(message.value)
@@ -92,7 +93,7 @@ def _read_record(path: Path) -> None:
     records = importlib.import_module("brdf_designer.standard_comparison.records")
     with _settings_in(path.parent):
         target = records._file(Path("/x.brdfpaint"))
-        target.write_bytes(path.read_bytes())
+        target.write_bytes(read_bytes(path))
         records.kept(Path("/x.brdfpaint"))
 
 
@@ -126,7 +127,7 @@ def _read_stored(name: str) -> Callable[[Path], None]:
         settings = importlib.import_module("brdf_qt.program.settings").settings
         place = key or getattr(loaded, "_KEY", None) or loaded._STORED
         with _settings_in(path.parent):
-            text = path.read_bytes().decode("utf-8", "replace")
+            text = read_bytes(path).decode("utf-8", "replace")
             settings(program).setValue(place, text)
             getattr(loaded, function)()
 
@@ -171,7 +172,7 @@ def _read_autosave(path: Path) -> None:
         store = documents.DocumentStore(form.new())
         made = recovery.Recovery(store, form, faults.append, keeps_history=True)
         for ending in (recovery._ENDING, recovery._SAVED_ENDING):
-            (made.folder / f"old{ending}").write_bytes(path.read_bytes())
+            (made.folder / f"old{ending}").write_bytes(read_bytes(path))
         try:
             made.found_saved()
             for item in made.found():
@@ -200,12 +201,12 @@ def _texts(folder: Path) -> list[Path]:
 
 def _read_text(path: Path) -> None:
     """Read a text as the clipboard's, as a list of factors, and as a number that is typed."""
-    text = path.read_bytes().decode("utf-8", "replace")
+    text = read_bytes(path).decode("utf-8", "replace")
     transfer = importlib.import_module("brdf_color_swatch.editing.transfer")
     application()
     for kind in ("text/plain", transfer.MIME, transfer.PAINT_MIME):
         carried = importlib.import_module("PySide6.QtCore").QMimeData()
-        carried.setData(kind, path.read_bytes())
+        carried.setData(kind, read_bytes(path))
         with contextlib.suppress(*REFUSALS):
             transfer.read_data(carried)
     importlib.import_module("brdf_qt.fields.number").parse_number(text)
