@@ -29,11 +29,11 @@ from pathlib import Path
 from tools.attack.command_lines import home
 from tools.attack.file_names import odd_names
 from tools.attack.loop import seeds_of
-from tools.attack.monkey_events import PROGRAMS
 from tools.attack.readers import chosen
 from tools.attack.scene import Scene, Surroundings
 
 ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = ("designer", "viewer", "lobes", "swatch")
 HANG_S = 5.0
 """Of processor time of the main thread, in one turn of the event loop."""
 _STARTS = 20

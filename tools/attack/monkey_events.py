@@ -46,7 +46,7 @@ from shiboken6 import isValid
 
 from brdf_suite.errors import SuiteError
 
-PROGRAMS = {
+_MAINS = {
     "designer": ("brdf_designer.__main__", ("--no-start-page", "p.brdfpaint")),
     "viewer": ("brdf_viewer.__main__", ("--no-start-page", "p.brdfpaint")),
     "lobes": ("brdf_lobe_visualizer.__main__", ("--no-start-page", "p.brdfpaint", "blue")),
@@ -475,7 +475,7 @@ def main() -> int:
         return run()
 
     QApplication.exec = staticmethod(run_with_events)  # type: ignore[method-assign]
-    module, arguments = PROGRAMS[name]
+    module, arguments = _MAINS[name]
     with (folder / "trace").open("w", encoding="utf-8") as trace:
         status = int(import_module(module).main(list(arguments)))
     faulthandler.cancel_dump_traceback_later()
