@@ -234,8 +234,9 @@ class Monkey(QObject):
         wide, high = max(1, widget.width()), max(1, widget.height())
         place = QPoint(self._rng.randrange(wide), self._rng.randrange(high))
         if self._rng.random() < 0.1:
-            place = self._rng.choice((QPoint(0, 0), QPoint(wide - 1, high - 1), QPoint(-5, high // 2)))
-        return widget, handle, widget.mapTo(window, place)
+            place = self._rng.choice((QPoint(0, 0), QPoint(wide - 1, high - 1)))
+        there = widget.mapTo(window, place)
+        return (widget, handle, there) if window.rect().contains(there) else None
 
     def _focus(self) -> QWindow | None:
         windows = self._front()
@@ -466,24 +467,29 @@ def main() -> int:
     answers.install()
     faults = _Faults()
     run = QApplication.exec
-    monkeys: list[Monkey] = []
+    found: dict[str, object] = {}
 
     def run_with_events(*_: object) -> int:
         logging.getLogger().addHandler(faults)
-        window = next(one for one in QApplication.topLevelWidgets() if one.findChild(Program) is not None)
-        monkeys.append(Monkey(window.findChild(Program), rng, int(events), answers, trace))
-        return run()
+        program = next(
+            one for window in QApplication.topLevelWidgets() if (one := window.findChild(Program)) is not None
+        )
+        monkey = Monkey(program, rng, int(events), answers, trace)
+        status = run()
+        found.update(
+            events=monkey.done,
+            longest_s=monkey.longest_s,
+            slow=monkey.slow,
+            memory_mb=monkey.memory_mb,
+            messages=faults.messages,
+        )
+        return status
 
     QApplication.exec = staticmethod(run_with_events)  # type: ignore[method-assign]
     module, arguments = _MAINS[name]
     with (folder / "trace").open("w", encoding="utf-8") as trace:
         status = int(import_module(module).main(list(arguments)))
     faulthandler.cancel_dump_traceback_later()
-    (monkey,) = monkeys
-    found = {
-        "events": monkey.done, "longest_s": monkey.longest_s, "slow": monkey.slow, "memory_mb": monkey.memory_mb,
-        "messages": faults.messages,
-    }  # fmt: skip
     (folder / "found.json").write_text(json.dumps(found), encoding="utf-8")
     return status
 
