@@ -59,14 +59,16 @@ def source_of(data: QMimeData) -> tuple[str, str]:
     return owner, source
 
 
-def read_data(data: QMimeData) -> Carried:
-    """Return what a drag or the clipboard holds; nothing where it holds no colour.
+def read_data(data: QMimeData | None) -> Carried:
+    """Return what a drag or the clipboard holds; nothing where it holds no colour, or where there is no clipboard (None).
 
     Raises
     ------
     SuiteError
         It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
     """
+    if data is None:
+        return Carried()
     if data.hasFormat(MIME):
         return _whole(bytes(data.data(MIME).data()))
     if data.hasFormat(PAINT_MIME):

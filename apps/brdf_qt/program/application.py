@@ -119,9 +119,6 @@ def create_application(
     qInstallMessageHandler(_qt_message)
     # Libraries of Qt also report when they are unloaded, after the interpreter has ended: the process would die of it.
     atexit.register(qInstallMessageHandler, None)
-    if QGuiApplication.platformName() == "offscreen":
-        # Its clipboard outlives the interpreter, too, and would have to destroy what Python made.
-        app.aboutToQuit.connect(QGuiApplication.clipboard().clear)
     _quit_on_signals(app)
     return app
 

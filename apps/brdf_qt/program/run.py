@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.link.open_files import OpenFiles, hand_over
@@ -168,7 +169,11 @@ def run_program(
         program.window.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         program.window.show()
         launch.hand_over(program.window.start)
-    return app.exec()
+    status = app.exec()
+    if QGuiApplication.platformName() == "offscreen":
+        # Its clipboard outlives the interpreter, and would then have to destroy what Python has made.
+        QGuiApplication.clipboard().clear()
+    return status
 
 
 def _begins_with_page(options: argparse.Namespace, is_asked: bool, actions: Sequence[str]) -> bool:
