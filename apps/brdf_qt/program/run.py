@@ -25,7 +25,7 @@ from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
 from brdf_suite.foreign_text import make_visible
-from brdf_suite.processes import run_named_module
+from brdf_suite.processes import prepare_streams, run_named_module
 
 _LARGEST = 20_000
 _LOOK_EVERY_MS = 50
@@ -127,6 +127,7 @@ def run_program(
     the options name what is to be opened.
     """
     words = list(sys.argv[1:] if argv is None else argv)
+    prepare_streams()
     status = run_named_module(words)
     if status is not None:
         return status
