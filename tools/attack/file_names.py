@@ -147,7 +147,7 @@ def _links(scene: Scene) -> None:
         to = os.readlink(place)  # noqa: PTH115 - the text itself
         scene.start(COMMAND, *convert, place.name, fails=True)
         scene.start(COMMAND, "measure", place.name, fails=True)
-        scene.start(COMMAND, "sheet", place.name, "-o", "x.png", "--form", "chips", fails=name != "folder")
+        scene.start(COMMAND, "sheet", place.name, "-o", "x.png", "--form", "chips", fails=None)
         for module in WINDOWS:
             scene.start(module, place.name, "--quit-after", "0")
         if not place.is_symlink() or os.readlink(place) != to:  # noqa: PTH115

@@ -55,7 +55,8 @@ def can_take(data: QMimeData) -> bool:
 
 def source_of(data: QMimeData) -> tuple[str, str]:
     """Return the run of the program and the palette that swatches come from; empty where they come from elsewhere."""
-    owner, _, source = bytes(data.data(SOURCE_MIME).data()).decode("utf-8", "replace").partition("\n")
+    text = bytes(data.data(SOURCE_MIME).data()).decode("utf-8", "surrogateescape")  # the name of a file may be no text
+    owner, _, source = text.partition("\n")
     return owner, source
 
 
