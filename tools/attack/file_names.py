@@ -41,24 +41,33 @@ def _names(scene: Scene) -> None:
     palette = load_palette(scene.work / "p.brdfpalette")
     wanted = scene.start(COMMAND, "measure", "./p.brdfpaint", "--json", fails=False)
     for number, (name, written) in enumerate(zip(odd_names(PAINT), odd_names(PALETTE), strict=True)):
-        file = scene.work / name
+        file, made = scene.work / name, scene.work / written
         file.write_bytes(paint)
         if scene.start(COMMAND, "measure", f"./{name}", "--json", fails=False).count("\n") != wanted.count("\n"):
             scene.fault("another answer", ascii(name))
-        scene.start(COMMAND, "measure", "--csv", "--", name, fails=False)
         scene.start(COMMAND, "palette", "convert", "p.brdfpalette", "-o", f"./{written}", fails=False)
-        _expect_palette(scene, scene.work / written, len(palette))
-        scene.start(COMMAND, "palette", "info", f"./{written}", fails=False)
-        scene.start(COMMAND, "project", "pack", "--paint", f"./{name}", "-o", "x.brdfproject", fails=False)
-        scene.start(COMMAND, "design", "step", f"./{name}", "-o", f"./{name}")
-        module, document = list(WINDOWS.items())[number % len(WINDOWS)]
-        opened = name if document.endswith(PAINT) else written
-        line = (f"./{opened}", "--screenshot", "window.png", "--size", "900x700")
-        scene.start(module, *line, fails=False)
-        file.unlink(missing_ok=True)
-        (scene.work / written).unlink(missing_ok=True)
+        _expect_palette(scene, made, len(palette))
+        use = number % 4
+        if use == 0:
+            scene.start(COMMAND, "project", "pack", "--paint", f"./{name}", "-o", "x.brdfproject", fails=False)
+            scene.start(COMMAND, "palette", "info", "--", written, fails=False)
+        elif use == 1:
+            scene.start(COMMAND, "design", "step", f"./{name}", "lighter", "-o", f"./{name}", fails=False)
+            if load_paint(file).measurements == load_paint(scene.work / "p.brdfpaint").measurements:
+                scene.fault("was not written", ascii(name))
+        elif use == 2:  # the palette gets its name from that of the file
+            made.write_text("GIMP Palette\n128 50 20 x\n")
+            scene.start(COMMAND, "palette", "convert", f"./{written}", "-o", "x.brdfpalette", fails=False)
+            scene.start(COMMAND, "palette", "info", f"./{written}", "--json", fails=False)
+        module, document = list(WINDOWS.items())[number // 2 % len(WINDOWS)]
+        if number % 2:
+            opened = name if document.endswith(PAINT) else written
+            line = (f"./{opened}", "--screenshot", "window.png", "--size", "900x700")
+            scene.start(module, *line, fails=False)
+        file.unlink()
+        made.unlink(missing_ok=True)
     left = sorted(ascii(path.name) for path in scene.work.iterdir())
-    expected = ["p.brdfpaint", "p.brdfpalette", "p.gpl", "window.png", "x.brdfproject"]
+    expected = ["p.brdfpaint", "p.brdfpalette", "p.gpl", "window.png", "x.brdfpalette", "x.brdfproject"]
     if left != [ascii(name) for name in expected]:
         scene.fault(f"other files were written: {left}")
 
