@@ -227,7 +227,12 @@ def test_a_file_does_not_take_the_place_of_a_closed_stream(streams: str, tmp_pat
 def test_what_is_printed_for_programs_is_utf8_in_every_locale(tmp_path: Path) -> None:
     name = "Café 粉 Ω"
     (tmp_path / "a.gpl").write_text(f"GIMP Palette\nName: {name}\n128 50 20 {name}\n", encoding="utf-8")
-    ascii_only = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "PYTHONIOENCODING": "ascii:strict"}
+    ascii_only = {
+        "LC_ALL": "C",
+        "PYTHONUTF8": "0",
+        "PYTHONCOERCECLOCALE": "0",
+        "PYTHONIOENCODING": "ascii:strict",
+    }
     words = ("-m", "brdf_suite.cli.main", "palette", "info", str(tmp_path / "a.gpl"), "--json")
     done = run_in_shell("", *words, **ascii_only)
     assert done.returncode == 0, done.stderr

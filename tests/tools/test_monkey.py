@@ -73,9 +73,7 @@ def test_what_goes_wrong_is_seen(
     assert [title for title, *_, good in rows if not good and title.endswith(kind)]
 
 
-def test_a_program_that_is_closed_is_started_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_program_that_is_closed_is_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "sitecustomize.py").write_text(
         "from PySide6.QtTest import QTest\n"
         "from PySide6.QtWidgets import QApplication\n"

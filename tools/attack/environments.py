@@ -32,7 +32,15 @@ LOCALES: tuple[Mapping[str, str | None], ...] = (
     {"LC_ALL": "", "LANG": "A" * 5000},
     {"LC_ALL": None, "LANG": None, "LC_CTYPE": None},
 )
-TIME_ZONES = ("", "nonsense", "UTC+99999", ":/dev/zero", "../../../etc/passwd", "<\u202e>-25:99:99", "A" * 5000)
+TIME_ZONES = (
+    "",
+    "nonsense",
+    "UTC+99999",
+    ":/dev/zero",
+    "../../../etc/passwd",
+    "<\u202e>-25:99:99",
+    "A" * 5000,
+)
 WIDTHS = ("1", "0", "-7", "999999999", "nan", "9" * 5000, "")
 _QT: tuple[Mapping[str, str], ...] = (
     {"QT_SCALE_FACTOR": "nonsense", "QT_STYLE_OVERRIDE": "nonsense"},
@@ -150,14 +158,14 @@ def _temporary_folders(scene: Scene) -> None:
 def _widths(scene: Scene) -> None:
     for width in WIDTHS:
         with scene.changed({"COLUMNS": width, "LINES": width}):
-            for line in (
+            for words in (
                 ("--help",),
                 ("help", "render"),
                 ("render", "--sizes", "1"),
                 ("list", "paints"),
                 ("measure", "blue"),
             ):
-                scene.start(COMMAND, *line, fails=line[-1] == "1")
+                scene.start(COMMAND, *words, fails=words[-1] == "1")
             scene.start("brdf_viewer", "--help", fails=False)
 
 
@@ -197,14 +205,18 @@ def _removed_folder(scene: Scene) -> None:
         if wanted not in scene.start(COMMAND, *line, fails=False, within=within, own_variables=True):
             scene.fault("another answer", line)
     place = scene.work / "p.brdfpaint"
-    for line in (
+    for words in (
         ("palette", "info", str(scene.work / "p.brdfpalette")),
         ("measure", str(place)),
         ("export", str(place), "-o", str(scene.work / "x.csv")),
         ("render", "blue", "-o", str(scene.work / "x.png"), "--size", "32x32"),
     ):
-        scene.start(COMMAND, *line, fails=False, within=within, own_variables=True)
-    for more in (("measure", "p.brdfpaint"), ("export", "blue", "-o", "x.csv"), ("sheet", ".", "-o", "x.png")):
+        scene.start(COMMAND, *words, fails=False, within=within, own_variables=True)
+    for more in (
+        ("measure", "p.brdfpaint"),
+        ("export", "blue", "-o", "x.csv"),
+        ("sheet", ".", "-o", "x.png"),
+    ):
         scene.start(COMMAND, *more, fails=True, within=within, own_variables=True)
     scene.start(COMMAND, "batch", "measure", "blue", "-o", "x", "--workers", "1", fails=True, within=within)
     for module in WINDOWS:

@@ -24,8 +24,9 @@ _NAME_MAX = 255
 _DEEP = "d" * 200
 _STEMS = (
     b"\xff\xfe\x80", b"caf\xe9", b"-n", b"--json", b"-", b"a\nb", b"a\rb\tc\x1b[31m\x07", b"end ", b" start", b"dots..",
-    b"a#1", b"#", b"a:b", b"%41%2f", b"%s{0}$HOME`id`", b"~", b"[a]*?", b"a;b&c|d", b"'\"\\", b"=1+1", b"<img src=x>&amp;",
-    "\u202egnp".encode(), "\u200b".encode(), "e\u0301".encode(), b"NUL", b".hidden", b"..a", b"x" * 243, "é".encode() * 121,
+    b"a#1", b"#", b"a:b", b"%41%2f", b"%s{0}$HOME`id`", b"~", b"[a]*?", b"a;b&c|d", b"'\"\\", b"=1+1",
+    b"<img src=x>&amp;",     "\u202egnp".encode(), "\u200b".encode(), "e\u0301".encode(), b"NUL", b".hidden", b"..a",
+    b"x" * 243, "é".encode() * 121,
 )  # fmt: skip
 
 
@@ -43,13 +44,17 @@ def _names(scene: Scene) -> None:
     for number, (name, written) in enumerate(zip(odd_names(PAINT), odd_names(PALETTE), strict=True)):
         file, made = scene.work / name, scene.work / written
         file.write_bytes(paint)
-        if scene.start(COMMAND, "measure", f"./{name}", "--json", fails=False).count("\n") != wanted.count("\n"):
+        if scene.start(COMMAND, "measure", f"./{name}", "--json", fails=False).count("\n") != wanted.count(
+            "\n"
+        ):
             scene.fault("another answer", ascii(name))
         scene.start(COMMAND, "palette", "convert", "p.brdfpalette", "-o", f"./{written}", fails=False)
         _expect_palette(scene, made, len(palette))
         use = number % 4
         if use == 0:
-            scene.start(COMMAND, "project", "pack", "--paint", f"./{name}", "-o", "x.brdfproject", fails=False)
+            scene.start(
+                COMMAND, "project", "pack", "--paint", f"./{name}", "-o", "x.brdfproject", fails=False
+            )
             scene.start(COMMAND, "palette", "info", "--", written, fails=False)
         elif use == 1:
             scene.start(COMMAND, "design", "step", f"./{name}", "lighter", "-o", f"./{name}", fails=False)
@@ -115,12 +120,12 @@ def _long_paths(scene: Scene) -> None:
                 scene.start(COMMAND, "export", "blue", *line)
             scene.start(COMMAND, "sheet", str(top), "-o", "x.png", "--form", "chips")
             steps = "; ".join(f"cd {name}" for name in path[len(str(scene.work)) + 1 :].split("/"))
-            for line in (
+            for words in (
                 ("measure", "p.brdfpaint"),
                 ("export", "p.brdfpaint", "-o", "x.csv"),
                 ("palette", "info", "."),
             ):
-                scene.start(COMMAND, *line, within=shell(steps))
+                scene.start(COMMAND, *words, within=shell(steps))
             for module in WINDOWS:
                 scene.start(module, "p.brdfpaint", "--quit-after", "0", within=shell(steps))
             with open(os.open("p.brdfpaint", os.O_RDONLY, dir_fd=folder), "rb") as file:  # noqa: PTH123
@@ -176,7 +181,18 @@ def _links(scene: Scene) -> None:
 def _twins(scene: Scene) -> None:
     """Names that differ by case, by Unicode's normal form or by an unseen mark alone are different documents."""
     scene.documents("plain")
-    names = ["Blue", "blue", "BLUE", "caf\u00e9", "cafe\u0301", "a", "a\u200b", "\uff41", "stra\u00dfe", "strasse"]
+    names = [
+        "Blue",
+        "blue",
+        "BLUE",
+        "caf\u00e9",
+        "cafe\u0301",
+        "a",
+        "a\u200b",
+        "\uff41",
+        "stra\u00dfe",
+        "strasse",
+    ]
     folder = scene.work / "twins"
     folder.mkdir()
     for name in names:

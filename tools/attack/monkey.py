@@ -45,7 +45,18 @@ _SEEDS = (
     "palette:gpl", "palette:ase", "palette:csv", "measured:bird", "measured:cornell", "measured:merl", "mesh:obj",
     "mesh:glb", "mesh:ply", "environment:hdr", "environment:exr", "document:",
 )  # fmt: skip
-_ENDINGS = (".brdfpaint", ".brdfpalette", ".brdfview", ".brdfproject", ".brdfstudio", ".png", ".exr", ".glb", ".csv", "")
+_ENDINGS = (
+    ".brdfpaint",
+    ".brdfpalette",
+    ".brdfview",
+    ".brdfproject",
+    ".brdfstudio",
+    ".png",
+    ".exr",
+    ".glb",
+    ".csv",
+    "",
+)
 
 
 @dataclass
@@ -179,9 +190,13 @@ def _tracebacks(said: str) -> list[str]:
     found: dict[str, str] = {}
     for part in parts:
         lines = part.splitlines()
-        end = next((n for n, line in enumerate(lines[1:], 1) if line and not line.startswith(" ")), len(lines) - 1)
+        end = next(
+            (n for n, line in enumerate(lines[1:], 1) if line and not line.startswith(" ")), len(lines) - 1
+        )
         places = [line for line in lines[:end] if line.lstrip().startswith("File ")]
-        found.setdefault(f"{places[-1:]} {lines[end][:120]}", "\n".join([*lines[max(0, end - 12) : end], lines[end][:300]]))
+        found.setdefault(
+            f"{places[-1:]} {lines[end][:120]}", "\n".join([*lines[max(0, end - 12) : end], lines[end][:300]])
+        )
     return list(found.values())
 
 
@@ -211,7 +226,9 @@ def main() -> int:
         say = lambda text: print(text, file=sys.stderr, flush=True)  # noqa: E731
         if options.screen:
             with _screen() as display:
-                found = run_program(name, options.seed, options.events, say, display=display, keep=options.keep)
+                found = run_program(
+                    name, options.seed, options.events, say, display=display, keep=options.keep
+                )
         else:
             found = run_program(name, options.seed, options.events, say, keep=options.keep)
         wrong += found.faults

@@ -1,7 +1,7 @@
 """Random events for a program that runs: mouse, wheel, keys, menus, drops, clipboard; all drawn from one number.
 
-``python -m tools.attack.monkey_events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkey` starts.
-It runs the program as its command does, and sends an event as soon as the program is at rest after the last one; some
+``python -m tools.attack.monkey_events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkey`
+starts. It runs the program as its command does, and sends an event as soon as the program is at rest after the last one; some
 come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold them back.
 File dialogs are answered with a file of the folder, or are cancelled.
 """
@@ -68,7 +68,8 @@ _KEYS = (
     *(Qt.Key(code) for code in range(Qt.Key.Key_0, Qt.Key.Key_9 + 1)),
     *(Qt.Key(code) for code in range(Qt.Key.Key_A, Qt.Key.Key_Z + 1)),
     *(Qt.Key(code) for code in range(Qt.Key.Key_F1, Qt.Key.Key_F12 + 1)),
-    *[Qt.Key.Key_Tab, Qt.Key.Key_Return, Qt.Key.Key_Escape, Qt.Key.Key_Space, Qt.Key.Key_Delete, Qt.Key.Key_Backspace] * 3,
+    *[Qt.Key.Key_Tab, Qt.Key.Key_Return, Qt.Key.Key_Escape] * 3,
+    *[Qt.Key.Key_Space, Qt.Key.Key_Delete, Qt.Key.Key_Backspace] * 3,
     *[Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Home, Qt.Key.Key_End] * 3,
     Qt.Key.Key_PageUp, Qt.Key.Key_PageDown, Qt.Key.Key_Plus, Qt.Key.Key_Minus, Qt.Key.Key_Menu, Qt.Key.Key_Comma,
 )  # fmt: skip
@@ -120,8 +121,8 @@ class Answers:
         QFileDialog.getExistingDirectory = staticmethod(  # type: ignore[method-assign,assignment]
             lambda *_: self._rng.choice(("", str(self._folder / "files"), "/nonexistent"))
         )
-        QPrintDialog.exec = lambda _dialog: int(rejected.value)  # type: ignore[method-assign,assignment]
-        QDesktopServices.openUrl = staticmethod(lambda _url: True)  # type: ignore[method-assign,assignment]
+        QPrintDialog.exec = lambda _dialog: int(rejected.value)  # type: ignore[method-assign]
+        QDesktopServices.openUrl = staticmethod(lambda _url: True)  # type: ignore[method-assign]
         QProcess.startDetached = staticmethod(lambda *_: (True, 0))  # type: ignore[method-assign,assignment]
 
     def any_file(self) -> str:
@@ -131,15 +132,17 @@ class Answers:
     def _save(self, ending: str) -> str:
         if self._rng.random() < 0.3:
             return ""
-        stem = self._rng.choice(("saved 1", "saved 2", "a\nb", "-n", "x" * 240, "none/x", "files", "caf\u00e9 \u202e"))
+        stem = self._rng.choice(
+            ("saved 1", "saved 2", "a\nb", "-n", "x" * 240, "none/x", "files", "caf\u00e9 \u202e")
+        )
         return str(self._folder / "saved" / (f"{stem}.{ending}" if ending else stem))
 
 
 class Monkey(QObject):
     """Sends events to a program, and notes what it did and how long each turn of the event loop took.
 
-    A turn is over when this object gets its timer's event: longer ones hold back all that a user does. Processor time of
-    the main thread is counted, since another process may hold up both.
+    A turn is over when this object gets its timer's event: longer ones hold back all that a user does. Processor time
+    of the main thread is counted, since another process may hold up both.
     """
 
     def __init__(
@@ -210,7 +213,7 @@ class Monkey(QObject):
         self.done += 1
         if self.done % 50 == 1:
             self.memory_mb.append(_memory_mb())
-        print(f"{self.done} {ascii(self._doing)}", file=self._trace, flush=True)
+        print(f"{self.done} {self._doing!a}", file=self._trace, flush=True)
 
     # Where events go.
 
@@ -229,7 +232,11 @@ class Monkey(QObject):
             return None
         window = windows[0] if self._rng.random() < 0.7 else self._rng.choice(windows)
         handle = window.windowHandle()
-        seen = [one for one in (window, *window.findChildren(QWidget)) if one.isVisible() and one.window() is window]
+        seen = [
+            one
+            for one in (window, *window.findChildren(QWidget))
+            if one.isVisible() and one.window() is window
+        ]
         if handle is None or not seen:
             return None
         widget = self._rng.choice(seen)
@@ -286,7 +293,9 @@ class Monkey(QObject):
             return "nowhere"
         widget, handle, place = found
         name = _name(widget)
-        turn = QPoint(self._rng.choice((0, 0, 0, 120, -120)), self._rng.choice((120, -120, 15, -15, 12000, -12000)))
+        turn = QPoint(
+            self._rng.choice((0, 0, 0, 120, -120)), self._rng.choice((120, -120, 15, -15, 12000, -12000))
+        )
         QTest.wheelEvent(handle, QPointF(place), turn, QPoint(0, 0), self._rng.choice(_MODIFIERS))
         return name
 
@@ -326,7 +335,8 @@ class Monkey(QObject):
         entries = [
             (path, action)
             for top in self._program.window.menuBar().actions()
-            for path, action in _below(top.menu(), top.text())
+            if isinstance(menu := top.menu(), QMenu)
+            for path, action in _below(menu, top.text())
         ]
         path, action = self._rng.choice(entries)
         action.trigger()
@@ -378,7 +388,9 @@ class Monkey(QObject):
     def _carried(self) -> tuple[str, QMimeData]:
         """Return what is dropped or put on the clipboard, and what it is in words."""
         data = QMimeData()
-        what = self._rng.choice(("file", "file", "files", "text", "huge text", "html", "image", "binary", "colour", "urls"))
+        what = self._rng.choice(
+            ("file", "file", "files", "text", "huge text", "html", "image", "binary", "colour", "urls")
+        )
         if what in ("file", "files"):
             names = [self._rng.choice(self._answers.files) for _ in range(1 if what == "file" else 5)]
             data.setUrls([QUrl.fromLocalFile(str(name)) for name in names])
@@ -388,19 +400,30 @@ class Monkey(QObject):
         elif what == "huge text":
             data.setText(self._rng.choice(("x", "#12\t", "\u202e", "50\n", "\n")) * 500_000)
         elif what == "html":
-            data.setHtml('<img src="file:///dev/zero"><a href="file:///etc/passwd">x</a><table width=99999999>')
+            data.setHtml(
+                '<img src="file:///dev/zero"><a href="file:///etc/passwd">x</a><table width=99999999>'
+            )
         elif what == "image":
             image = QImage(self._rng.choice((1, 3000)), 2000, QImage.Format.Format_RGB32)
             image.fill(7)
             data.setImageData(image)
         elif what == "binary":
-            content = self._rng.choice((b"", b"{", b"null", b"[[[[" * 50_000, self._rng.randbytes(3000), b'{"palette": 1}'))
+            content = self._rng.choice(
+                (b"", b"{", b"null", b"[[[[" * 50_000, self._rng.randbytes(3000), b'{"palette": 1}')
+            )
             for form in (MIME, SOURCE_MIME, PAINT_MIME, "text/plain", "text/uri-list", "application/x-color"):
                 data.setData(form, content)
         elif what == "colour":
             data.setColorData(QColor.fromRgbF(1.0, 0.5, 0.0))
         else:
-            texts = ("http://x/y.brdfpaint", "file://host/share/x", "file:", "x:" * 9, "data:text/plain,x", "file:///dev/zero")
+            texts = (
+                "http://x/y.brdfpaint",
+                "file://host/share/x",
+                "file:",
+                "x:" * 9,
+                "data:text/plain,x",
+                "file:///dev/zero",
+            )
             data.setUrls([QUrl(text) for text in texts])
         return what, data
 
@@ -431,9 +454,7 @@ def _name(widget: QWidget) -> str:
     return f"{type(widget).__name__}:{widget.objectName()}"
 
 
-def _strike(
-    handle: QWindow, key: Qt.Key, keys: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
-) -> None:
+def _strike(handle: QWindow, key: Qt.Key, keys: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
     """Press and release a key; the press may end the window."""
     QTest.keyPress(handle, key, keys)
     if isValid(handle):
@@ -444,8 +465,8 @@ def _below(menu: QMenu, path: str) -> Iterator[tuple[str, QAction]]:
     menu.aboutToShow.emit()  # menus of recent files, and the like, are filled then
     for action in menu.actions():
         below = f"{path}/{action.text()}"
-        if action.menu() is not None:
-            yield from _below(action.menu(), below)
+        if isinstance(menu_below := action.menu(), QMenu):
+            yield from _below(menu_below, below)
         elif action.isEnabled() and not action.isSeparator() and action.objectName() != "action_Quit":
             yield below, action
 
@@ -468,7 +489,10 @@ class _Faults(logging.Handler):
             self.messages[record.getMessage()[:200]] += 1
         error = record.exc_info[1] if isinstance(record.exc_info, tuple) else None
         if error is not None and not isinstance(error, SuiteError):
-            print(logging.Formatter().formatException((type(error), error, error.__traceback__)), file=sys.stderr)
+            print(
+                logging.Formatter().formatException((type(error), error, error.__traceback__)),
+                file=sys.stderr,
+            )
 
 
 def main() -> int:

@@ -98,7 +98,12 @@ def _monkey_rows(programs: Mapping[str, Any]) -> list[Row]:
     return [
         (f"random events in {len(every)} programs", f"{sum(one['events'] for one in every):,}", "", True),
         *((f"random events: {name}", f"{count}", "0", count == 0) for name, count in counts.items()),
-        ("random events: longest turn, s of processor time", f"{slowest:.2f}", f"≤ {_HANG_S:g}", slowest <= _HANG_S),
+        (
+            "random events: longest turn, s of processor time",
+            f"{slowest:.2f}",
+            f"≤ {_HANG_S:g}",
+            slowest <= _HANG_S,
+        ),
     ]
 
 

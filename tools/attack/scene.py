@@ -134,5 +134,3 @@ class Scene:
     def window(self, module: str, *more: str) -> None:
         """Open a window on a document and take a picture of it."""
         self.start(module, WINDOWS[module], "--screenshot", "window.png", "--size", "900x700", *more)
-
-

@@ -135,9 +135,7 @@ def _read_only(scene: Scene) -> None:
     try:
         scene.start(COMMAND, "list", "paints", ordinary=True, fails=False)
         scene.start(COMMAND, "measure", "p.brdfpaint", ordinary=True, fails=False)
-        scene.start(
-            COMMAND, "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True
-        )
+        scene.start(COMMAND, "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True)
         scene.start(COMMAND, "cache", "verify", ordinary=True)
         scene.start(COMMAND, "cache", "clear", ordinary=True)
         scene.start(COMMAND, "prefilter", "overcast", ordinary=True)

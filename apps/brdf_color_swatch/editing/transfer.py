@@ -55,13 +55,15 @@ def can_take(data: QMimeData) -> bool:
 
 def source_of(data: QMimeData) -> tuple[str, str]:
     """Return the run of the program and the palette that swatches come from; empty where they come from elsewhere."""
-    text = bytes(data.data(SOURCE_MIME).data()).decode("utf-8", "surrogateescape")  # the name of a file may be no text
+    text = bytes(data.data(SOURCE_MIME).data()).decode(
+        "utf-8", "surrogateescape"
+    )  # the name of a file may be no text
     owner, _, source = text.partition("\n")
     return owner, source
 
 
 def read_data(data: QMimeData | None) -> Carried:
-    """Return what a drag or the clipboard holds; nothing where it holds no colour, or where there is no clipboard (None).
+    """Return what a drag or the clipboard holds; nothing where it holds no colour. An empty clipboard is None.
 
     Raises
     ------
