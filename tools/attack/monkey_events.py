@@ -1,8 +1,8 @@
 """Random events for a program that runs: mouse, wheel, keys, menus, drops, clipboard; all drawn from one number.
 
 ``python -m tools.attack.monkey_events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkey`
-starts. It runs the program as its command does, and sends an event as soon as the program is at rest after the last one; some
-come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold them back.
+starts. It runs the program as its command does, and sends an event as soon as the program is at rest after the last
+one; some come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold them back.
 File dialogs are answered with a file of the folder, or are cancelled.
 """
 
