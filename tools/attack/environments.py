@@ -71,7 +71,7 @@ def shell(before: str, after: str = "") -> tuple[str, ...]:
     return ("sh", "-c", f'{before}; exec "$@" {after}', "sh")
 
 
-class _Answers:
+class Answers:
     """What the commands print and write without anything around them, and what they do now."""
 
     def __init__(self, scene: Scene) -> None:
@@ -127,7 +127,7 @@ def _open(
 
 
 def _locales(scene: Scene) -> None:
-    answers = _Answers(scene)
+    answers = Answers(scene)
     for number, change in enumerate(LOCALES):
         with scene.changed(change):
             answers.check(str(change)[:60])
@@ -135,7 +135,7 @@ def _locales(scene: Scene) -> None:
 
 
 def _time_zones(scene: Scene) -> None:
-    answers = _Answers(scene)
+    answers = Answers(scene)
     for number, zone in enumerate(TIME_ZONES):
         with scene.changed({"TZ": zone}):
             answers.check(zone[:60], written=("x.csv",))
@@ -144,7 +144,7 @@ def _time_zones(scene: Scene) -> None:
 
 def _temporary_folders(scene: Scene) -> None:
     """The temporary folder is missing, cannot be written, is a file, is a link to nothing."""
-    answers = _Answers(scene)
+    answers = Answers(scene)
     (scene.folder / "file").touch()
     (scene.folder / "link").symlink_to("nothing")
     (scene.folder / "locked").mkdir(mode=0o555)
@@ -171,14 +171,14 @@ def _widths(scene: Scene) -> None:
 
 def _descriptors(scene: Scene) -> None:
     """So few files may be open that some of what a process needs cannot be opened."""
-    answers = _Answers(scene)
+    answers = Answers(scene)
     for most in (24, 12):
         answers.check(f"{most} files", fails=None, within=shell(f"ulimit -n {most}"))
     _open(scene, None, fails=None, within=shell("ulimit -n 24"))
 
 
 def _memory(scene: Scene) -> None:
-    answers = _Answers(scene)
+    answers = Answers(scene)
     for limit in ("ulimit -s 512", "ulimit -v 1500000"):
         answers.check(limit, fails=None, within=shell(limit), written=_WRITTEN)
         _open(scene, None, fails=None, within=shell(limit))
@@ -186,7 +186,7 @@ def _memory(scene: Scene) -> None:
 
 def _streams(scene: Scene) -> None:
     """Standard streams are closed: what is opened next gets their numbers, and what a library prints goes there."""
-    answers = _Answers(scene)
+    answers = Answers(scene)
     ways = {0: "<&-", 1: ">&-", 2: "2>&-"}
     closed = [some for count in (1, 2, 3) for some in combinations(ways, count)]
     for number, some in enumerate(closed):
@@ -199,7 +199,7 @@ def _streams(scene: Scene) -> None:
 
 def _removed_folder(scene: Scene) -> None:
     """The working folder was removed before the start."""
-    answers = _Answers(scene)
+    answers = Answers(scene)
     within = shell("mkdir gone; cd gone; rmdir ../gone")
     for line, wanted in list(answers.said.items())[:2]:
         if wanted not in scene.start(COMMAND, *line, fails=False, within=within, own_variables=True):
@@ -225,7 +225,7 @@ def _removed_folder(scene: Scene) -> None:
 
 
 def _odd_variables(scene: Scene) -> None:
-    answers = _Answers(scene)
+    answers = Answers(scene)
     for number, change in enumerate(_QT):
         with scene.changed(change):
             _open(scene, number)
@@ -239,7 +239,7 @@ def _odd_variables(scene: Scene) -> None:
 
 def _odd_folders(scene: Scene) -> None:
     """Settings and cache are files, links to nothing, links to themselves, folders without end."""
-    answers = _Answers(scene)
+    answers = Answers(scene)
     (scene.folder / "file").write_text("mine")
     (scene.folder / "loop").symlink_to("loop")
     places = {

@@ -49,7 +49,7 @@ def _names(scene: Scene) -> None:
         ):
             scene.fault("another answer", ascii(name))
         scene.start(COMMAND, "palette", "convert", "p.brdfpalette", "-o", f"./{written}", fails=False)
-        _expect_palette(scene, made, len(palette))
+        expect_palette(scene, made, len(palette))
         use = number % 4
         if use == 0:
             scene.start(
@@ -77,7 +77,7 @@ def _names(scene: Scene) -> None:
         scene.fault(f"other files were written: {left}")
 
 
-def _expect_palette(scene: Scene, path: Path, entries: int) -> None:
+def expect_palette(scene: Scene, path: Path, entries: int) -> None:
     """Report a palette that is not there, or has not so many entries."""
     if not path.is_file() or len(load_palette(path)) != entries:
         scene.fault("was not written, or not wholly", ascii(path.name))
@@ -153,7 +153,7 @@ def _links(scene: Scene) -> None:
         scene.start(COMMAND, *convert, f"{name}{PALETTE}", fails=False)
         if not (work / f"{name}{PALETTE}").is_symlink():
             scene.fault("the link was replaced", name)
-        _expect_palette(scene, far / f"{real}{PALETTE}", 1)
+        expect_palette(scene, far / f"{real}{PALETTE}", 1)
         scene.start(COMMAND, "palette", "info", f"{name}{PALETTE}", fails=False)
         scene.start("brdf_color_swatch", f"{name}{PALETTE}", "--quit-after", "0", fails=False)
     for name in ("loop", "one", "folder", "null", "under"):
@@ -170,12 +170,12 @@ def _links(scene: Scene) -> None:
     save_palette(palette, work / f"a{PALETTE}")
     os.link(work / f"a{PALETTE}", work / f"b{PALETTE}")
     scene.start(COMMAND, *convert, f"a{PALETTE}", fails=False)
-    _expect_palette(scene, work / f"a{PALETTE}", 1)
-    _expect_palette(scene, work / f"b{PALETTE}", len(palette))
+    expect_palette(scene, work / f"a{PALETTE}", 1)
+    expect_palette(scene, work / f"b{PALETTE}", len(palette))
     # Input and output are the same file by two names.
     (work / f"same{PALETTE}").symlink_to(f"b{PALETTE}")
     scene.start(COMMAND, "palette", "convert", f"b{PALETTE}", "-o", f"same{PALETTE}", fails=False)
-    _expect_palette(scene, work / f"b{PALETTE}", len(palette))
+    expect_palette(scene, work / f"b{PALETTE}", len(palette))
 
 
 def _twins(scene: Scene) -> None:
@@ -213,7 +213,7 @@ def _count(scene: Scene, folder: str, paints: int, bad: int = 0) -> None:
         scene.fault(f"a sheet of other paints: {said[-300:]}", folder)
     scene.start(COMMAND, "palette", "convert", folder, "-o", f"x{PALETTE}", fails=fails)
     if not bad:
-        _expect_palette(scene, scene.work / f"x{PALETTE}", paints)
+        expect_palette(scene, scene.work / f"x{PALETTE}", paints)
     scene.start(COMMAND, "palette", "info", folder, fails=fails)
     scene.start(COMMAND, "export", folder, "-o", "x.csv", fails=fails)
     line = ("batch", "measure", folder, "-o", "results", "--workers", "1", "--json")

@@ -2,8 +2,8 @@
 
 ``python -m tools.attack.monkey_events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkey`
 starts. It runs the program as its command does, and sends an event as soon as the program is at rest after the last
-one; some come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold them back.
-File dialogs are answered with a file of the folder, or are cancelled.
+one; some come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold
+them back. File dialogs are answered with a file of the folder, or are cancelled.
 """
 
 from __future__ import annotations

@@ -117,7 +117,7 @@ class Scene:
 
     def fault(self, text: str, what: object = "") -> None:
         """Count a fault."""
-        self.found.faults[f"{self.name}: {what}"[:300]] = text
+        self.found.faults[f"{self.name}, process {self.found.processes}: {what}"[:300]] = text
 
     def documents(self, name: str) -> None:
         """Write a paint and two palettes of that name, one as other programs write them."""
