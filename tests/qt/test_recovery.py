@@ -242,3 +242,21 @@ def test_an_autosave_reaches_the_disk_on_another_thread(qtbot, own_settings, mon
     qtbot.waitUntil(lambda: wanted <= {inode for _, inode in flushed})
     assert not any(is_window for is_window, _ in flushed)
     recovery.close(keep=False)
+
+
+def test_work_on_a_file_whose_name_is_no_text_comes_back(qapp, own_settings, tmp_path):
+    path = tmp_path / "\udce9.number"
+    store = DocumentStore(0)
+    store.replace(0, path)
+    recovery = Recovery(store, NUMBERS, fail, keeps_history=True)
+    store.set(7, "Work")
+    assert recovery.write()
+    recovery.close(keep=True)
+    other = Recovery(DocumentStore(0), NUMBERS, fail)
+    (item,) = other.found()
+    assert (item.value, item.path) == (7, path)
+    other.close(keep=False)
+    record = TabsRecord(lambda: ([OpenTab(path, "x.recovery.json")], 0))
+    record.close(keep=True)
+    left = TabsRecord(lambda: ([], 0)).left()
+    assert left.tabs == (OpenTab(path, "x.recovery.json"),)

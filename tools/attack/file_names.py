@@ -68,7 +68,8 @@ def _names(scene: Scene) -> None:
         if number % 2:
             opened = name if document.endswith(PAINT) else written
             line = (f"./{opened}", "--screenshot", "window.png", "--size", "900x700")
-            scene.start(module, *line, fails=False)
+            # Without OpenGL, as on the offscreen platform, the Viewer says that it has no picture.
+            scene.start(module, *line, fails=None if module == "brdf_viewer" else False)
         file.unlink()
         made.unlink(missing_ok=True)
     left = sorted(ascii(path.name) for path in scene.work.iterdir())
