@@ -157,13 +157,8 @@ def write_atomically(path: str | os.PathLike[str], content: bytes) -> None:
 
 
 def encode(value: Mapping[str, object]) -> bytes:
-    """Return a document's JSON object as the bytes of its file; numbers that are not finite are a fault.
-
-    A name of a file whose bytes are no text holds half surrogates, which UTF-8 has not: they become ``\\udcff``, as JSON
-    writes them too.
-    """
-    text = json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-    return text.encode("utf-8", "backslashreplace")
+    """Return a document's JSON object as the bytes of its file; numbers that are not finite are a fault."""
+    return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
 
 
 def with_lists(pairs: list[tuple[str, object]]) -> dict[str, object]:

@@ -111,7 +111,7 @@ def encode_arrays(
                 sums[-1] = zlib.crc32(padding, sums[-1])
     fields = {**header, "arrays": listed} | ({} if layout.whole else {"crc32": sums})
     try:
-        text = json.dumps(fields, ensure_ascii=False, allow_nan=False).encode("utf-8", "backslashreplace")
+        text = json.dumps(fields, ensure_ascii=False, allow_nan=False).encode()
     except (TypeError, ValueError, RecursionError) as error:
         raise FileError(path, f"cannot be written: its facts are not plain values ({error})") from error
     text += b" " * (-(_START + len(text)) % _ALIGN)

@@ -170,7 +170,7 @@ def _report_strips(
 
 def picture_metadata(fit: LobeFit, view: View) -> dict[str, str]:
     """Return the text entries of a picture of ``fit`` in ``view``: program, title, what it shows, the view itself."""
-    entries = {
+    return {
         "Software": "BRDF Suite",
         "Title": fit.name,
         "Description": (
@@ -180,5 +180,3 @@ def picture_metadata(fit: LobeFit, view: View) -> dict[str, str]:
         ),
         "View": json.dumps(view_to_json(view), ensure_ascii=False, separators=(",", ":")),
     }
-    # Names of files may be no text: their half surrogates become \udcff, as JSON writes them too.
-    return {name: text.encode("utf-8", "backslashreplace").decode("utf-8") for name, text in entries.items()}
