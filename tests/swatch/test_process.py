@@ -40,7 +40,7 @@ def test_an_unknown_action_ends_with_a_word() -> None:
 def test_messages_of_qt_after_the_end_of_the_interpreter_harm_nothing() -> None:
     done = run(
         "--quit-after", "0", QT_DEBUG_PLUGINS="1", QT_QPA_PLATFORM="offscreen"
-    )  # plug-ins tell of their end
+    )  # plug-ins report their end
     assert (done.returncode, done.stdout) == (0, "")
 
 
