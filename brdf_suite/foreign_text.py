@@ -34,6 +34,15 @@ def make_visible(text: str) -> str:
     return _UNSEEN.sub(lambda found: f"[U+{ord(found[0]):04X}]", text)
 
 
+def file_title(name: str) -> str:
+    """Return the name of a file as one line of text, as documents take it; its bytes may be no text.
+
+    >>> file_title("caf\\udce9\\n15.json")
+    'caf  15.json'
+    """
+    return "".join(character if character.isprintable() else " " for character in name)
+
+
 def escape_html(text: str) -> str:
     """Return the text as HTML and SVG show it, in an element or in an attribute between quotes.
 

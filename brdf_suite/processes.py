@@ -7,6 +7,7 @@ variables ``PYTHON*`` of the environment, too, which can name more folders, anot
 
 from __future__ import annotations
 
+import io
 import os
 import runpy
 import sys
@@ -22,6 +23,28 @@ MODULE_OPTION = "--module"
 
 _PATH = "PYTHONPATH"
 _SAFE_PATH = "PYTHONSAFEPATH"
+
+
+_STREAMS = ("stdin", "stdout", "stderr")
+
+
+def prepare_streams() -> None:
+    """Let the standard streams take every letter, and give those that are closed the null device; for entry points.
+
+    Files and other programs get and give UTF-8, whatever the locale; a terminal shows what it has no sign for by its
+    number. A file that is opened gets the number of a closed stream, and what a library prints would be written to it.
+    """
+    for number, name in enumerate(_STREAMS):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.set_inheritable(os.open(os.devnull, os.O_RDWR), True)  # the lowest number that is free
+        stream = getattr(sys, name)
+        if isinstance(stream, io.TextIOWrapper):
+            if stream.isatty():
+                stream.reconfigure(errors="backslashreplace")
+            else:
+                stream.reconfigure(encoding="utf-8", errors="surrogateescape")
 
 
 def is_own_module(module: str) -> bool:

@@ -200,3 +200,41 @@ def test_the_hidden_option_runs_modules_of_the_suite_only(
             child_command(module)
         with pytest.raises(ValueError, match="is no module of the suite"):
             processes.run_module(module, [])
+
+
+def run_in_shell(streams: str, *words: str, **variables: str) -> subprocess.CompletedProcess[bytes]:
+    """Run Python in a shell, with some of the standard streams closed."""
+    command = ["sh", "-c", f'exec "$@" {streams}', "sh", sys.executable, *words]
+    return subprocess.run(command, env={**os.environ, **variables}, capture_output=True, check=False)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="streams are closed by a shell")
+@pytest.mark.parametrize("streams", ["<&- >&- 2>&-", ">&-", "2>&-", ""])
+def test_a_file_does_not_take_the_place_of_a_closed_stream(streams: str, tmp_path: Path) -> None:
+    script = (
+        "import os, sys\n"
+        "from brdf_suite.processes import prepare_streams\n"
+        "prepare_streams()\n"
+        "with open(sys.argv[1], 'w') as file:\n"
+        "    os.write(1, b'of a library'), os.write(2, b'of a library')\n"
+        "    file.write('mine')\n"
+    )
+    done = run_in_shell(streams, "-c", script, str(tmp_path / "file"))
+    assert (done.returncode, (tmp_path / "file").read_text()) == (0, "mine")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="without UTF-8 by the locale C alone")
+def test_what_is_printed_for_programs_is_utf8_in_every_locale(tmp_path: Path) -> None:
+    name = "Café 粉 Ω"
+    (tmp_path / "a.gpl").write_text(f"GIMP Palette\nName: {name}\n128 50 20 {name}\n", encoding="utf-8")
+    ascii_only = {
+        "LC_ALL": "C",
+        "PYTHONUTF8": "0",
+        "PYTHONCOERCECLOCALE": "0",
+        "PYTHONIOENCODING": "ascii:strict",
+    }
+    words = ("-m", "brdf_suite.cli.main", "palette", "info", str(tmp_path / "a.gpl"), "--json")
+    done = run_in_shell("", *words, **ascii_only)
+    assert done.returncode == 0, done.stderr
+    assert name in done.stdout.decode("utf-8")
+    assert run_in_shell("", "-m", "brdf_color_swatch", "--help", **ascii_only).returncode == 0

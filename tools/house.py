@@ -97,6 +97,7 @@ DIRECT_ACCESS: dict[str, str] = {
     "apps/brdf_viewer/tracing/picture_slots.py": _OWN_COPY,
     "apps/brdf_viewer/tracing/scene_files.py": _OWN_COPY,
     "brdf_suite/batches/journal.py": "the journal, to which lines are appended",
+    "brdf_suite/processes.py": "the null device, in the place of a standard stream that is closed",
     "brdf_suite/reflectance/live/shader.py": _CHILD,
     "brdf_suite/testing.py": "examples, in a folder of its own",
     "brdf_suite/acquisition/photographs/reading.py": "maps a file that is open into memory",

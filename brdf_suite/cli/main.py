@@ -19,7 +19,7 @@ from brdf_suite.cli.output import print_error
 from brdf_suite.cli.streams import streams, visible_streams
 from brdf_suite.command_parser import LOG, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
-from brdf_suite.processes import run_named_module
+from brdf_suite.processes import prepare_streams, run_named_module
 from brdf_suite.variables import VARIABLES
 
 DONE, FAILED, CANCELLED = 0, 1, 130
@@ -169,6 +169,7 @@ def parser(wanted: Container[str] = ()) -> CommandParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command with ``arguments`` (default: the process's) and return its exit status."""
     given = list(sys.argv[1:] if arguments is None else arguments)
+    prepare_streams()
     status = run_named_module(given)
     if status is not None:
         return status

@@ -21,6 +21,7 @@ from brdf_suite.arrays import triple
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
+from brdf_suite.foreign_text import file_title
 from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.build import build_paint, interpolation_notices
@@ -149,12 +150,12 @@ def measured_start(
     report(progress, 0.3, "reading the gloss")
     estimate = estimated_gloss(item.reflectance)
     # Without the ending of a file, short enough and in one line.
-    name = "".join(c if c.isprintable() else " " for c in Path(item.name).stem).strip()[:200]
+    name = file_title(Path(item.name).stem).strip()[:200]
     paint = Paint(
         name=name or "Measured",
         measurements=measurements,
         gloss=USUAL_GLOSS,
-        source=f"Read by the virtual spectrophotometer from {Path(item.origin or item.name).name}",
+        source=f"Read by the virtual spectrophotometer from {file_title(Path(item.origin or item.name).name)}",
     )
     notices.append("Of flakes a reflectance says nothing: the design has none that can be seen singly.")
     report(progress, 0.5, "comparing at angles that were not used")

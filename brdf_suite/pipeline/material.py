@@ -23,6 +23,7 @@ from brdf_suite.documents.palette_store import LARGEST_PALETTE, PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
+from brdf_suite.foreign_text import file_title
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance, interpolation_notices
 from brdf_suite.reflectance.instruments.through_aperture import build_through
 from brdf_suite.reflectance.material import Material
@@ -200,7 +201,7 @@ def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Mater
     if isinstance(value, ScatteredSamples):
         notices.append(SCATTERED)
     return Material(
-        Path(path).name,
+        file_title(Path(path).name),
         value,
         os.fspath(path),
         notices=tuple(notices),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import os
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,8 +13,9 @@ import pytest
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.errors import SuiteError
+from brdf_suite.files.measured.astm import write_astm
 from brdf_suite.paint_design.measured_start import USUAL_GLOSS, load_start, measured_start
-from brdf_suite.pipeline.material import Material, load_shipped_paint
+from brdf_suite.pipeline.material import Material, load_material, load_shipped_paint
 from brdf_suite.reflectance.designed.build import build_paint
 
 
@@ -110,3 +113,13 @@ def test_what_cannot_be_read_is_reported(tmp_path: Path) -> None:
     broken.write_bytes(b"tensor_file\0 and then nothing")
     with pytest.raises(SuiteError, match="broken"):
         load_start(broken)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems take text alone as names of files")
+def test_the_name_of_the_measured_file_may_be_no_text(tmp_path: Path) -> None:
+    path = tmp_path / os.fsdecode(b"caf\xe9\n15.csv")
+    write_astm(build_paint(load_shipped_paint("blue")), path)
+    assert load_material(path).name == "caf  15.csv"
+    paint = load_start(path).paint
+    assert paint.name == "caf  15"
+    assert paint.source.endswith("from caf  15.csv")

@@ -276,3 +276,21 @@ def test_a_second_name_of_what_was_saved_goes_with_the_next_start(qapp, own_sett
     assert mine.found() == []
     assert not (mine.folder / "x.recovery.forced").exists()
     mine.close(keep=False)
+
+
+def test_work_on_a_file_whose_name_is_no_text_comes_back(qapp, own_settings, tmp_path):
+    path = tmp_path / "\udce9.number"
+    store = DocumentStore(0)
+    store.replace(0, path)
+    recovery = Recovery(store, NUMBERS, fail, keeps_history=True)
+    store.set(7, "Work")
+    assert recovery.write()
+    recovery.close(keep=True)
+    other = Recovery(DocumentStore(0), NUMBERS, fail)
+    (item,) = other.found()
+    assert (item.value, item.path) == (7, path)
+    other.close(keep=False)
+    record = TabsRecord(lambda: ([OpenTab(path, "x.recovery.json")], 0))
+    record.close(keep=True)
+    left = TabsRecord(lambda: ([], 0)).left()
+    assert left.tabs == (OpenTab(path, "x.recovery.json"),)

@@ -122,6 +122,14 @@ def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
     assert "contains no swatch" in swatch.window.messages.shown()["edit"].what
 
 
+def test_an_empty_clipboard_has_nothing_to_paste(swatch, names, command) -> None:
+    QGuiApplication.clipboard().clear()
+    before = names(swatch)
+    command(swatch, "paste")
+    assert names(swatch) == before
+    assert "contains no swatch" in swatch.window.messages.shown()["edit"].what
+
+
 def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> None:
     before = swatch.session.palette
     select(swatch, "Silver", "Black")

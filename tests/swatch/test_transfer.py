@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.editing.transfer import can_take, entries_of_text, read_data
+from brdf_color_swatch.editing.transfer import can_take, entries_of_text, read_data, source_of
 from brdf_qt.choosing.drag import MIME, PAINT_MIME, carry
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QColor
@@ -27,6 +27,13 @@ def test_all_of_an_entry_comes_through() -> None:
     carried = read_data(carry([RED, INK], ["#aa3322", "#101010"], "p1", "me"))
     assert carried.entries == (RED, INK)
     assert (carried.source, carried.owner, carried.ids) == ("p1", "me", ("r", "i"))
+
+
+def test_the_name_of_the_palettes_file_may_be_no_text() -> None:
+    source = "/palettes/\udcff.brdfpalette"
+    data = carry([RED], ["#aa3322"], source, "me")
+    assert read_data(data).source == source
+    assert source_of(data) == ("me", source)
 
 
 def test_other_programs_get_text_a_colour_and_the_paint() -> None:

@@ -1,5 +1,5 @@
 """The standing attack on the suite: damaged, changing and crossed files, kills, power losses, wrong command lines,
-hostile surroundings, a flood on the live link, a long day; one table.
+hostile surroundings, random events in the programs, a flood on the live link, a long day; one table.
 
     python tools/attack/run.py [--minutes 2] [--json]                  a slice of everything
     python tools/attack/run.py --inputs 20000 --results long.json      the long run; the same line goes on with it
@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from brdf_suite.documents.atomic import encode, write_atomically
+from tools.attack import monkey
 from tools.attack import report as tables
 from tools.attack.changing import SeedChangedAtCall, SeedChangedBeside
 from tools.attack.command_lines import signals, wrong
@@ -37,7 +38,18 @@ from tools.attack.seeds import Seed, contents_of, crossing_seeds, seeds_of
 from tools.attack.surroundings import run_cases
 
 ROOT = Path(__file__).resolve().parents[2]
-PARTS = ("readers", "changing", "crossing", "kills", "power", "lines", "surroundings", "link", "session")
+PARTS = (
+    "readers",
+    "changing",
+    "crossing",
+    "kills",
+    "power",
+    "lines",
+    "surroundings",
+    "monkey",
+    "link",
+    "session",
+)
 _SHARES = {"readers": 1.0, "changing": 0.05, "crossing": 0.05}
 """Of the inputs and of the time: what each loop over the readers gets."""
 DOCUMENT = ROOT / "docs" / "development" / "reliability.md"
@@ -58,6 +70,9 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     )
     parser.add_argument("--inputs", type=int, help="damaged files of each reader")
     parser.add_argument("--kills", type=int, default=1000, help="kills in all (fewer in a slice)")
+    parser.add_argument(
+        "--events", type=int, default=1000, help="random events of each program (fewer in a slice)"
+    )
     parser.add_argument("--lines", type=int, default=300, help="command lines in all (fewer in a slice)")
     parser.add_argument(
         "--scale", type=float, help="share of the simulated day (default: 1, and 0.01 in a slice)"
@@ -150,6 +165,14 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             say("surroundings")
             (folder / "cases").mkdir()
             figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
+            keep()
+        if "monkey" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+            say("monkey")
+            count = round(options.events * share)
+            figures["monkey"] = {
+                name: asdict(monkey.run_program(name, options.seed, count, say, keep=options.keep))
+                for name in monkey.PROGRAMS
+            }
             keep()
         if "link" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
             say("link")

@@ -82,6 +82,8 @@ def rows(figures: Figures) -> list[Row]:
             ("local files shown", f"{one['local_files_shown']}", "0", one["local_files_shown"] == 0),
             ("other faults in hostile surroundings", f"{bad}", "0", bad == 0),
         ]
+    if figures.get("monkey"):
+        found += _monkey_rows(figures["monkey"])
     if "link" in figures:
         one = figures["link"]
         oldest, stall = max(one["oldest_s"], one["last_s"]), one["stall_ms"]
@@ -101,6 +103,23 @@ def rows(figures: Figures) -> list[Row]:
             ("the same: growing counts of threads, files, timers, objects", f"{grown}", "0", grown == 0),
         ]
     return found
+
+
+def _monkey_rows(programs: Mapping[str, Any]) -> list[Row]:
+    """Return the rows of random events, by program what came of them."""
+    every = list(programs.values())
+    counts = {name: sum(len(one[name]) for one in every) for name in ("tracebacks", "deaths", "hangs")}
+    slowest = max(one["longest_s"] for one in every)
+    return [
+        (f"random events in {len(every)} programs", f"{sum(one['events'] for one in every):,}", "", True),
+        *((f"random events: {name}", f"{count}", "0", count == 0) for name, count in counts.items()),
+        (
+            "random events: longest turn, s of processor time",
+            f"{slowest:.2f}",
+            f"≤ {_HANG_S:g}",
+            slowest <= _HANG_S,
+        ),
+    ]
 
 
 def passed(figures: Figures) -> bool:
@@ -148,6 +167,10 @@ def text(figures: Figures) -> str:
         lines += one["examples"]
     for name, one in figures.get("power", {}).items():
         lines += [f"{name}: {fault}" for fault in one["faults"]]
+    for name, one in figures.get("monkey", {}).items():
+        for kind in ("tracebacks", "deaths", "hangs"):
+            lines += [f"{place}: {fault}" for place, fault in one[kind].items()]
+        lines += [f"{name}: {count} × {message}" for message, count in one["messages"].items()]
     for name in ("lines", "signals", "surroundings"):
         lines += [f"{place}: {fault}" for place, fault in figures.get(name, {}).get("faults", {}).items()]
     return "\n".join(lines)

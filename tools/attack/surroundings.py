@@ -10,118 +10,33 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import subprocess
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from pathlib import Path
 
-from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.palette import Entry, Palette
-from brdf_suite.documents.palette_store import save_palette
-from brdf_suite.documents.store import save_paint, save_view
+from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import View
-from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.processes import child_command
-from tools.attack.command_lines import home
+from tools.attack import environments, file_names
+from tools.attack.scene import COMMAND, WINDOWS, Case, Scene, Surroundings
 
-_PATIENCE_S = 180.0
 _UNGUARDED = re.compile(r"(?:^|,)\"?=", re.MULTILINE)
 """Cells that a spreadsheet takes for formulas. What a pipe gets is data, and keeps its invisible characters."""
 _TRAPS = ("random", "json", "numpy", "PySide6", "struct", "logging", "brdf_suite", "PIL", "encodings", "site")
 _TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 _POSTSCRIPT = "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 8 8\n(ran) (w) file closefile showpage\n"
-_WINDOWS = {"brdf_designer": "p.brdfpaint", "brdf_viewer": "p.brdfpaint", "brdf_color_swatch": "p.brdfpalette",
-            "brdf_lobe_visualizer": "p.brdfpaint"}  # fmt: skip
-_ORDINARY = ("setpriv", "--bounding-set=-dac_override,-dac_read_search,-fowner")
-
-
-@dataclass
-class Surroundings:
-    """Processes that were started, and what was wrong, by the name of the case."""
-
-    processes: int = 0
-    executions: int = 0
-    local_files_shown: int = 0
-    faults: dict[str, str] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Case:
-    """One kind of surroundings; ``run(scene)`` starts processes and reports through it."""
-
-    name: str
-    run: Callable[[Scene], object]
-
-
-class Scene:
-    """The folder, the environment and the figures of one case."""
-
-    def __init__(self, name: str, folder: Path, found: Surroundings) -> None:
-        self.name, self.folder, self.found = name, folder, found
-        self.work = folder / "work"
-        self.work.mkdir()
-        self.environment = home(folder)
-
-    def start(self, module: str, *arguments: str, ordinary: bool = False, fails: bool | None = None) -> str:
-        """Run a module of the suite; return its output.
-
-        ``ordinary``: without the rights by which an administrator writes what cannot be written. ``fails``: whether it
-        must fail or must not (None: either).
-        """
-        self.found.processes += 1
-        command = [*(_ORDINARY if ordinary and os.getuid() == 0 else ()), *child_command(module, *arguments)]
-        try:
-            done = subprocess.run(
-                command,
-                cwd=self.work,
-                env=self.environment,
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                timeout=_PATIENCE_S,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            self.fault("hangs", arguments)
-            return ""
-        if "Traceback" in done.stderr:
-            self.fault(done.stderr[-400:], arguments)
-        elif done.returncode not in (0, 1, 2, 130) or (fails is not None and fails != bool(done.returncode)):
-            self.fault(f"status {done.returncode}: {done.stderr[-300:]}", arguments)
-        return done.stdout + done.stderr
-
-    def fault(self, text: str, what: object = "") -> None:
-        """Count a fault."""
-        self.found.faults[f"{self.name}: {what}"] = text
-
-    def documents(self, name: str) -> None:
-        """Write a paint and two palettes of that name, one as other programs write them."""
-        (self.work / "p.gpl").write_text(f"GIMP Palette\nName: {name}\n128 50 20 {name}\n")
-        if not name.isprintable():
-            return  # no document of the suite takes it
-        paint = replace(load_shipped_paint("blue"), name=name, notes=name, source=name)
-        save_paint(paint, self.work / "p.brdfpaint")
-        flat, short = FlatColour(name, "RGB", (0.5, 0.2, 0.1)), name[:40]
-        entries = (Entry(paint, code=short, tags=(short,), notes=name), Entry(flat, group=(short,)))
-        save_palette(Palette(name, entries, notes=name), self.work / "p.brdfpalette")
-
-    def window(self, module: str, *more: str) -> None:
-        """Open a window on a document and take a picture of it."""
-        self.start(module, _WINDOWS[module], "--screenshot", "window.png", "--size", "900x700", *more)
 
 
 def _planted_python(scene: Scene) -> None:
     for name in _TRAPS:
         (scene.work / f"{name}.py").write_text(_TRAP)
     scene.documents("plain")
-    for module in _WINDOWS:
+    for module in WINDOWS:
         scene.start(module, "--help")
         scene.window(module)
-    scene.start("brdf_suite.cli.main", "measure", "p.brdfpaint")
-    scene.start("brdf_suite.cli.main", "render", "p.brdfpaint", "-o", "x.png", "--size", "32x32")
+    scene.start(COMMAND, "measure", "p.brdfpaint")
+    scene.start(COMMAND, "render", "p.brdfpaint", "-o", "x.png", "--size", "32x32")
     if (scene.work / "ran").exists():
         scene.found.executions += 1
         scene.fault("a Python file of the working folder ran")
@@ -135,7 +50,7 @@ def _planted_postscript(scene: Scene) -> None:
     two_tone = replace(View().two_tone, paint="copper", mask=str(scene.work / "map.tif"))
     save_view(replace(View(), relief=relief, two_tone=two_tone), scene.work / "v.brdfview")
     render = ("render", "blue", "-o", "x.png", "--size", "32x32")
-    scene.start("brdf_suite.cli.main", *render, "--view", "v.brdfview")
+    scene.start(COMMAND, *render, "--view", "v.brdfview")
     scene.start("brdf_viewer", "v.brdfview", "--screenshot", "window.png")
     if (scene.work / "ran").exists():
         scene.found.executions += 1
@@ -173,10 +88,10 @@ def _hostile_names(scene: Scene) -> None:
     try:
         for number, name in enumerate(hostile_names(pipe)):
             scene.documents(name)
-            for module in _WINDOWS if number == 0 else [list(_WINDOWS)[number % len(_WINDOWS)]]:
+            for module in WINDOWS if number == 0 else [list(WINDOWS)[number % len(WINDOWS)]]:
                 scene.window(module)
             for line in (["measure", "p.brdfpaint", "--csv"], ["palette", "info", "p.gpl"]):
-                said = scene.start("brdf_suite.cli.main", *line)
+                said = scene.start(COMMAND, *line)
                 if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said) or re.search(
                     r"(?m)(?:^|,)\"?=", said
                 ):
@@ -205,8 +120,8 @@ def _no_home(scene: Scene) -> None:
             scene.environment.pop(name, None)
             if value is not None:
                 scene.environment[name] = value
-        scene.start("brdf_suite.cli.main", "list", "paints", ordinary=True, fails=False)
-        scene.start("brdf_suite.cli.main", "measure", "blue", ordinary=True, fails=False)
+        scene.start(COMMAND, "list", "paints", ordinary=True, fails=False)
+        scene.start(COMMAND, "measure", "blue", ordinary=True, fails=False)
         scene.start("brdf_color_swatch", "--quit-after", "0", ordinary=True)
         scene.environment = kept
 
@@ -218,16 +133,14 @@ def _read_only(scene: Scene) -> None:
     for path in (scene.folder, *scene.folder.rglob("*")):
         path.chmod(0o555 if path.is_dir() else 0o444)
     try:
-        scene.start("brdf_suite.cli.main", "list", "paints", ordinary=True, fails=False)
-        scene.start("brdf_suite.cli.main", "measure", "p.brdfpaint", ordinary=True, fails=False)
-        scene.start(
-            "brdf_suite.cli.main", "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True
-        )
-        scene.start("brdf_suite.cli.main", "cache", "verify", ordinary=True)
-        scene.start("brdf_suite.cli.main", "cache", "clear", ordinary=True)
-        scene.start("brdf_suite.cli.main", "prefilter", "overcast", ordinary=True)
+        scene.start(COMMAND, "list", "paints", ordinary=True, fails=False)
+        scene.start(COMMAND, "measure", "p.brdfpaint", ordinary=True, fails=False)
+        scene.start(COMMAND, "palette", "convert", "p.brdfpalette", "x.ase", ordinary=True, fails=True)
+        scene.start(COMMAND, "cache", "verify", ordinary=True)
+        scene.start(COMMAND, "cache", "clear", ordinary=True)
+        scene.start(COMMAND, "prefilter", "overcast", ordinary=True)
         for module in ("brdf_designer", "brdf_color_swatch"):
-            scene.start(module, _WINDOWS[module], "--quit-after", "0", ordinary=True)
+            scene.start(module, WINDOWS[module], "--quit-after", "0", ordinary=True)
         if (scene.work / "p.brdfpaint").read_bytes() != before:
             scene.fault("a read-only document changed")
     finally:
@@ -244,9 +157,9 @@ def _clock(scene: Scene) -> None:
         for path in scene.folder.rglob("*"):
             os.utime(path, (now, now))
         for line in lines:
-            scene.start("brdf_suite.cli.main", *line, fails=False)
+            scene.start(COMMAND, *line, fails=False)
         for module in ("brdf_designer", "brdf_color_swatch"):
-            scene.start(module, _WINDOWS[module], "--quit-after", "0", fails=False)
+            scene.start(module, WINDOWS[module], "--quit-after", "0", fails=False)
 
 
 def _no_graphics(scene: Scene) -> None:
@@ -265,12 +178,12 @@ def _no_graphics(scene: Scene) -> None:
     ):
         kept = dict(scene.environment)
         scene.environment.update(change)
-        scene.start("brdf_suite.cli.main", *render)
+        scene.start(COMMAND, *render)
         if "none" not in change.values() or "GALLIUM_DRIVER" in change:
             # Qt ends a process itself where it finds no platform: with a message, and a signal that is its own.
             if change.get("QT_QPA_PLATFORM") != "xcb":
                 scene.start("brdf_viewer", "blue", "--quit-after", "0")
-            scene.start("brdf_suite.cli.main", "viewer", "blue", "--quit-after", "0")
+            scene.start(COMMAND, "viewer", "blue", "--quit-after", "0")
         scene.environment = kept
 
 
@@ -279,7 +192,7 @@ def _tampered_cache(scene: Scene) -> None:
     scene.documents("plain")
     cache = Path(scene.environment["BRDF_SUITE_CACHE"])
     line = ("render", "p.brdfpaint", "-o", "x.png", "--size", "48x32")
-    scene.start("brdf_suite.cli.main", *line, fails=False)
+    scene.start(COMMAND, *line, fails=False)
     if not (scene.work / "x.png").exists():
         return  # nothing can be drawn here
     wanted = (scene.work / "x.png").read_bytes()
@@ -297,7 +210,7 @@ def _tampered_cache(scene: Scene) -> None:
             else:
                 path.unlink()
                 path.mkdir() if number == 4 else path.symlink_to("/dev/zero")
-        scene.start("brdf_suite.cli.main", *line, fails=False)
+        scene.start(COMMAND, *line, fails=False)
         if (scene.work / "x.png").read_bytes() != wanted:
             scene.fault("another picture", f"tampering {number}")
         for path in [path for path in cache.rglob("*") if path.is_symlink()]:
@@ -313,6 +226,8 @@ CASES = (
     Case("clock set back", _clock),
     Case("no graphics", _no_graphics),
     Case("tampered cache", _tampered_cache),
+    *environments.CASES,
+    *file_names.CASES,
 )
 
 

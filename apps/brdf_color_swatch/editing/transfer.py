@@ -55,18 +55,23 @@ def can_take(data: QMimeData) -> bool:
 
 def source_of(data: QMimeData) -> tuple[str, str]:
     """Return the run of the program and the palette that swatches come from; empty where they come from elsewhere."""
-    owner, _, source = bytes(data.data(SOURCE_MIME).data()).decode("utf-8", "replace").partition("\n")
+    text = bytes(data.data(SOURCE_MIME).data()).decode(
+        "utf-8", "surrogateescape"
+    )  # the name of a file may be no text
+    owner, _, source = text.partition("\n")
     return owner, source
 
 
-def read_data(data: QMimeData) -> Carried:
-    """Return what a drag or the clipboard holds; nothing where it holds no colour.
+def read_data(data: QMimeData | None) -> Carried:
+    """Return what a drag or the clipboard holds; nothing where it holds no colour. An empty clipboard is None.
 
     Raises
     ------
     SuiteError
         It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
     """
+    if data is None:
+        return Carried()
     if data.hasFormat(MIME):
         return _whole(bytes(data.data(MIME).data()))
     if data.hasFormat(PAINT_MIME):

@@ -257,7 +257,7 @@ def write_draft(request: tuple[_Request, Path], progress: Progress) -> Path:
     try:
         with draft.open("wb") as file:
             for part in encode_autosave(content, progress):
-                file.write(part.encode("utf-8"))
+                file.write(part.encode("utf-8", "backslashreplace"))  # names of files may be no text
         progress(1.0, "")
     except BaseException:
         draft.unlink(missing_ok=True)

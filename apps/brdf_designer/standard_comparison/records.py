@@ -87,7 +87,7 @@ def keep(path: Path, record: Record | None) -> None:
         return
     draft = file.with_suffix(".tmp")
     content = {"file": str(path), **record.to_json()}
-    draft.write_text(json.dumps(content, ensure_ascii=False), encoding="utf-8")
+    draft.write_text(json.dumps(content), encoding="utf-8")
     draft.replace(file)
     records = sorted(file.parent.glob("*.json"), key=lambda one: one.stat().st_mtime, reverse=True)
     for old in records[MOST_RECORDS:]:

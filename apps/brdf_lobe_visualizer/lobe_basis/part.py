@@ -8,6 +8,7 @@ reflectance, live.
 from __future__ import annotations
 
 import hashlib
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -275,7 +276,7 @@ class Basis(Feature, QObject):
     def _output(self) -> Path:
         """Return where a search of the present folder is kept: by the folder's place."""
         if self._output_of is None or self._output_of[0] != self.folder:
-            place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
+            place = hashlib.sha256(os.fsencode(self.folder.resolve())).hexdigest()[:16]
             self._output_of = self.folder, state_folder("basis") / f"{place}.json"
         return self._output_of[1]
 

@@ -29,8 +29,8 @@ def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: st
     """Return what is put on the clipboard or dragged; ``hexes`` are ``#rrggbb`` of the 45° colours."""
     data = QMimeData()
     whole = {"owner": owner, "source": source, "palette": palette_to_json(Palette("carried", tuple(entries)))}
-    data.setData(MIME, json.dumps(whole, ensure_ascii=False).encode("utf-8"))
-    data.setData(SOURCE_MIME, f"{owner}\n{source}".encode())
+    data.setData(MIME, json.dumps(whole).encode())
+    data.setData(SOURCE_MIME, f"{owner}\n{source}".encode("utf-8", "surrogateescape"))
     lines = [
         "\t".join((colour, entry.name.replace("\t", " "), entry.code)).rstrip()
         for entry, colour in zip(entries, hexes, strict=True)

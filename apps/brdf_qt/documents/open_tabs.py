@@ -84,7 +84,7 @@ class TabsRecord(QObject):
         ]
         draft = self.file.with_suffix(".tmp")
         try:
-            draft.write_text(json.dumps({"front": front, "tabs": rows}, ensure_ascii=False), encoding="utf-8")
+            draft.write_text(json.dumps({"front": front, "tabs": rows}), encoding="utf-8")
             draft.replace(self.file)
         except OSError:
             draft.unlink(missing_ok=True)

@@ -364,7 +364,8 @@ def _replace(file: Path, text: str) -> None:
     # What a killed process has written stays in the system. The disk gets it on a thread: this runs between two frames.
     draft = file.with_suffix(".tmp")
     try:
-        draft.write_text(text, encoding="utf-8")
+        # A name of a file may be no text: its half surrogates become \udcff, as JSON writes them too.
+        draft.write_text(text, encoding="utf-8", errors="backslashreplace")
         draft.replace(file)
     except OSError:
         draft.unlink(missing_ok=True)

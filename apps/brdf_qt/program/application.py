@@ -6,6 +6,7 @@ the window through :class:`ErrorRelay`.
 
 from __future__ import annotations
 
+import atexit
 import logging
 import os
 import signal
@@ -130,6 +131,8 @@ def create_application(
     start_log(name)
     sys.excepthook = _unhandled
     qInstallMessageHandler(_qt_message)
+    # Libraries of Qt also report when they are unloaded, after the interpreter has ended: the process would die of it.
+    atexit.register(qInstallMessageHandler, None)
     _quit_on_signals(app)
     return app
 

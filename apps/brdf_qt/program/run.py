@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.link.open_files import OpenFiles, hand_over
@@ -24,7 +25,7 @@ from brdf_qt.window.placement import WindowPlaces
 from brdf_suite.command_parser import CommandParser, set_loudness
 from brdf_suite.errors import SuiteError
 from brdf_suite.foreign_text import make_visible
-from brdf_suite.processes import run_named_module
+from brdf_suite.processes import prepare_streams, run_named_module
 
 _LARGEST = 20_000
 _LOOK_EVERY_MS = 50
@@ -126,6 +127,7 @@ def run_program(
     the options name what is to be opened.
     """
     words = list(sys.argv[1:] if argv is None else argv)
+    prepare_streams()
     status = run_named_module(words)
     if status is not None:
         return status
@@ -169,7 +171,11 @@ def run_program(
         program.window.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         program.window.show()
         launch.hand_over(program.window.start)
-    return app.exec()
+    status = app.exec()
+    if QGuiApplication.platformName() == "offscreen":
+        # Its clipboard outlives the interpreter, and would then have to destroy what Python has made.
+        QGuiApplication.clipboard().clear()
+    return status
 
 
 def _begins_with_page(options: argparse.Namespace, is_asked: bool, actions: Sequence[str]) -> bool:

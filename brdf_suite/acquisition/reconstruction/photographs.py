@@ -118,7 +118,7 @@ class FolderSource:
             position = session.positions[k]
             names = [*position.photographs, *([position.mask] if position.mask else [])]
         for name in names:
-            found.update(f"\0{name}\0".encode())
+            found.update(f"\0{name}\0".encode("utf-8", "surrogatepass"))
             try:
                 with open_regular(self.folder / name) as stream:
                     while piece := stream.read(_PIECE):

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -200,7 +201,7 @@ def _paint_files(folder: Path) -> list[Path]:
 def _hash_of(folder: Path, files: list[Path]) -> str:
     digest = hashlib.sha256(repr(("edits", EDITS, LEAST_EDIT)).encode())
     for path in files:
-        digest.update(path.relative_to(folder).as_posix().encode() + b"\0")
+        digest.update(os.fsencode(path.relative_to(folder).as_posix()) + b"\0")
         digest.update(hashlib.sha256(_content(path)).digest())
     return digest.hexdigest()
 

@@ -41,7 +41,7 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
     Raises :class:`FileError`: there is no such file or folder, or nothing in it.
     """
     if source.is_dir():
-        files = sorted(documents_in(source, PAINT_ENDING), key=lambda path: path.name.casefold())
+        files = sorted(documents_in(source, PAINT_ENDING), key=lambda path: (path.name.casefold(), path.name))
         if not files:
             raise FileError(source, f"holds no {PAINT_ENDING} file")
         if len(files) > MOST_PAINTS:
