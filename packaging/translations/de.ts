@@ -15684,6 +15684,14 @@ h {hue}°</translation>
         <translation>beginnt nicht mit {0}</translation>
     </message>
     <message>
+        <source>cannot be collected: {0}</source>
+        <translation>kann nicht gesammelt werden: {0}</translation>
+    </message>
+    <message>
+        <source>a file that it names cannot be collected: {0}</source>
+        <translation>eine Datei, die darin genannt ist, kann nicht gesammelt werden: {0}</translation>
+    </message>
+    <message>
         <source>Values limited: {0}.</source>
         <translation>Werte begrenzt: {0}.</translation>
     </message>
@@ -16962,10 +16970,6 @@ h {hue}°</translation>
     <message>
         <source>Polarimetric BRDF (intensity)</source>
         <translation>Polarimetrische BRDF (Intensität)</translation>
-    </message>
-    <message>
-        <source>its indices are no whole numbers</source>
-        <translation>die Indizes sind keine ganzen Zahlen</translation>
     </message>
     <message>
         <source>needs {0} beside it, which {1}</source>

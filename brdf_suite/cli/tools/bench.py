@@ -1,6 +1,6 @@
 """``brdf-suite bench NAME``: the measured figures, from the benchmarks beside the tests.
 
-A benchmark is a module ``tests/benchmarks/bench_NAME.py`` with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
+A benchmark is a module ``bench_NAME.py`` in ``tests/benchmarks`` or below, with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
 unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
 ``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown, its headings
 of the third level, that ``--write`` puts below the module's table. One with ``LARGE`` (False) has larger sizes, which
@@ -128,7 +128,7 @@ def _find() -> dict[str, Path]:
         raise SuiteError(
             "The benchmarks are part of the source checkout; this is an installed copy without them."
         )
-    return {path.stem.removeprefix("bench_"): path for path in sorted(_FOLDER.glob("bench_*.py"))}
+    return dict(sorted((path.stem.removeprefix("bench_"), path) for path in _FOLDER.rglob("bench_*.py")))
 
 
 def load_module(path: Path) -> ModuleType:

@@ -34,7 +34,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 }
 NOTES: dict[str, str] = {}
 
-_FROZEN = Path(__file__).resolve().parents[2] / "packaging" / "frozen"
+_FROZEN = Path(__file__).resolve().parents[3] / "packaging" / "frozen"
 
 
 def run(progress: Progress | None) -> dict[str, float | None]:

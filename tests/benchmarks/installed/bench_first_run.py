@@ -51,7 +51,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 NOTES: dict[str, str] = {}
 TABLES: dict[str, dict[str, object]] = {}
 
-_CHECKOUT = Path(__file__).resolve().parent.parent.parent
+_CHECKOUT = Path(__file__).resolve().parents[3]
 _PACKAGING = _CHECKOUT / "packaging"
 _RUNS = 3
 _PYTHONS = ("3.11", "3.12", "3.13")

@@ -28,7 +28,7 @@ BOUNDS: dict[str, tuple[str, float | None, str, str]] = {
 
 def run(progress: Progress | None) -> dict[str, float | None]:
     """Kill, run again, and count what the results have."""
-    parts = load_module(Path(__file__).parents[1] / "killed_cluster.py")
+    parts = load_module(Path(__file__).resolve().parents[2] / "killed_cluster.py")
     figures: dict[str, float | None] = dict.fromkeys(BOUNDS, 0.0)
     found: Counter[str] = Counter()
     for turn in range(TURNS):
