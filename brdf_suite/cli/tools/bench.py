@@ -1,10 +1,10 @@
 """``brdf-suite bench NAME``: the measured figures, from the benchmarks beside the tests.
 
-A benchmark is a module ``bench_NAME.py`` in ``tests/benchmarks`` or below, with ``NAME``, ``BOUNDS`` (key -> comparison, bound,
-unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES`` (key -> text) and
-``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown, its headings
-of the third level, that ``--write`` puts below the module's table. One with ``LARGE`` (False) has larger sizes, which
-``--large`` asks for by making it True.
+A benchmark is a module ``bench_NAME.py`` in ``tests/benchmarks`` or below, with ``NAME``, ``BOUNDS`` (key ->
+comparison, bound, unit, meaning) and ``run(progress) -> {key: number or None}``; it may add as it runs ``NOTES``
+(key -> text) and ``TABLES`` (key -> values by name), which only ``--json`` prints, and ``appendix() -> str``: Markdown,
+its headings of the third level, that ``--write`` puts below the module's table. One with ``LARGE`` (False) has larger
+sizes, which ``--large`` asks for by making it True.
 """
 
 from __future__ import annotations
