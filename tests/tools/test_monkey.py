@@ -10,7 +10,7 @@ import pytest
 pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
 
 from tools.attack import report
-from tools.attack.monkey import PROGRAMS, Monkeys, run_program
+from tools.attack.monkeys.run import PROGRAMS, Monkeys, run_program
 
 EVENTS = 30
 

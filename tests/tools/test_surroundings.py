@@ -8,10 +8,10 @@ import pytest
 
 pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
 
-from tools.attack.environments import LOCALES, Answers, shell
-from tools.attack.file_names import PALETTE, expect_palette
-from tools.attack.scene import COMMAND, Scene, Surroundings
-from tools.attack.surroundings import CASES, run_cases
+from tools.attack.hostile.cases import CASES, run_cases
+from tools.attack.hostile.environments import LOCALES, Answers, shell
+from tools.attack.hostile.file_names import PALETTE, expect_palette
+from tools.attack.hostile.scene import COMMAND, Scene, Surroundings
 
 
 @pytest.fixture

@@ -24,18 +24,18 @@ from pathlib import Path
 from typing import Any
 
 from brdf_suite.documents.atomic import encode, write_atomically
-from tools.attack import monkey
 from tools.attack import report as tables
 from tools.attack.changing import SeedChangedAtCall, SeedChangedBeside
 from tools.attack.command_lines import signals, wrong
+from tools.attack.hostile.cases import run_cases
 from tools.attack.kills import kill_writers
 from tools.attack.loop import Loop
+from tools.attack.monkeys import run as monkeys
 from tools.attack.power import lose_power_in_writers
 from tools.attack.readers import READERS, chosen
 from tools.attack.readers.coverage import missing
 from tools.attack.replay import replay
 from tools.attack.seeds import Seed, contents_of, crossing_seeds, seeds_of
-from tools.attack.surroundings import run_cases
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = (
@@ -170,8 +170,8 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             say("monkey")
             count = round(options.events * share)
             figures["monkey"] = {
-                name: asdict(monkey.run_program(name, options.seed, count, say, keep=options.keep))
-                for name in monkey.PROGRAMS
+                name: asdict(monkeys.run_program(name, options.seed, count, say, keep=options.keep))
+                for name in monkeys.PROGRAMS
             }
             keep()
         if "link" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations
 
 from brdf_suite import variables
-from tools.attack.scene import COMMAND, WINDOWS, Case, Scene
+from tools.attack.hostile.scene import COMMAND, WINDOWS, Case, Scene
 
 NAME = "Café İıß 粉 Ω"
 """A name whose letters no single-byte encoding has all of."""

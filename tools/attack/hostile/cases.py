@@ -18,8 +18,8 @@ from pathlib import Path
 
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import View
-from tools.attack import environments, file_names
-from tools.attack.scene import COMMAND, WINDOWS, Case, Scene, Surroundings
+from tools.attack.hostile import environments, file_names
+from tools.attack.hostile.scene import COMMAND, WINDOWS, Case, Scene, Surroundings
 
 _UNGUARDED = re.compile(r"(?:^|,)\"?=", re.MULTILINE)
 """Cells that a spreadsheet takes for formulas. What a pipe gets is data, and keeps its invisible characters."""

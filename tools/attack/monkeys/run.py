@@ -2,7 +2,7 @@
 
 Run ``python tools/attack/run.py --parts monkey``, or this module to repeat and shorten what it found::
 
-    python -m tools.attack.monkey [--program viewer] [--seed 7] [--events 300] [--screen] [--keep FOLDER] [--json]
+    python -m tools.attack.monkeys.run [--program viewer] [--seed 7] [--events 300] [--screen] [--keep FOLDER] [--json]
 
 Without ``--screen`` the programs run on Qt's offscreen platform, where there is no OpenGL; with it on a virtual screen.
 Faults are tracebacks, deaths of the process, and turns of the event loop over 5 s of processor time; messages of Qt and
@@ -27,12 +27,12 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from tools.attack.command_lines import home
-from tools.attack.file_names import odd_names
-from tools.attack.loop import seeds_of
+from tools.attack.hostile.file_names import odd_names
+from tools.attack.hostile.scene import Scene, Surroundings
 from tools.attack.readers import chosen
-from tools.attack.scene import Scene, Surroundings
+from tools.attack.seeds import seeds_of
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 PROGRAMS = ("designer", "viewer", "lobes", "swatch")
 HANG_S = 5.0
 """Of processor time of the main thread, in one turn of the event loop."""
@@ -146,7 +146,7 @@ def _run_once(
     environment = {**home(folder), "PYTHONPATH": path, "PYTHONUNBUFFERED": "1", "PYTHONHASHSEED": "0"}
     if display is not None:
         environment |= {"QT_QPA_PLATFORM": "xcb", "DISPLAY": display}
-    command = [sys.executable, "-P", "-m", "tools.attack.monkey_events", name, seed, str(events), str(work)]
+    command = [sys.executable, "-P", "-m", "tools.attack.monkeys.events", name, seed, str(events), str(work)]
     found.starts += 1
     with (work / "stderr").open("wb") as errors:
         process = subprocess.Popen(

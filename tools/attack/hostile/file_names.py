@@ -16,8 +16,8 @@ from typing import Any
 
 from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.documents.store import load_paint
-from tools.attack.environments import shell
-from tools.attack.scene import COMMAND, WINDOWS, Case, Scene
+from tools.attack.hostile.environments import shell
+from tools.attack.hostile.scene import COMMAND, WINDOWS, Case, Scene
 
 PAINT, PALETTE = ".brdfpaint", ".brdfpalette"
 _NAME_MAX = 255

@@ -1,6 +1,6 @@
 """Random events for a program that runs: mouse, wheel, keys, menus, drops, clipboard; all drawn from one number.
 
-``python -m tools.attack.monkey_events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkey`
+``python -m tools.attack.monkeys.events PROGRAM SEED EVENTS FOLDER`` is the process that :mod:`tools.attack.monkeys.run`
 starts. It runs the program as its command does, and sends an event as soon as the program is at rest after the last
 one; some come in bursts. Mouse and keys go through the window, as those of a user do, so that dialogs and popups hold
 them back. File dialogs are answered with a file of the folder, or are cancelled.
@@ -40,7 +40,7 @@ from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from shiboken6 import isValid
 
 from brdf_suite.errors import SuiteError
-from tools.attack.monkey_answers import TEXTS, Answers
+from tools.attack.monkeys.answers import TEXTS, Answers
 
 _MAINS = {
     "designer": ("brdf_designer.__main__", ("--no-start-page", "p.brdfpaint")),

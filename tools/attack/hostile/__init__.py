@@ -1,0 +1,1 @@
+"""Programs started in hostile surroundings: files, names, variables, folders, limits."""
