@@ -1,12 +1,14 @@
 """Measure what each export to a renderer looks like there: docs/method/exchange.json and docs/images/exchange.png.
 
-    python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,luxcore] [--blender FOLDER] [--draw]
+    python packaging/pictures/exchange.py [--paints blue,pearl] [--clients blender,rgl] [--blender FOLDER] [--continue]
 
 A sphere in each paint, path-traced from the paint itself, beside that of each client rendering what was exported, in
 the light of brdf_suite/reflectance/instruments/rendered_sphere.py, as the losses are reported. Figures of other paints
-and clients stay as they are in the file; the tables of docs/method/exchange.md are renewed from it. The picture is
-drawn where all of ``PICTURED`` are rendered by all clients. ``--blender`` is the folder of an environment for
-tools/blender.py, made and kept there; without it Blender is installed each time.
+and clients stay as they are in the file. Those that will be measured are removed from it first and written after each
+paint; ``--continue`` removes none and measures what an interrupted run left out. At the end the tables of
+docs/method/exchange.md are renewed. The picture is drawn where all of ``PICTURED`` are rendered by all clients in one
+run. ``--blender`` is the folder of an environment for tools/blender.py, made and kept there; without it Blender is
+installed each time.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -34,6 +37,7 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportItem
@@ -48,7 +52,7 @@ from brdf_suite.reference.scene.scene import SurfacePart, build_scene
 from brdf_suite.reference.variant import start
 from brdf_suite.reflectance.instruments.rendered_sphere import light_map, shown_lab, sphere_difference
 from brdf_suite.reports.handover import item_of
-from tools.evaluation.materialx_picture import draw_sphere
+from tools.evaluation.materialx_picture import draw_sphere, irradiance_of
 
 ROOT = Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs" / "method" / "exchange.json"
@@ -63,6 +67,10 @@ PICTURED = (
     "teal_violet_shift",
 )
 SIZE, BLOCK = 96, 3
+SAMPLES: Mapping[str, int] = {"mitsuba": 144, "blender": 64, "luxcore": 196}
+"""Paths a pixel of each program. Noise makes pictures differ more; with these it adds less than ΔE00 0.1."""
+FURTHEST = 0.05
+"""How far the middles of two spheres may be apart, pixels."""
 DISTANCE, WIDTH, RADIUS = 2.0, 0.22, 0.1
 CAPTION, GAP = 18, 4
 
@@ -83,11 +91,14 @@ def _ball() -> SurfacePart:
 
 @dataclass(frozen=True)
 class Studio:
-    """What all pictures share: the light, as a map and as a file, samples a pixel, a folder, and Blender's or None."""
+    """What all pictures share.
+
+    The light as a map, its irradiance over π and the map's file, a folder, and Blender's or None.
+    """
 
     light: Floats
+    irradiance: Floats
     light_file: Path
-    samples: int
     folder: Path
     blender: Path | None
 
@@ -95,8 +106,9 @@ class Studio:
 def traced(term: Any, studio: Studio) -> Floats:
     """Path-trace the sphere in a BSDF; return light and coverage (h, w, 4) in the BSDF's own space."""
     eye = PinholeCamera(np.array([0.0, 0.0, DISTANCE]), np.eye(3), 0.5 * WIDTH / DISTANCE)
-    scene = build_scene([_ball()], {"paint": term}, studio.light, eye, View(), (SIZE, SIZE))
-    found = trace(scene, samples=studio.samples, samples_per_pass=max(studio.samples // 4, 1))
+    light = studio.light.astype(np.float32)
+    scene = build_scene([_ball()], {"paint": term}, light, eye, View(), (SIZE, SIZE))
+    found = trace(scene, samples=SAMPLES["mitsuba"], samples_per_pass=SAMPLES["mitsuba"] // 4)
     return np.concatenate((found.radiance, found.coverage[..., None]), axis=-1)
 
 
@@ -127,7 +139,7 @@ def in_blender(model: Path, studio: Studio) -> Floats:
     """Render an exported model in Blender; return light and coverage (h, w, 4)."""
     output = model.with_suffix(".exr")
     kept = [] if studio.blender is None else ["--environment", str(studio.blender)]
-    numbers = ["--size", str(SIZE), "--samples", str(studio.samples)]
+    numbers = ["--size", str(SIZE), "--samples", str(SAMPLES["blender"])]
     command = [sys.executable, str(ROOT / "tools" / "blender.py"), *kept, "render", str(model)]
     subprocess.run(
         [*command, str(studio.light_file), str(output), *numbers], check=True, stdout=subprocess.DEVNULL
@@ -148,7 +160,8 @@ def usd_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
 def openpbr_in_materialx(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Draw the OpenPBR surface by the shader that MaterialX generates."""
     path = export(item, "openpbr", studio)
-    picture = draw_sphere(path, studio.light, SIZE, radius=RADIUS, distance=DISTANCE, width=WIDTH)
+    light = (studio.light, studio.irradiance)
+    picture = draw_sphere(path, *light, SIZE, radius=RADIUS, distance=DISTANCE, width=WIDTH)
     return picture, fit_coated_facets(item, "openpbr").on_sphere
 
 
@@ -159,7 +172,8 @@ def table_in_mitsuba(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     return picture, sphere_difference(item.reflectance, load_measured(path).reflectance)
 
 
-# LuxCore ends in its own way, so it has a process of its own. Its z is up: its (x, y, z) is our (x, -z, y).
+# LuxCore ends in its own way, so it has a process of its own. Its z is up: its (x, y, z) is our (x, -z, y). Its film is
+# one row of pixels off the window that it is given, so the window is moved by one.
 _LUX = """
 import math, os, sys, time
 import numpy as np
@@ -174,7 +188,7 @@ scene.camera.lookat.orig = 0 {-distance} 0
 scene.camera.lookat.target = 0 0 0
 scene.camera.up = 0 0 1
 scene.camera.fieldofview = {2.0 * math.degrees(math.atan(0.5 * width / distance))}
-scene.camera.screenwindow = -1 1 -1 1
+scene.camera.screenwindow = -1 1 {-1.0 - 2.0 / size} {1.0 - 2.0 / size}
 scene.camera.autofocus.enable = 0
 scene.lights.sky.type = "infinite"
 scene.lights.sky.file = "{light}"
@@ -209,6 +223,7 @@ film.imagepipelines.0.0.type = "NOP"
 film.outputs.0.type = "ALPHA"
 film.outputs.0.filename = "alpha.exr"
 path.pathdepth.total = 4
+path.forceblackbackground.enable = 1
 path.clamping.variance.maxvalue = 0
 native.threads.count = 2
 batch.haltspp = {int(samples)}
@@ -235,7 +250,7 @@ def carpaint_in_luxcore(item: ExportItem, studio: Studio) -> tuple[Floats, float
     path = export(item, "luxcore", studio)
     output = path.with_suffix(".npy")
     command = [sys.executable, "-c", _LUX, str(path), *material_names([item.name]), str(studio.light_file)]
-    numbers = map(str, (SIZE, studio.samples, DISTANCE, WIDTH, RADIUS))
+    numbers = map(str, (SIZE, SAMPLES["luxcore"], DISTANCE, WIDTH, RADIUS))
     subprocess.run([*command, str(output), *numbers], check=True, stdout=subprocess.DEVNULL)
     return np.asarray(np.load(output), float), fit_carpaint(item).on_sphere
 
@@ -249,24 +264,35 @@ CLIENTS: Mapping[str, Callable[[ExportItem, Studio], tuple[Floats, float]]] = {
 }
 
 
+def check_place(client: str, truth: Floats, picture: Floats) -> None:
+    """Raise where a client's sphere is not where the truth's is: a row of pixels alone is a difference of ΔE00 1.8."""
+    rows, columns = np.indices(truth.shape[:2])
+    first, other = (
+        np.array([np.average(where, weights=one[..., 3]) for where in (columns, rows)])
+        for one in (truth, picture)
+    )
+    if np.abs(other - first).max() > FURTHEST:
+        raise ValueRangeError("picture", f"the sphere of {client} is {other - first} pixels from the truth's")
+
+
 def difference(first: Floats, other: Floats) -> tuple[float, Floats, Floats]:
     """Return the mean ΔE00, exposed for the first, and both as shown (h, w, 3).
 
-    It is that of the blocks, each the mean of its pixels that are whole in both, and counted by their number. Light is
-    cut off at 1 in the working space, as in the losses that are reported: a material whose colours end with Rec. 709
-    differs from a paint that is outside.
+    It is that of the blocks, each the mean light of what the sphere covers of it, and counted by the area. The rim is
+    part of it, as of the losses that are reported. Light is cut off at 1 in the working space, as it is there: a
+    material whose colours end with Rec. 709 differs from a paint that is outside.
     """
-    inside = (first[..., 3] > 0.999) & (other[..., 3] > 0.999)
     light = first[..., :3] @ REC709_TO_WORKING.T @ LUMINANCE
-    factor = 0.18 / float(np.median(light[inside]))
-    pixels = _blocks(inside[..., None].astype(float))[..., 0]
-    used = pixels > 0.0
+    whole = first[..., 3] > 0.999
+    factor = 0.18 / float(np.median(light[whole]))
+    covered = [_blocks(picture[..., 3:]) for picture in (first, other)]
+    area = np.minimum(*covered)[..., 0]
+    used = area > 0.0
     lab, other_lab = (
-        shown_lab(mean @ REC709_TO_WORKING.T, factor)
-        for picture in (first, other)
-        for mean in (_blocks(picture[..., :3] * inside[..., None])[used] / pixels[used][:, None],)
+        shown_lab(_blocks(picture[..., :3])[used] / cover[used] @ REC709_TO_WORKING.T, factor)
+        for picture, cover in zip((first, other), covered, strict=True)
     )
-    seen = np.average(delta_e_2000(lab, other_lab), weights=pixels[used])
+    seen = np.average(delta_e_2000(lab, other_lab), weights=area[used])
     shown = [np.clip(picture[..., :3] * factor, 0.0, 1.0) for picture in (first, other)]
     return float(seen), shown[0], shown[1]
 
@@ -304,11 +330,87 @@ def sheet(rows: list[list[Image.Image]], titles: list[str]) -> Image.Image:
     return whole
 
 
-def keep(name: str, figures: dict[str, dict[str, float]]) -> None:
-    """Add a paint's figures to those in the file."""
-    kept = json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.is_file() else {}
-    kept.setdefault(name, {}).update(figures)
+Figures = dict[str, dict[str, dict[str, float]]]
+"""The losses of the file, reported and seen, by paint and client."""
+
+
+def read_figures() -> Figures:
+    """Return the figures of the file."""
+    return json.loads(FIGURES.read_text(encoding="utf-8")) if FIGURES.is_file() else {}
+
+
+def write_figures(figures: Figures) -> None:
+    """Write the file; paints without figures have no place in it."""
+    kept = {name: row for name, row in figures.items() if row}
     FIGURES.write_text(json.dumps(kept, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+
+
+def in_order(names: list[str]) -> list[str]:
+    """Return paints with those of the picture first, so that it is drawn early."""
+    return [*(name for name in PICTURED if name in names), *(name for name in names if name not in PICTURED)]
+
+
+def remove_figures(names: list[str], clients: list[str]) -> None:
+    """Remove what will be measured from the file, so that an interrupted run leaves gaps and no old figures."""
+    figures = read_figures()
+    for name in names:
+        figures[name] = {
+            client: row for client, row in figures.get(name, {}).items() if client not in clients
+        }
+    write_figures(figures)
+
+
+def gaps(names: list[str], clients: list[str]) -> dict[str, list[str]]:
+    """Return the clients of each paint that the file lacks, and print the others.
+
+    The picture needs all of its paints in one run: where one is not finished, all of them are measured again.
+    """
+    figures = read_figures()
+    found = {name: [client for client in clients if client not in figures.get(name, {})] for name in names}
+    if pictures_all(names, clients) and any(found[name] for name in PICTURED):
+        found.update(dict.fromkeys(PICTURED, clients))
+    for name, lacking in found.items():
+        for client in clients:
+            if client not in lacking:
+                row = figures[name][client]
+                print(
+                    f"{name}, {client}: in the file, reported {row['reported']:.2f}, seen {row['seen']:.2f}"
+                )
+    return {name: lacking for name, lacking in found.items() if lacking}
+
+
+def pictures_all(names: list[str], clients: list[str]) -> bool:
+    """Return whether a run measures all that the picture shows."""
+    return set(PICTURED) <= set(names) and set(clients) == set(CLIENTS)
+
+
+def measure_paint(name: str, clients: list[str], studio: Studio) -> list[Image.Image]:
+    """Render a paint and its exports, add the figures to the file, and return the row of the picture."""
+    item = item_of(name)
+    truth = ours(item, studio)
+    tiles: list[Image.Image] = []
+    row: dict[str, dict[str, float]] = {}
+    for client in clients:
+        start_time = perf_counter()
+        picture, reported = CLIENTS[client](item, studio)
+        check_place(client, truth, picture)
+        seen, first, other = difference(truth, picture)
+        row[client] = {"reported": round(reported, 3), "seen": round(seen, 3)}
+        seconds = perf_counter() - start_time
+        print(f"{name}, {client}: reported {reported:.2f}, seen {seen:.2f} ({seconds:.0f} s)", flush=True)
+        if not tiles:
+            tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
+        tiles.append(tile(other, np.minimum(truth[..., 3], picture[..., 3]), f"dE00 {seen:.1f}"))
+    figures = read_figures()
+    figures.setdefault(name, {}).update(row)
+    write_figures(figures)
+    return tiles
+
+
+def draw_picture(rows: dict[str, list[Image.Image]], clients: list[str], titles: Mapping[str, str]) -> None:
+    """Draw the picture of the document."""
+    heads = ["path-traced", *(titles[client] for client in clients)]
+    sheet([rows[name] for name in PICTURED], heads).save(PICTURE, optimize=True)
 
 
 def main() -> int:
@@ -318,37 +420,29 @@ def main() -> int:
     )
     parser.add_argument("--paints", default=",".join(paint_names()))
     parser.add_argument("--clients", default=",".join(CLIENTS))
-    parser.add_argument("--samples", type=int, default=256)
+    parser.add_argument("--continue", dest="continued", action="store_true")
     parser.add_argument("--blender", type=Path, default=None, metavar="FOLDER")
     options = parser.parse_args()
-    start()
-    names, clients = options.paints.split(","), options.clients.split(",")
-    light = np.repeat(light_map(512)[..., None], 3, axis=2).astype(np.float32)
-    rows = {}
-    with tempfile.TemporaryDirectory(prefix="exchange-") as temporary:
-        studio = Studio(
-            light, Path(temporary) / "light.exr", options.samples, Path(temporary), options.blender
-        )
-        mi.Bitmap(light).write(str(studio.light_file))
-        for name in names:
-            item = item_of(name)
-            truth = ours(item, studio)
-            figures, tiles = {}, []
-            for client in clients:
-                picture, reported = CLIENTS[client](item, studio)
-                seen, first, other = difference(truth, picture)
-                figures[client] = {"reported": round(reported, 3), "seen": round(seen, 3)}
-                print(f"{name}, {client}: reported {reported:.2f}, seen {seen:.2f}", flush=True)
-                if not tiles:
-                    tiles.append(tile(first, truth[..., 3], name.replace("_", " ")))
-                covered = np.minimum(truth[..., 3], picture[..., 3])
-                tiles.append(tile(other, covered, f"dE00 {seen:.1f}"))
-            rows[name] = tiles
-            keep(name, figures)
+    names, clients = in_order(options.paints.split(",")), options.clients.split(",")
+    if unknown := [*sorted({*names} - {*paint_names()}), *sorted({*clients} - {*CLIENTS})]:
+        parser.error(f"there is no paint or client {', '.join(unknown)}")
+    if not options.continued:
+        remove_figures(names, clients)
+    wanted = gaps(names, clients)
     documents = load_module(ROOT / "packaging" / "documents" / "insert_figures.py")
-    if set(PICTURED) <= set(rows) and clients == list(CLIENTS):
-        titles = ["path-traced", *(documents.EXCHANGE_CLIENTS[client] for client in clients)]
-        sheet([rows[name] for name in PICTURED], titles).save(PICTURE, optimize=True)
+    start()
+    light = np.repeat(light_map(512)[..., None], 3, axis=2)
+    rows: dict[str, list[Image.Image]] = {}
+    with tempfile.TemporaryDirectory(prefix="exchange-") as temporary:
+        folder = Path(temporary)
+        studio = Studio(light, irradiance_of(light), folder / "light.exr", folder, options.blender)
+        mi.Bitmap(light.astype(np.float32)).write(str(studio.light_file))
+        for name, lacking in wanted.items():
+            rows[name] = measure_paint(name, lacking, studio)
+            if name == PICTURED[-1] and pictures_all(list(rows), clients):
+                draw_picture(rows, clients, documents.EXCHANGE_CLIENTS)
+    if not pictures_all(list(rows), clients):
+        print("The picture is as it was: it needs its paints by all clients in one run.")
     documents.insert_into_documents(ROOT)
     return 0
 

@@ -70,6 +70,7 @@ def generate_shader(path: Path, *, environment: bool) -> GeneratedShader:
 def draw_sphere(
     path: Path,
     light: Floats,
+    irradiance: Floats,
     size: int,
     *,
     radius: float,
@@ -85,6 +86,8 @@ def draw_sphere(
         The file; it holds one material.
     light
         Latitude-longitude map (rows, 2 rows, 3), linear Rec. 709, y up, laid out as the suite's.
+    irradiance
+        What :func:`irradiance_of` returns of it.
     size
         Pixels of the square picture's side.
     radius, distance, width
@@ -111,7 +114,7 @@ def draw_sphere(
             if name in program:
                 program[name].write(value)
         for place, (name, picture) in enumerate(
-            {"u_envRadiance": light, "u_envIrradiance": _irradiance(light)}.items()
+            {"u_envRadiance": light, "u_envIrradiance": irradiance}.items()
         ):
             texture = context.texture(
                 picture.shape[1::-1], 3, np.ascontiguousarray(picture, np.float32).tobytes(), dtype="f4"
@@ -167,8 +170,8 @@ def _sphere(radius: float, rows: int = 128) -> Floats:
     return np.asarray(np.stack((first, below, right, right, below, last), axis=2).reshape(-1, 9))
 
 
-def _irradiance(light: Floats) -> Floats:
-    """Return the irradiance over π (rows, 2 rows, 3) of a map, in its layout."""
+def irradiance_of(light: Floats) -> Floats:
+    """Return the irradiance over π (k, 2 k, 3) of a map (rows, 2 rows, 3), in its layout; it takes seconds."""
     directions, solid = _texels(len(light))
     normals, _ = _texels(_IRRADIANCE_ROWS)
     weighted = (light * solid[:, None, None]).reshape(-1, 3)
