@@ -38,8 +38,10 @@ def test_the_same_number_sends_the_same_events(tmp_path: Path) -> None:
     for turn in ("first", "second"):
         run_program("swatch", 2, 12, print, keep=tmp_path / turn)
         (trace,) = (tmp_path / turn).glob("*.trace")
-        traces.append(trace.read_text().splitlines()[:12])
+        # What they meet may be another widget, where the machine is slow.
+        traces.append([line.split()[1] for line in trace.read_text().splitlines()[:12]])
     assert traces[0] == traces[1]
+    assert len(set(traces[0])) > 2
 
 
 @pytest.mark.parametrize(

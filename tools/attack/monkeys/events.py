@@ -86,11 +86,10 @@ class Monkey(QObject):
     of the main thread is counted, since another process may hold up both.
     """
 
-    def __init__(
-        self, program: Program, rng: random.Random, events: int, answers: Answers, trace: IO[str]
-    ) -> None:
+    def __init__(self, program: Program, seed: str, events: int, answers: Answers, trace: IO[str]) -> None:
         super().__init__()
-        self._program, self._rng, self._events = program, rng, events
+        self._program, self._seed, self._events = program, seed, events
+        self._rng = random.Random(seed)
         self._answers, self._trace = answers, trace
         self._acting = self._polls = 0
         self._pressed = Qt.MouseButton.NoButton
@@ -125,7 +124,7 @@ class Monkey(QObject):
         self._later()
         outer, self._acting = self._acting, level
         try:
-            for _ in range(self._rng.choice((1, 1, 1, 1, 3, 6))):
+            for _ in range(random.Random(f"{self._seed} turn {self.done}").choice((1, 1, 1, 1, 3, 6))):
                 self._send()
         finally:
             self._acting = outer
@@ -146,6 +145,8 @@ class Monkey(QObject):
         return self._polls > _POLLS or (self._polls > 1 and self._program.is_idle)
 
     def _send(self) -> None:
+        # Anew for each: where the machine's load changes what an event meets, the next ones are the same.
+        self._rng = random.Random(f"{self._seed} {self.done}")
         kind = self._rng.choices(list(self._kinds), list(self._kinds.values()))[0]
         if QThread.currentThread().loopLevel() > _DEEPEST:
             kind = self._close_front
@@ -400,8 +401,7 @@ def main() -> int:
     faulthandler.enable()
     resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
     folder = Path(place)
-    rng = random.Random(f"{name} {seed}")
-    answers = Answers(rng, folder)
+    answers = Answers(random.Random(f"{name} {seed}"), folder)
     answers.install()
     faults = _Faults()
     run = QApplication.exec
@@ -412,7 +412,7 @@ def main() -> int:
         program = next(
             one for window in QApplication.topLevelWidgets() if (one := window.findChild(Program)) is not None
         )
-        monkey = Monkey(program, rng, int(events), answers, trace)
+        monkey = Monkey(program, f"{name} {seed}", int(events), answers, trace)
         status = run()
         found.update(
             events=monkey.done,
