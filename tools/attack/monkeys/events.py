@@ -147,12 +147,12 @@ class Monkey(QObject):
     def _send(self) -> None:
         # Anew for each: where the machine's load changes what an event meets, the next ones are the same.
         self._rng = random.Random(f"{self._seed} {self.done}")
+        self.done += 1  # also where an error ends it
         kind = self._rng.choices(list(self._kinds), list(self._kinds.values()))[0]
         if QThread.currentThread().loopLevel() > _DEEPEST:
             kind = self._close_front
         self._doing = kind.__name__.strip("_")
         self._doing = f"{self._doing} {kind()}"
-        self.done += 1
         if self.done % 50 == 1:
             self.memory_mb.append(_memory_mb())
         print(f"{self.done} {self._doing!a}", file=self._trace, flush=True)
