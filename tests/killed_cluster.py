@@ -15,7 +15,7 @@ from time import monotonic, sleep
 from typing import Any
 
 import brdf_suite as bs
-from brdf_suite.batches.journal import JOURNAL
+from brdf_suite.batches.items import JOURNAL
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.processes import child_command
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -33,6 +34,8 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.regular_files import open_regular
 
+JOURNAL = "finished.jsonl"
+"""Of finished items, in the folder of a batch's results."""
 LIGHTS = (".exr", ".hdr", STUDIO_ENDING)
 
 
@@ -60,6 +63,8 @@ class BatchItem:
         The JSON of a palette's entry; empty where ``source`` itself is loaded.
     fault
         Why there is nothing to work on; empty otherwise.
+    notices
+        What the reading of its palette left out or changed; of a palette's first item.
     """
 
     label: str
@@ -67,6 +72,7 @@ class BatchItem:
     key: str
     entry: bytes = b""
     fault: str = ""
+    notices: tuple[str, ...] = ()
 
 
 def load_item(item: BatchItem) -> Material:
@@ -108,14 +114,24 @@ def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
 
 
 def sources_in(lines: Iterable[str], folder: Path) -> list[str]:
-    """Return the sources in the lines of a list: one a line, paths from ``folder`` on; # begins a remark."""
+    """Return the sources in the lines of a list: one a line, paths from ``folder`` on; # begins a remark.
+
+    Behind a source a space comes before the #, and no file has the whole as its name.
+    """
     sources = []
     for line in lines:
         text = line.strip()
-        if text and not text.startswith("#"):
-            path = str(folder / text.partition(ENTRY_MARK)[0])
-            sources.append(str(folder / text) if is_file(path) or is_folder(path) else text)
+        if not _is_path(folder, text):
+            text = re.split(r"(?:^|\s)#", text, maxsplit=1)[0].rstrip()
+        if text:
+            sources.append(str(folder / text) if _is_path(folder, text) else text)
     return sources
+
+
+def _is_path(folder: Path, text: str) -> bool:
+    """Whether a line names a file or a folder, or an entry of a file."""
+    names = {text, text.rpartition(ENTRY_MARK)[0]} - {""}
+    return any(is_file(str(folder / name)) or is_folder(str(folder / name)) for name in names)
 
 
 def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[BatchItem]:
@@ -139,14 +155,20 @@ def _paints_in(source: str) -> Iterator[BatchItem]:
     if is_file(source):
         path = Path(source)
         if file_kind(path) == "palette":
-            yield from _entries(path, load_palette_file(path).palette.entries)
+            found = load_palette_file(path)
+            for index, item in enumerate(_entries(path, found.palette.entries)):
+                yield replace(item, notices=tuple(found.notes)) if index == 0 else item
         else:
             yield _file_item(path)
     elif mark and is_file(file):
-        found = [entry for entry in load_palette_file(file).palette.entries if entry.id == wanted]
-        if not found:
-            raise FileError(file, f"has no paint {wanted!r}")
-        yield from _entries(Path(file), found)
+        entries = load_palette_file(file).palette.entries
+        chosen = [entry for entry in entries if entry.id == wanted]
+        if not chosen:
+            named = [entry.id for entry in entries if entry.content.name == wanted]
+            meant = f"; did you mean {ENTRY_MARK}{named[0]}?" if named else ""
+            fault = str(FileError(file, f"has no paint with the id {wanted!r}{meant}"))
+            yield BatchItem(source, str(Path(file).absolute()), _key(source, b""), fault=fault)
+        yield from _entries(Path(file), chosen)
     else:
         yield _named_item(source)
 
@@ -154,11 +176,14 @@ def _paints_in(source: str) -> Iterator[BatchItem]:
 def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> list[Path]:
     if not is_folder(str(source)):
         return [source]
+    # Results of other batches are no sources.
+    results = {path.parent for path in source.rglob(JOURNAL)} - {source}
     found = sorted(
         path
         for path in source.rglob("*")
         if path.suffix.lower() in endings
         and not any(part.startswith(".") for part in path.relative_to(source).parts)
+        and results.isdisjoint(path.parents)
         and (besides is None or not path.absolute().is_relative_to(besides.absolute()))
         and path.is_file()
     )

@@ -15,11 +15,11 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from brdf_suite.batches.items import JOURNAL
 from brdf_suite.batches.steps import Value
 from brdf_suite.documents.atomic import make_folder, sync_folder
 from brdf_suite.errors import FileError
 
-JOURNAL = "finished.jsonl"
 _LOCK = ".lock"
 
 
@@ -43,6 +43,8 @@ class Journal:
         self.path = folder / JOURNAL
         self._step = step
         self.finished: dict[str, Finished] = {}
+        self.others: set[str] = set()
+        """Keys of items that another step, or one with other options, has done in this folder."""
         self._read()
 
     def append(self, done: Iterable[Finished]) -> None:
@@ -82,6 +84,7 @@ class Journal:
         try:
             value = json.loads(line)
             if value.pop("step") != self._step:
+                self.others.add(str(value["key"]))
                 return
             value["files"], value["notices"] = tuple(value["files"]), tuple(value["notices"])
             one = Finished(**value)

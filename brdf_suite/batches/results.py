@@ -24,7 +24,7 @@ from brdf_suite.foreign_text import guard_formula
 from brdf_suite.pipeline.material import document_kind, is_file, load_document
 
 CSV, PARQUET, PALETTE, SUMMARY = "results.csv", "results.parquet", "results.brdfpalette", "summary.html"
-_FIRST = ("item", "problem")
+_FIRST = ("item", "source", "problem", "notes")
 _MOST_SHOWN = 60
 _STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
@@ -75,7 +75,13 @@ def _write_csv(path: Path, columns: Sequence[str], rows: Iterable[Mapping[str, V
 
 def _row(one: Finished) -> dict[str, Value]:
     """Return all of a row; names of files whose bytes are no text are written so that they are."""
-    row = {"item": one.label, "problem": one.problem, **one.row}
+    row: dict[str, Value] = {
+        "item": one.label,
+        **one.row,
+        "source": one.source,
+        "problem": one.problem,
+        "notes": "; ".join(one.notices),
+    }
     return {
         key: value.encode("utf-8", "backslashreplace").decode() if isinstance(value, str) else value
         for key, value in row.items()

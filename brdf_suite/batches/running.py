@@ -34,7 +34,11 @@ _LOST_S = 30.0
 
 @dataclass(frozen=True)
 class BatchResult:
-    """What a batch has done: of ``items``, how many now and how many before; problems with the item's source."""
+    """What a batch has done: of ``items``, how many now and how many before; problems with the item's source.
+
+    ``notices`` are of all items, each once; ``others`` counts items of other batches in this folder, whose table and
+    page are replaced.
+    """
 
     folder: Path
     step: str
@@ -43,6 +47,8 @@ class BatchResult:
     done_before: int
     problems: tuple[tuple[str, str], ...]
     seconds: float
+    notices: tuple[str, ...] = ()
+    others: int = 0
 
 
 def run_batch(
@@ -95,7 +101,9 @@ def run_batch(
         report(progress, 1.0, "written")
         done = [(item, journal.finished[item.key]) for item in items]
         problems = tuple((item.source, one.problem) for item, one in done if one.problem)
-    return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds)
+        notices = tuple(dict.fromkeys(text for _, one in done for text in one.notices))
+        others = len(journal.others)
+    return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds, notices, others)
 
 
 class _Run:

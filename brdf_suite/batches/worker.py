@@ -15,8 +15,8 @@ from socket import gethostname
 from threading import Timer
 from time import monotonic
 
-from brdf_suite.batches.items import BatchItem
-from brdf_suite.batches.journal import JOURNAL, Finished
+from brdf_suite.batches.items import JOURNAL, BatchItem
+from brdf_suite.batches.journal import Finished
 from brdf_suite.batches.steps import BatchStep, Work
 from brdf_suite.errors import SuiteError
 from brdf_suite.release import __version__
@@ -115,7 +115,12 @@ def _finished(work: Work, item: BatchItem, folder: Path) -> Finished:
     try:
         done = work(item, folder)
     except SuiteError as error:
-        return Finished(item.key, item.label, item.source, {}, problem=str(error))
+        return _failed(item, str(error))
     except Exception as error:  # noqa: BLE001 - one bad item must not end a batch of a million
-        return Finished(item.key, item.label, item.source, {}, problem=f"{type(error).__name__}: {error}")
-    return Finished(item.key, item.label, item.source, done.row, done.files, done.notices)
+        return _failed(item, f"{type(error).__name__}: {error}")
+    notices = (*item.notices, *done.notices)
+    return Finished(item.key, item.label, item.source, done.row, done.files, notices)
+
+
+def _failed(item: BatchItem, problem: str) -> Finished:
+    return Finished(item.key, item.label, item.source, {}, notices=item.notices, problem=problem)

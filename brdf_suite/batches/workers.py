@@ -7,10 +7,14 @@ from __future__ import annotations
 
 import logging
 import os
+import re
+import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from importlib import import_module
+from multiprocessing import resource_tracker
 from typing import Any
 
 from brdf_suite.errors import SuiteError
@@ -32,7 +36,18 @@ _ONE_THREAD = dict.fromkeys(
 _PURPOSE = "a batch"
 _ANSWER_S = 20.0
 _WORKERS_S = 600.0
-JOB_SYSTEMS = ("htcondor", "local", "lsf", "moab", "oar", "pbs", "sge", "slurm")
+_JOB_CLUSTERS = {
+    "htcondor": "HTCondor",
+    "local": "Local",
+    "lsf": "LSF",
+    "moab": "Moab",
+    "oar": "OAR",
+    "pbs": "PBS",
+    "sge": "SGE",
+    "slurm": "SLURM",
+}
+JOB_SYSTEMS = tuple(_JOB_CLUSTERS)
+_IN_A_SCRIPT = 'A script starts its batch below `if __name__ == "__main__":`, since workers import it.'
 
 
 @dataclass(frozen=True)
@@ -64,28 +79,45 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
         limit = dask.utils.parse_bytes(memory) if memory is not None else "auto"
     except ValueError as error:
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
-    with (
-        safe_path_inherited(),
-        _quiet(distributed),
-        dask.config.set(_settings()),
-        distributed.LocalCluster(
-            n_workers=count,
-            threads_per_worker=1,
-            processes=True,
-            memory_limit=limit,
-            dashboard_address=None,
-            security=True,  # other users of this machine can reach its ports
-            silence_logs=logging.CRITICAL,
-        ) as cluster,
-        distributed.Client(cluster) as client,
-    ):
-        yield _workers_of(client)
+    with safe_path_inherited(), _quiet(distributed), dask.config.set(_settings()):
+        try:
+            with _interrupts_held_back():
+                cluster = distributed.LocalCluster(
+                    n_workers=count,
+                    threads_per_worker=1,
+                    processes=True,
+                    memory_limit=limit,
+                    dashboard_address="127.0.0.1:0",  # any free port: several batches run at once
+                    security=True,  # other users of this machine can reach its ports
+                    silence_logs=logging.CRITICAL,
+                )
+        except RuntimeError as error:
+            reason = " ".join(str(error).splitlines())
+            raise SuiteError(f"The workers do not start: {reason} {_IN_A_SCRIPT}") from error
+        with cluster, distributed.Client(cluster) as client:
+            yield _workers_of(client)
+
+
+@contextmanager
+def _interrupts_held_back() -> Iterator[None]:
+    """Start threads and processes that Ctrl-C does not reach: this process alone ends them, without tracebacks."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # begun later, it would let interrupts through again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
 def scheduler_workers(address: str) -> Iterator[BatchWorkers]:
     """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
     distributed, dask = _dask()
+    if not re.fullmatch(r"\w+://.+", address):
+        raise SuiteError(f"{address!r} is no address of a scheduler; expected tcp://HOST:PORT.")
     with dask.config.set(_settings()), _quiet(distributed):
         try:
             client = distributed.Client(address, timeout=_ANSWER_S, set_as_default=False)
@@ -106,22 +138,14 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
         The package is not installed, or its configuration is not complete.
     """
     distributed, dask = _dask()
-    jobqueue = import_extra("dask_jobqueue", purpose="a batch on a job system")
-    kinds = {
-        "htcondor": jobqueue.HTCondorCluster,
-        "local": jobqueue.local.LocalCluster,
-        "lsf": jobqueue.LSFCluster,
-        "moab": jobqueue.MoabCluster,
-        "oar": jobqueue.OARCluster,
-        "pbs": jobqueue.PBSCluster,
-        "sge": jobqueue.SGECluster,
-        "slurm": jobqueue.SLURMCluster,
-    }
+    import_extra("dask_jobqueue", purpose="a batch on a job system")
+    kind = vars(import_module(f"dask_jobqueue.{system}"))[f"{_JOB_CLUSTERS[system]}Cluster"]
     with dask.config.set(_settings()), _quiet(distributed):
         try:
-            cluster = kinds[system](n_workers=count)
-        except (ValueError, OSError) as error:
-            raise SuiteError(f"{system}: {error}; see dask-jobqueue's configuration file.") from error
+            cluster = kind(n_workers=count)
+        except (ValueError, OSError, RuntimeError) as error:
+            reason = " ".join(str(error).splitlines())
+            raise SuiteError(f"{system}: {reason}; see dask-jobqueue's configuration file.") from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:
             _wait_for_workers(client, system)
             yield _workers_of(client)

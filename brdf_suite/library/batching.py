@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from contextlib import nullcontext
 from pathlib import Path
@@ -42,7 +42,8 @@ def batch(
 
     The folder gets ``results.csv`` and ``results.parquet`` with a row for each item, pictures or other files, a palette
     of the paints and ``summary.html``. A batch that was stopped goes on where it was when it is called again: items are
-    known by the hash of their content. An item that fails is reported and left out.
+    known by the hash of their content. An item that fails is reported and left out. A script calls this below ``if
+    __name__ == "__main__":``, since worker processes import it.
 
     Parameters
     ----------
@@ -71,8 +72,8 @@ def batch(
     Raises
     ------
     SuiteError
-        A source is not there, the extra ``batches`` is not installed, the folder cannot be written, or the workers are
-        lost.
+        A palette of the sources cannot be read, the extra ``batches`` is not installed, the folder cannot be written,
+        or the workers are lost.
 
     >>> import brdf_suite as bs, concurrent.futures, tempfile
     >>> with concurrent.futures.ThreadPoolExecutor(1) as one:
@@ -90,7 +91,15 @@ def batch(
     }
     if step not in steps:
         raise ValueRangeError("step", f"expected one of {', '.join(get_args(StepName))}, not {step!r}")
-    given = [sources] if isinstance(sources, str | os.PathLike) else [*sources]
+    given = [sources] if isinstance(sources, str | os.PathLike) else sources
+    wrong = (
+        [one for one in given if not isinstance(one, str | os.PathLike)]
+        if isinstance(given, Iterable)
+        else [given]
+    )
+    if wrong:
+        wanted = "expected names, files, palettes and folders"
+        raise ValueRangeError("sources", f"{wanted}, not a {type(wrong[0]).__name__}")
     find = list_lights if step == "prefilter" else list_paints
     items = find(given, Path(folder))
     if executor is not None:

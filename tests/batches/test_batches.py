@@ -24,8 +24,8 @@ from PIL import Image
 
 import brdf_suite as bs
 from brdf_suite.batches import worker
-from brdf_suite.batches.items import BatchItem, list_lights, list_paints, sources_in
-from brdf_suite.batches.journal import JOURNAL, Finished, Journal
+from brdf_suite.batches.items import JOURNAL, BatchItem, list_lights, list_paints, sources_in
+from brdf_suite.batches.journal import Finished, Journal
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Export, Factorize, Fit, Measure, Outcome, Prefilter, Render, Work
 from brdf_suite.batches.workers import BatchWorkers
@@ -100,6 +100,18 @@ def test_a_list_names_files_from_its_own_folder_on(paints: Path) -> None:
         str(paints / "two.brdfpalette#7"),
         "fine_silver",
     ]
+    (paints / "Lot #5.brdfpaint").write_bytes((paints / "blue.brdfpaint").read_bytes())
+    lines = ["copper   # a remark", "Lot #5.brdfpaint", "blue.brdfpaint # the third"]
+    assert sources_in(lines, paints) == [
+        "copper",
+        str(paints / "Lot #5.brdfpaint"),
+        str(paints / "blue.brdfpaint"),
+    ]
+
+
+def test_other_objects_than_names_are_no_sources(tmp_path: Path) -> None:
+    with pytest.raises(ValueRangeError, match="not a Paint"):
+        bs.batch("measure", bs.load("blue", bs.Paint), tmp_path)  # type: ignore[arg-type]
 
 
 def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
@@ -370,8 +382,31 @@ def test_one_entry_of_a_palette_is_known_by_its_content(paints: Path, tmp_path: 
     assert before.key != after.key
     run_batch(Measure(), [after], tmp_path / "out", hire)
     assert rows_of(tmp_path / "out")[0]["name"] == "Copper"
-    with pytest.raises(FileError, match="no paint '9'"):
-        list_paints([source[:-1] + "9"])
+    done = run_batch(Measure(), list_paints([f"{source[:-1]}Copper", "blue"]), tmp_path / "more", hire)
+    ((_, problem),) = done.problems
+    assert "has no paint with the id 'Copper'; did you mean #7?" in problem
+    assert done.done == 2
+
+
+def test_notes_and_sources_stand_beside_the_results(paints: Path, tmp_path: Path, hire: Hire) -> None:
+    table = paints / "read.csv"
+    table.write_text("name,L15,a15,b15,L45,a45,b45,L110,a110,b110\nHuge,1e9,0,0,1e300,0,0,5,0,0\n")
+    done = run_batch(Measure(), list_paints([table]), tmp_path / "out", hire)
+    assert any("beyond what a paint can have" in text for text in done.notices)
+    (row,) = rows_of(tmp_path / "out")
+    assert row["source"] == str(table)
+    assert "beyond what a paint can have" in row["notes"]
+
+
+def test_results_of_other_batches_are_no_sources_and_are_named(
+    paints: Path, tmp_path: Path, hire: Hire
+) -> None:
+    before = len(list_paints([paints]))
+    out = paints / "out"
+    run_batch(Export("csv"), list_paints([paints]), out, hire)
+    assert len(list_paints([paints])) == before
+    done = run_batch(Fit(), list_paints(["blue"]), out, hire)
+    assert (done.others, done.items) == (before, 1)
 
 
 def test_a_changed_environment_draws_all_anew(tmp_path: Path, hire: Hire) -> None:

@@ -19,7 +19,7 @@ import pytest
 from brdf_suite.batches.items import BatchItem, list_paints
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
-from brdf_suite.batches.workers import local_workers, scheduler_workers
+from brdf_suite.batches.workers import JOB_SYSTEMS, local_workers, scheduler_workers
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
@@ -115,6 +115,56 @@ def test_no_scheduler_is_one_line() -> None:
         scheduler_workers("nonsense://x"),
     ):
         pass
+
+
+def test_an_address_without_a_protocol_is_refused_at_once() -> None:
+    with (
+        pytest.raises(SuiteError, match=r"'foo' is no address of a scheduler; expected tcp"),
+        scheduler_workers("foo"),
+    ):
+        pass
+
+
+@pytest.mark.parametrize("system", sorted(set(JOB_SYSTEMS) - {"local"}))
+def test_a_job_system_that_is_not_configured_says_so(system: str, tmp_path: Path) -> None:
+    words = ("batch", "measure", "blue", "-o", str(tmp_path), "--jobs", system)
+    done = subprocess.run(
+        child_command("brdf_suite.cli.main", *words), capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert done.stderr.splitlines()[-1].startswith(f"brdf-suite: {system}: You must specify how much cores")
+    assert done.stderr.endswith("see dask-jobqueue's configuration file.\n")
+
+
+def test_a_script_without_its_guard_says_what_is_missing(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import brdf_suite as bs\nbs.batch('measure', 'blue', 'out', workers=1)\n", encoding="utf-8"
+    )
+    done = subprocess.run(
+        [sys.executable, str(script)], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert "SuiteError: The workers do not start" in done.stderr
+    assert "A script starts its batch below" in done.stderr.splitlines()[-1]
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="there are no process groups")
+def test_ctrl_c_in_a_terminal_ends_in_one_line(clusters: ModuleType, palette: Path, tmp_path: Path) -> None:
+    words = ("batch", "measure", str(palette), "-o", str(tmp_path / "out"), "--workers", "2", "--group", "1")
+    running = subprocess.Popen(
+        child_command("brdf_suite.cli.main", *words),
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    clusters.wait_until(lambda: len(clusters.lines_of(tmp_path / "out")) >= 3)
+    os.killpg(running.pid, signal.SIGINT)  # as a terminal does: to the workers too
+    _, said = running.communicate(timeout=clusters.PATIENCE_S)
+    assert running.returncode == 130
+    assert "Traceback" not in said
+    assert said.splitlines()[-1] == "brdf-suite: cancelled"
 
 
 def test_memory_is_written_with_its_unit() -> None:

@@ -18,8 +18,8 @@ from pathlib import Path
 from statistics import median
 from time import perf_counter
 
-from brdf_suite.batches.items import BatchItem, list_paints
-from brdf_suite.batches.journal import JOURNAL, Finished, Journal
+from brdf_suite.batches.items import JOURNAL, BatchItem, list_paints
+from brdf_suite.batches.journal import Finished, Journal
 from brdf_suite.batches.results import write_results
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import BatchStep, Fit, Measure, Render

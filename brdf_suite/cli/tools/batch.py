@@ -163,6 +163,8 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
                 "items": done.items,
                 "done": done.done,
                 "done_before": done.done_before,
+                "other_items": done.others,
+                "notes": list(done.notices),
                 "problems": [{"source": source, "problem": problem} for source, problem in done.problems],
                 "seconds": done.seconds,
             }
@@ -170,6 +172,11 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
         return
     shown = [f"{source}: {problem}" for source, problem in done.problems]
     print_notes(shown[:_MOST_PROBLEMS], "problem")
+    print_notes(done.notices[:_MOST_PROBLEMS])
+    if done.others:
+        print_notes(
+            [f"the folder holds {done.others:,} items of other batches; its table and page are of this one"]
+        )
     more = f"; {len(shown):,} with a problem, all in results.csv" if shown else ""
     before = f", {done.done_before:,} done before" if done.done_before else ""
     print_done(f"{done.folder}: {done.items:,} items{before}, {done.seconds:.1f} s{more}")
