@@ -100,7 +100,6 @@ DIRECT_ACCESS: dict[str, str] = {
     "brdf_suite/processes.py": "the null device, in the place of a standard stream that is closed",
     "brdf_suite/reflectance/live/shader.py": _CHILD,
     "brdf_suite/testing.py": "examples, in a folder of its own",
-    "brdf_suite/acquisition/photographs/reading.py": "maps a file that is open into memory",
     "brdf_suite/acquisition/simulator/folder.py": "photographs that it makes, in an empty folder",
     "brdf_suite/appearance/colour/spectra.py": _SHIPPED,
     "brdf_suite/cli/default_action.py": _CHILD,

@@ -43,6 +43,7 @@ from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.files.exports.model_fit import material_names
+from brdf_suite.files.exports.usd_preview import loss_in_blender
 from brdf_suite.pipeline.material import load_measured, paint_names
 from brdf_suite.reference.bsdfs.translate import translate
 from brdf_suite.reference.mitsuba_modules import mi
@@ -154,7 +155,7 @@ def gltf_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
 
 def usd_in_blender(item: ExportItem, studio: Studio) -> tuple[Floats, float]:
     """Render the USD Preview Surface."""
-    return in_blender(export(item, "usd", studio), studio), fit_coated_facets(item, "usd").on_sphere
+    return in_blender(export(item, "usd", studio), studio), loss_in_blender(item)
 
 
 def openpbr_in_materialx(item: ExportItem, studio: Studio) -> tuple[Floats, float]:

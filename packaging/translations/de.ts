@@ -16596,6 +16596,10 @@ h {hue}°</translation>
         <translation>Der Klarlack ist der eines entworfenen Lacks mit demselben Glanz.</translation>
     </message>
     <message>
+        <source>In Blender, which evaluates the clearcoat otherwise, ΔE00 {0} on a sphere.</source>
+        <translation>In Blender, das den Klarlack anders auswertet, ΔE00 {0} auf einer Kugel.</translation>
+    </message>
+    <message>
         <source>One colour, of a metal or a matt layer, and a roughness under a clearcoat, fitted on a sphere.</source>
         <translation>Eine Farbe, die eines Metalls oder einer matten Schicht, und eine Rauheit unter einem Klarlack, an eine Kugel angepasst.</translation>
     </message>

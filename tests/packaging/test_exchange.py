@@ -13,8 +13,11 @@ import pytest
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.files.exports.coated_facets_fit import fit_coated_facets
 from brdf_suite.files.exports.format import ExportItem
+from brdf_suite.files.exports.usd_preview import loss_in_blender, losses
 from brdf_suite.pipeline.material import load_shipped_paint
+from brdf_suite.reports.handover import item_of
 
 
 @pytest.fixture
@@ -96,3 +99,22 @@ def test_luxcore_draws_the_sphere_where_the_others_do(
     picture, _ = tool.carpaint_in_luxcore(ExportItem(load_shipped_paint("solid_white")), studio)
     tool.check_place("luxcore", disc(tool), picture)
     assert picture[0, 0].tolist() == [0.0, 0.0, 0.0, 0.0]
+
+
+def test_what_is_seen_is_what_is_reported(checkout: Path) -> None:
+    figures = json.loads((checkout / "docs" / "method" / "exchange.json").read_text(encoding="utf-8"))
+    assert len(figures) == 40
+    for name, clients in figures.items():
+        assert set(clients) == {"blender", "luxcore", "usd", "openpbr", "rgl"}, name
+        for client, found in clients.items():
+            near = max(0.5, 0.2 * found["reported"])
+            assert abs(found["seen"] - found["reported"]) <= near, (name, client)
+
+
+def test_usd_states_what_blender_shows_besides() -> None:
+    item = item_of("midnight_blue")
+    there, elsewhere = loss_in_blender(item), fit_coated_facets(item, "usd").on_sphere
+    assert there > elsewhere + 0.4
+    assert f"In Blender, which evaluates the clearcoat otherwise, ΔE00 {there:.1f} on a sphere." in losses(
+        item
+    )

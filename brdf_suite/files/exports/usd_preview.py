@@ -13,6 +13,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import PathLike
@@ -21,18 +22,29 @@ from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.model_fit import Fitted, fitted_losses, material_names
 from brdf_suite.files.exports.sphere import RADIUS_M, unit_sphere
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.instruments.rendered_sphere import sphere_difference
 from brdf_suite.reflectance.renderers.coated_facets import CoatedFacets
 from brdf_suite.release import __version__
 
 _APART_M = 0.25
 
 
+def loss_in_blender(item: ExportItem) -> float:
+    """Return the mean ΔE00 on a sphere as Blender evaluates what is written."""
+    found = fit_coated_facets(item, "usd").model
+    return sphere_difference(item.reflectance, replace(found, in_blender=True))
+
+
 def losses(item: ExportItem) -> tuple[str, ...]:
     """Return what a USD Preview Surface cannot hold of a paint; it is fitted for this."""
-    return fitted_losses(
+    known = fitted_losses(
         item,
         "USD Preview Surface (one colour for every angle, so no change of hue)",
         fit_coated_facets(item, "usd"),
+    )
+    return (
+        *known,
+        f"In Blender, which evaluates the clearcoat otherwise, ΔE00 {loss_in_blender(item):.1f} on a sphere.",
     )
 
 

@@ -15,6 +15,8 @@ is S of f0 = d. Between the two, programs differ: MaterialX, Blender and Pixar's
 | multiple scattering | Kulla and Conty | Turquin | Turquin |
 | width of S | α | √(α² + 2 α_c²) for a coat of α_c | α |
 
+Blender evaluates USD Preview Surface as MaterialX does, but for C, which follows the equations of Fresnel.
+
 A metal rises after Schlick; MaterialX takes a conductor's curve, up to 7 % higher in dark channels. Layers take light
 from those below on the way to the view only, so the models are not reciprocal.
 """
@@ -81,6 +83,8 @@ class CoatedFacets(mixture.MixtureSampled):
         f0 of OpenPBR's dielectric, below 1; the other kinds do without. No lobe where it is 0.
     metal
         Whether USD's colour is that of a metal; the other kinds do without.
+    in_blender
+        Whether USD's coat is evaluated as in Blender.
     """
 
     kind: Kind
@@ -91,6 +95,7 @@ class CoatedFacets(mixture.MixtureSampled):
     coat_alpha: float = 0.002
     grey: float = 0.0
     metal: bool = False
+    in_blender: bool = False
     reciprocal: ClassVar[bool] = False
     energy_conserving: ClassVar[bool] = False
     parameters: ClassVar[Mapping[str, Parameter]] = MappingProxyType({})
@@ -153,9 +158,8 @@ class CoatedFacets(mixture.MixtureSampled):
     @cached_property
     def coat(self) -> RendererLobe:
         """The lobe of the clearcoat, C."""
-        return RendererLobe(
-            self.coat_alpha, 1.0 if self.kind == "usd" else self.coat_ior, COMPENSATIONS[self.kind]
-        )
+        ior = 1.0 if self.kind == "usd" and not self.in_blender else self.coat_ior
+        return RendererLobe(self.coat_alpha, ior, COMPENSATIONS[self.kind])
 
     @property
     def _parts(self) -> list[mixture.MixturePart]:
