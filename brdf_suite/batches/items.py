@@ -176,11 +176,12 @@ def _paints_in(source: str) -> Iterator[BatchItem]:
 def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> list[Path]:
     if not is_folder(str(source)):
         return [source]
+    below = [*source.rglob("*")]
     # Results of other batches are no sources.
-    results = {path.parent for path in source.rglob(JOURNAL)} - {source}
+    results = {path.parent for path in below if path.name == JOURNAL} - {source}
     found = sorted(
         path
-        for path in source.rglob("*")
+        for path in below
         if path.suffix.lower() in endings
         and not any(part.startswith(".") for part in path.relative_to(source).parts)
         and results.isdisjoint(path.parents)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from brdf_suite.batches.items import JOURNAL
+from brdf_suite.batches.items import JOURNAL, BatchItem
 from brdf_suite.batches.steps import Value
 from brdf_suite.documents.atomic import make_folder, sync_folder
 from brdf_suite.errors import FileError
@@ -34,6 +34,11 @@ class Finished:
     files: tuple[str, ...] = ()
     notices: tuple[str, ...] = ()
     problem: str = ""
+
+    @classmethod
+    def failed(cls, item: BatchItem, problem: str) -> Finished:
+        """Return an item of which nothing came."""
+        return cls(item.key, item.label, item.source, {}, notices=item.notices, problem=problem)
 
 
 class Journal:

@@ -198,7 +198,7 @@ class _Run:
                 self._suspects.extend(half for half in (group[:middle], group[middle:]) if half)
                 return []
             item, reason = group[0], f"the process that worked on it ended ({type(error).__name__})"
-            return [Finished(item.key, item.label, item.source, {}, problem=reason)]
+            return [Finished.failed(item, reason)]
 
     def _lost(self) -> SuiteError:
         return SuiteError(

@@ -115,12 +115,8 @@ def _finished(work: Work, item: BatchItem, folder: Path) -> Finished:
     try:
         done = work(item, folder)
     except SuiteError as error:
-        return _failed(item, str(error))
+        return Finished.failed(item, str(error))
     except Exception as error:  # noqa: BLE001 - one bad item must not end a batch of a million
-        return _failed(item, f"{type(error).__name__}: {error}")
+        return Finished.failed(item, f"{type(error).__name__}: {error}")
     notices = (*item.notices, *done.notices)
     return Finished(item.key, item.label, item.source, done.row, done.files, notices)
-
-
-def _failed(item: BatchItem, problem: str) -> Finished:
-    return Finished(item.key, item.label, item.source, {}, notices=item.notices, problem=problem)

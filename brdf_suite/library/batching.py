@@ -91,15 +91,7 @@ def batch(
     }
     if step not in steps:
         raise ValueRangeError("step", f"expected one of {', '.join(get_args(StepName))}, not {step!r}")
-    given = [sources] if isinstance(sources, str | os.PathLike) else sources
-    wrong = (
-        [one for one in given if not isinstance(one, str | os.PathLike)]
-        if isinstance(given, Iterable)
-        else [given]
-    )
-    if wrong:
-        wanted = "expected names, files, palettes and folders"
-        raise ValueRangeError("sources", f"{wanted}, not a {type(wrong[0]).__name__}")
+    given = _names(sources)
     find = list_lights if step == "prefilter" else list_paints
     items = find(given, Path(folder))
     if executor is not None:
@@ -115,3 +107,14 @@ def batch(
         group=group,
         progress=progress,
     )
+
+
+def _names(sources: object) -> list[PathLike]:
+    """Return the sources as a list; raise :class:`ValueRangeError` where one is no name, and no path."""
+    names: list[PathLike] = []
+    for one in sources if isinstance(sources, Iterable) and not isinstance(sources, str) else [sources]:
+        if not isinstance(one, str | os.PathLike):
+            wanted = "expected names, files, palettes and folders"
+            raise ValueRangeError("sources", f"{wanted}, not a {type(one).__name__}")
+        names.append(one)
+    return names

@@ -141,6 +141,7 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             write_atomically(store, encode(figures))
 
     share = min(1.0, minutes / 30.0)
+    long_enough = minutes >= 10.0 or len(options.parts) == 1
     with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as scratch:
         folder = Path(scratch)
         folder.chmod(0o755)
@@ -166,7 +167,7 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             (folder / "cases").mkdir()
             figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
             keep()
-        if "monkey" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+        if "monkey" in options.parts and long_enough:
             say("monkey")
             count = round(options.events * share)
             figures["monkey"] = {
@@ -174,11 +175,11 @@ def run(options: argparse.Namespace) -> dict[str, object]:
                 for name in monkeys.PROGRAMS
             }
             keep()
-        if "link" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+        if "link" in options.parts and long_enough:
             say("link")
             (figures["link"],) = script("link_flood.py", "--seconds", "6")
             keep()
-        if "session" in options.parts and (minutes >= 10.0 or len(options.parts) == 1):
+        if "session" in options.parts and long_enough:
             scale = options.scale or (1.0 if whole else 0.01)
             say(f"session of scale {scale:g}")
             figures["session"] = {"scale": scale, "programs": session(scale)}

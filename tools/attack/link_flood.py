@@ -33,8 +33,8 @@ from PySide6.QtNetwork import QLocalSocket
 
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.pipeline.material import load_shipped_paint
+from tools.attack.report import OLDEST_S, STALL_MS
 
-OLDEST_S, STALL_MS = 0.5, 50.0
 _END = "end"
 
 

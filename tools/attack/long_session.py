@@ -34,8 +34,8 @@ ROOT = Path(__file__).resolve().parents[2]
 EDITS, OPENINGS, LIGHTS = 30_000, 500, 200
 ROUNDS = 20
 """So often a program is looked at."""
-_MOST_GROWTH = 0.10
-_SHORTEST_VERDICT = 0.2
+MOST_GROWTH = 0.10
+SHORTEST_VERDICT = 0.2
 """From this scale on histories and pools of threads are full in the middle, and memory and threads count."""
 _PATIENCE_S = 900.0
 
@@ -250,9 +250,9 @@ def verdict(samples: list[Sample]) -> dict[str, dict[str, Any]]:
 def faults(found: dict[str, dict[str, Any]], scale: float) -> list[str]:
     """Return what has grown beyond what it may."""
     # Memory, and pools of a few threads, are full after a while.
-    late = ("memory_mb", "threads") if scale < _SHORTEST_VERDICT else ("memory_mb",)
+    late = ("memory_mb", "threads") if scale < SHORTEST_VERDICT else ("memory_mb",)
     wrong = [name for name, row in found.items() if name not in late and row["end"] > row["most_before"]]
-    if scale >= _SHORTEST_VERDICT and found["memory_mb"]["growth"] > _MOST_GROWTH:
+    if scale >= SHORTEST_VERDICT and found["memory_mb"]["growth"] > MOST_GROWTH:
         wrong.append("memory_mb")
     return wrong
 

@@ -7,8 +7,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from tools.attack.long_session import MOST_GROWTH, SHORTEST_VERDICT
+
 _BEGIN, _END = "<!-- attack: begin -->", "<!-- attack: end -->"
 _HANG_S = 5.0
+OLDEST_S, STALL_MS = 0.5, 50.0
+"""Bounds of a flood on the link: the age of values at their delivery, and turns of the event loop."""
 _LOOPS = {
     "readers": "damaged inputs of {} readers",
     "changing": "inputs of {} readers that change while they are read",
@@ -88,8 +92,18 @@ def rows(figures: Figures) -> list[Row]:
         one = figures["link"]
         oldest, stall = max(one["oldest_s"], one["last_s"]), one["stall_ms"]
         found += [
-            ("flood on the link: oldest value at its delivery, s", f"{oldest:.2f}", "≤ 0.5", oldest <= 0.5),
-            ("the same: longest stall of the event loop, ms", f"{stall:.0f}", "≤ 50", stall <= 50.0),
+            (
+                "flood on the link: oldest value at its delivery, s",
+                f"{oldest:.2f}",
+                f"≤ {OLDEST_S:g}",
+                oldest <= OLDEST_S,
+            ),
+            (
+                "the same: longest stall of the event loop, ms",
+                f"{stall:.0f}",
+                f"≤ {STALL_MS:g}",
+                stall <= STALL_MS,
+            ),
         ]
     if "session" in figures:
         one = figures["session"]
@@ -97,9 +111,14 @@ def rows(figures: Figures) -> list[Row]:
         grown = sum(name != "memory_mb" for row in one["programs"].values() for name in row["faults"])
         title = f"simulated day of {len(one['programs'])} programs, {100.0 * one['scale']:.0f} %"
         # Before, histories still fill.
-        shown = "≤ 10 %" if one["scale"] >= 0.2 else ""
+        shown = f"≤ {100.0 * MOST_GROWTH:.0f} %" if one["scale"] >= SHORTEST_VERDICT else ""
         found += [
-            (f"{title}: growth of memory", f"{100.0 * growth:+.1f} %", shown, not shown or growth <= 0.1),
+            (
+                f"{title}: growth of memory",
+                f"{100.0 * growth:+.1f} %",
+                shown,
+                not shown or growth <= MOST_GROWTH,
+            ),
             ("the same: growing counts of threads, files, timers, objects", f"{grown}", "0", grown == 0),
         ]
     return found

@@ -89,7 +89,7 @@ class Monkey(QObject):
     def __init__(self, program: Program, seed: str, events: int, answers: Answers, trace: IO[str]) -> None:
         super().__init__()
         self._program, self._seed, self._events = program, seed, events
-        self._rng = random.Random(seed)
+        self._rng: random.Random
         self._answers, self._trace = answers, trace
         self._acting = self._polls = 0
         self._pressed = Qt.MouseButton.NoButton
