@@ -61,6 +61,7 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/paint_design/standard_files.py": "the readers take 60 ms, and few starts read a standard",
     "brdf_suite/plugins.py": "importlib.metadata takes 30 to 90 ms, and few starts read a table of plug-ins",
+    "brdf_suite/processes.py": "multiprocessing takes 10 ms, and only pools need it",
     "brdf_suite/reflectance/blocks.py": "concurrent.futures loads logging, and small calls need no threads",
     "brdf_suite/reflectance/factored/model.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/reflectance/tabulated/scattered.py": "scipy.spatial takes 0.5 s, and only scattered data need it",

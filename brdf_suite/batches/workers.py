@@ -8,18 +8,16 @@ from __future__ import annotations
 import logging
 import os
 import re
-import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from importlib import import_module
-from multiprocessing import resource_tracker
 from typing import Any
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
-from brdf_suite.processes import safe_path_inherited
+from brdf_suite.processes import interrupts_held_back, safe_path_inherited
 
 _ONE_THREAD = dict.fromkeys(
     (
@@ -81,7 +79,7 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
     with safe_path_inherited(), _quiet(distributed), dask.config.set(_settings()):
         try:
-            with _interrupts_held_back():
+            with interrupts_held_back():
                 cluster = distributed.LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
@@ -96,20 +94,6 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
             raise SuiteError(f"The workers do not start: {reason} {_IN_A_SCRIPT}") from error
         with cluster, distributed.Client(cluster) as client:
             yield _workers_of(client)
-
-
-@contextmanager
-def _interrupts_held_back() -> Iterator[None]:
-    """Start threads and processes that Ctrl-C does not reach: this process alone ends them, without tracebacks."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    resource_tracker.ensure_running()  # begun later, it would let interrupts through again
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager

@@ -5,13 +5,11 @@ from __future__ import annotations
 import itertools
 import multiprocessing
 import os
-import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from multiprocessing.synchronize import Event
@@ -23,7 +21,7 @@ from brdf_suite.fitting.basis_search.database import Database
 from brdf_suite.fitting.basis_search.error import BasisError, equation_4
 from brdf_suite.fitting.basis_search.optimize import LARGEST_EXPONENT, LOG_ENDS, Optimum, optimize
 from brdf_suite.fitting.lobes.basis import MOST_LOBES
-from brdf_suite.processes import safe_path_inherited
+from brdf_suite.processes import interrupts_held_back, safe_path_inherited
 from brdf_suite.progress import Progress, report
 
 Exponents = tuple[float, ...]
@@ -85,7 +83,7 @@ class Workers:
         futures: list[Future[Optimum]] = []
         try:
             # The first tasks start the processes, which inherit both.
-            with _interrupt_held(), safe_path_inherited():
+            with interrupts_held_back(), safe_path_inherited():
                 futures = [self._pool.submit(_work, start) for start in starts]
             left = set(futures)
             while left:
@@ -128,19 +126,6 @@ def _work(start: Exponents) -> Optimum:
 def _check() -> None:
     if _stop is not None and _stop.is_set():
         raise Cancelled
-
-
-@contextmanager
-def _interrupt_held() -> Iterator[None]:
-    """Hold Ctrl-C back from the processes that are started meanwhile: it is the parent's to answer."""
-    if not hasattr(signal, "pthread_sigmask"):
-        yield
-        return
-    held = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, held)
 
 
 @dataclass(frozen=True)
