@@ -15,7 +15,7 @@ from brdf_suite.cli.arguments import add_arguments, add_format, add_json, whole_
 from brdf_suite.cli.fit_options import add_basis, add_fitting, parse_basis, parse_fitting
 from brdf_suite.cli.measured.factorize import add_factoring, parse_factoring
 from brdf_suite.cli.measured.measure import APERTURE_HELP, GEOMETRY_HELP
-from brdf_suite.cli.output import print_done, print_json, print_notes, progress_bar
+from brdf_suite.cli.output import print_done, print_json, print_notes, print_problems, progress_bar
 from brdf_suite.cli.picture.scene_options import (
     add_environment_layout,
     add_picture,
@@ -171,7 +171,7 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
         )
         return
     shown = [f"{source}: {problem}" for source, problem in done.problems]
-    print_notes(shown[:_MOST_PROBLEMS], "problem")
+    print_problems(shown[:_MOST_PROBLEMS])
     print_notes(done.notices[:_MOST_PROBLEMS])
     if done.others:
         print_notes(
