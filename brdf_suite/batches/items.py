@@ -142,7 +142,9 @@ def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[B
         kept.setdefault(item.key, item)
         count[item.key] += 1
     return [
-        replace(item, notices=(*item.notices, f"{item.label} was given {count[key]:,} times; it is done once"))
+        replace(
+            item, notices=(*item.notices, f"{item.label} was given {count[key]:,} times; it is done once")
+        )
         if count[key] > 1
         else item
         for key, item in kept.items()

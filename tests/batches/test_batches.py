@@ -76,7 +76,9 @@ def test_items_are_the_paints_below_a_folder_and_each_counts_once(paints: Path) 
     ]
     assert len({item.key for item in items}) == 5
     assert items[1].notices == ("blue.brdfpaint was given 2 times; it is done once",)
-    assert [item.key for item in items] == [item.key for item in list_paints([paints, "blue"])]  # in every run
+    assert [item.key for item in items] == [
+        item.key for item in list_paints([paints, "blue"])
+    ]  # in every run
 
 
 def test_a_paint_has_another_key_once_it_has_changed(paints: Path) -> None:
