@@ -290,6 +290,7 @@ def _work(
     scratch = folder / "files"
     scratch.mkdir()
     os.chdir(scratch)
+    tempfile.tempdir = str(folder)  # what a killed library leaves goes with it
     sys.setrecursionlimit(1000)
     seed.restore(scratch)
     found = outcome(seed.reader, scratch / seed.name)  # imports and caches are not what is limited
