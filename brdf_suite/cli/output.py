@@ -95,10 +95,10 @@ def print_done(*lines: str) -> None:
             print(line)
 
 
-def print_notes(notes: Iterable[str]) -> None:
-    """Print notices on standard error, each on a line that begins with ``note``."""
+def print_notes(notes: Iterable[str], word: str = "note") -> None:
+    """Print notices on standard error, each on a line that begins with ``word``."""
     if not is_quiet():
-        _print_lines("note", notes)
+        _print_lines(word, notes)
 
 
 def print_problems(problems: Iterable[str]) -> None:
