@@ -179,6 +179,12 @@ def test_problems_are_printed_where_only_results_and_errors_are_wanted(
     assert shown.out == ""
 
 
+def test_a_worker_has_one_thread_and_keeps_the_memory_of_arrays() -> None:
+    wanted = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MALLOC_TRIM_THRESHOLD_": str(16 << 20)}
+    with local_workers(1) as workers:
+        assert {name: workers.executor.submit(os.getenv, name).result() for name in wanted} == wanted
+
+
 def test_memory_is_written_with_its_unit() -> None:
     with pytest.raises(SuiteError, match="no amount of memory"), local_workers(1, "much"):
         pass
