@@ -28,7 +28,6 @@ def batch(
     *,
     geometry: str = "six",
     aperture: str = "point",
-    texture: bool = True,
     view: View | None = None,
     size: tuple[int, int] = (640, 360),
     format: str = "cxf",
@@ -49,9 +48,9 @@ def batch(
     Parameters
     ----------
     step
-        ``measure`` (with ``geometry``, ``aperture`` and ``texture``, as of :func:`measure`), ``fit``, ``render`` (with
-        ``view`` and ``size``), ``prefilter`` (sources are environments), ``factorize``, or ``export`` (with
-        ``format``, one of ``names("formats")``).
+        ``measure`` (with ``geometry`` and ``aperture``, as of :func:`measure`), ``fit``, ``render`` (with ``view`` and
+        ``size``), ``prefilter`` (sources are environments), ``factorize``, or ``export`` (with ``format``, one of
+        ``names("formats")``).
     sources
         Names, files, palettes of any format, and folders with all that lies below them.
     folder
@@ -83,7 +82,7 @@ def batch(
     (2, ())
     """
     steps: dict[str, Callable[[], BatchStep]] = {
-        "measure": lambda: Measure(geometry, aperture, texture),
+        "measure": lambda: Measure(geometry, aperture),
         "fit": Fit,
         "render": lambda: Render(view or default_view(), size),
         "prefilter": Prefilter,
