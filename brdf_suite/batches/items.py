@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
@@ -64,7 +65,7 @@ class BatchItem:
     fault
         Why there is nothing to work on; empty otherwise.
     notices
-        What the reading of its palette left out or changed; of a palette's first item.
+        What the reading of its palette left out or changed, with a palette's first item; that it was given repeatedly.
     """
 
     label: str
@@ -135,7 +136,19 @@ def _is_path(folder: Path, text: str) -> bool:
 
 
 def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[BatchItem]:
-    return list({item.key: item for item in items}.values())
+    kept: dict[str, BatchItem] = {}
+    count: Counter[str] = Counter()
+    for item in items:
+        kept.setdefault(item.key, item)
+        count[item.key] += 1
+    return [
+        replace(
+            item, notices=(*item.notices, f"{item.label} was given {count[key]:,} times; it is done once")
+        )
+        if count[key] > 1
+        else item
+        for key, item in kept.items()
+    ]
 
 
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:

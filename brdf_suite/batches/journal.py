@@ -10,7 +10,7 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 from filelock import FileLock, Timeout
@@ -57,7 +57,7 @@ class Journal:
         lines = []
         for one in done:
             self.finished[one.key] = one
-            lines.append(json.dumps({"step": self._step, **asdict(one)}))
+            lines.append(json.dumps({"step": self._step, **vars(one)}))
         try:
             is_new = not self.path.exists()
             with self.path.open("a", encoding="utf-8") as file:

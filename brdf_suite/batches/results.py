@@ -7,6 +7,7 @@ import io
 import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from datetime import datetime
 from html import escape
 from importlib import import_module
 from pathlib import Path
@@ -22,6 +23,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
 from brdf_suite.foreign_text import guard_formula
 from brdf_suite.pipeline.material import document_kind, is_file, load_document
+from brdf_suite.release import __version__
 
 CSV, PARQUET, PALETTE, SUMMARY = "results.csv", "results.parquet", "results.brdfpalette", "summary.html"
 _FIRST = ("item", "source", "problem", "notes")
@@ -139,6 +141,7 @@ def _summary(
         "finished": f"{len(good):,}",
         "with a problem": f"{len(problems):,}",
         "time of the last run": f"{seconds:,.1f} s",
+        "written": f"{datetime.now().astimezone():%Y-%m-%d %H:%M}, by release {__version__}",
     }
     parts = [
         f"<h1>Batch: {escape(step)}</h1>",

@@ -96,6 +96,7 @@ class Measure:
 
     geometry: str = "six"
     aperture: str = "point"
+    texture: bool = True
     name: ClassVar[str] = "measure"
 
     def prepare(self, _progress: Progress | None) -> None:
@@ -109,7 +110,8 @@ class Measure:
 
     def _measure(self, item: BatchItem, _folder: Path) -> Outcome:
         material = load_item(item)
-        report = read_material(material, geometry_set(self.geometry), aperture(self.aperture))
+        geometries, through = geometry_set(self.geometry), aperture(self.aperture)
+        report = read_material(material, geometries, through, texture=self.texture)
         return Outcome(measured_row(material, report), notices=(*material.notices, *report.notices))
 
 

@@ -97,10 +97,20 @@ def print_done(*lines: str) -> None:
 
 def print_notes(notes: Iterable[str], word: str = "note") -> None:
     """Print notices on standard error, each on a line that begins with ``word``."""
-    if sys.stderr is None or is_quiet():  # None where the caller closed it
+    if not is_quiet():
+        _print_lines(word, notes)
+
+
+def print_problems(problems: Iterable[str]) -> None:
+    """Print on standard error what failed while the rest was done, also where only results and errors are wanted."""
+    _print_lines("problem", problems)
+
+
+def _print_lines(word: str, lines: Iterable[str]) -> None:
+    if sys.stderr is None:  # the caller closed it
         return
-    for note in notes:
-        print(f"{word}: {note}", file=sys.stderr)
+    for line in lines:
+        print(f"{word}: {line}", file=sys.stderr)
 
 
 def print_error(error: SuiteError) -> None:

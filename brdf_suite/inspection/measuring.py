@@ -41,13 +41,20 @@ Cell: TypeAlias = str | float | None
 
 
 def read_material(
-    item: Material, geometries: GeometrySet = GEOMETRY_SETS[DEFAULT_SET], through: Aperture = POINT
+    item: Material,
+    geometries: GeometrySet = GEOMETRY_SETS[DEFAULT_SET],
+    through: Aperture = POINT,
+    *,
+    texture: bool = True,
 ) -> InstrumentReport:
     """Return what spectrophotometer, glossmeter and texture instrument read; texture is zeros without flakes.
 
+    Texture takes twenty times as long as the rest; with ``texture`` False it is not read, and is None.
+
     Raises :class:`FittingError`: its values are not finite, or no lobes can be fitted to it.
     """
-    return replace(measure(item.reflectance, geometries, through), texture=texture_of(item))
+    report = measure(item.reflectance, geometries, through)
+    return replace(report, texture=texture_of(item)) if texture else report
 
 
 def measurement_json(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, object]:
@@ -97,7 +104,7 @@ def measured_row(item: Material, report: InstrumentReport, illuminant: str = "D6
     Columns of the usual light are named by the aspecular angle alone; what is not known is None.
     """
     names = [reading.geometry.name.removeprefix("45as") for reading in report.readings]
-    texture, path = report.texture or NO_TEXTURE, report.travel
+    path = report.travel
     row: dict[str, Cell] = {"name": item.name, "source": item.origin}
     for name, reading in zip(names, report.readings, strict=True):
         row |= {f"{axis}_{name}": round(value, 4) for axis, value in zip("Lab", reading.lab, strict=True)}
@@ -113,11 +120,15 @@ def measured_row(item: Material, report: InstrumentReport, illuminant: str = "D6
     travel = (None,) * 3 if path is None else (path.length, path.hue_deg, path.chroma)
     for column, value in zip(("travel_ab", "hue_travel_deg", "chroma_travel"), travel, strict=True):
         row[column] = None if value is None else round(value, 4)
-    for one in texture.sparkle:
-        for part, value in asdict(one).items():
-            if part != "light_deg":
-                row[f"sparkle_{part}_{one.light_deg:g}"] = float(f"{value:.5g}")
-    row["graininess"] = float(f"{texture.graininess:.5g}")
+    texture = report.texture or NO_TEXTURE
+    seen = {
+        f"sparkle_{part}_{one.light_deg:g}": value
+        for one in texture.sparkle
+        for part, value in asdict(one).items()
+        if part != "light_deg"
+    }
+    for column, value in (seen | {"graininess": texture.graininess}).items():
+        row[column] = None if report.texture is None else float(f"{value:.5g}")
     support = {name: one.sample_deg for name, one in zip(names, report.readings, strict=True)}
     support |= {f"G{angle}": value for angle, value in report.gloss_sample_deg.items()}
     return row | {f"nearest_sample_deg_{name}": round(value, 2) for name, value in support.items()}

@@ -28,6 +28,7 @@ def batch(
     *,
     geometry: str = "six",
     aperture: str = "point",
+    texture: bool = True,
     view: View | None = None,
     size: tuple[int, int] = (640, 360),
     format: str = "cxf",
@@ -48,9 +49,9 @@ def batch(
     Parameters
     ----------
     step
-        ``measure`` (with ``geometry`` and ``aperture``, as of :func:`measure`), ``fit``, ``render`` (with ``view`` and
-        ``size``), ``prefilter`` (sources are environments), ``factorize``, or ``export`` (with ``format``, one of
-        ``names("formats")``).
+        ``measure`` (with ``geometry``, ``aperture`` and ``texture``, as of :func:`measure`), ``fit``, ``render`` (with
+        ``view`` and ``size``), ``prefilter`` (sources are environments), ``factorize``, or ``export`` (with
+        ``format``, one of ``names("formats")``).
     sources
         Names, files, palettes of any format, and folders with all that lies below them.
     folder
@@ -82,7 +83,7 @@ def batch(
     (2, ())
     """
     steps: dict[str, Callable[[], BatchStep]] = {
-        "measure": lambda: Measure(geometry, aperture),
+        "measure": lambda: Measure(geometry, aperture, texture),
         "fit": Fit,
         "render": lambda: Render(view or default_view(), size),
         "prefilter": Prefilter,

@@ -55,7 +55,12 @@ _DOCUMENT = re.compile(rb'"format"\s*:\s*"(brdfpaint|brdfpalette)"')
 
 def paint_names() -> list[str]:
     """Return the names of the shipped paints, sorted."""
-    return resource_names("paints", PAINT_ENDING)
+    return list(_shipped_paints())
+
+
+@cache
+def _shipped_paints() -> tuple[str, ...]:
+    return tuple(resource_names("paints", PAINT_ENDING))
 
 
 @cache

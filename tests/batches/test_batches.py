@@ -75,7 +75,10 @@ def test_items_are_the_paints_below_a_folder_and_each_counts_once(paints: Path) 
         "blue",
     ]
     assert len({item.key for item in items}) == 5
-    assert items == list_paints([paints, "blue"])  # the same in every run
+    assert items[1].notices == ("blue.brdfpaint was given 2 times; it is done once",)
+    assert [item.key for item in items] == [
+        item.key for item in list_paints([paints, "blue"])
+    ]  # in every run
 
 
 def test_a_paint_has_another_key_once_it_has_changed(paints: Path) -> None:
@@ -128,6 +131,7 @@ def test_measuring_gives_what_the_library_reads(paints: Path, tmp_path: Path, hi
     blue = next(row for row in rows if row["item"] == "blue.brdfpaint")
     assert [float(blue[f"{axis}_45"]) for axis in "Lab"] == pytest.approx(read.readings[1].lab, abs=1e-4)
     assert float(blue["G20"]) == pytest.approx(read.gloss[20], abs=1e-3)
+    assert float(blue["graininess"]) == pytest.approx(read.texture.graininess, rel=1e-4)
     table = pyarrow.parquet.read_table(out / "results.parquet")
     assert table.num_rows == 4
     assert table["L_45"].to_pylist() == [float(row["L_45"]) for row in rows]
@@ -136,6 +140,15 @@ def test_measuring_gives_what_the_library_reads(paints: Path, tmp_path: Path, hi
     page = (out / "summary.html").read_text(encoding="utf-8")
     assert "Batch: measure" in page
     assert "L_45" in page
+
+
+def test_texture_is_left_out_where_it_is_not_wanted(tmp_path: Path, hire: Hire) -> None:
+    run_batch(Measure("e2194", texture=False), list_paints(["blue"]), tmp_path, hire)
+    (row,) = rows_of(tmp_path)
+    assert row["graininess"] == row["sparkle_grade_45"] == ""
+    assert float(row["L_45"]) == pytest.approx(
+        bs.measure("blue", geometry="e2194", texture=False).lab[1, 0], abs=1e-4
+    )
 
 
 def test_a_fit_writes_the_weights(tmp_path: Path, hire: Hire) -> None:

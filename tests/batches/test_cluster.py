@@ -20,6 +20,7 @@ from brdf_suite.batches.items import BatchItem, list_paints
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
 from brdf_suite.batches.workers import JOB_SYSTEMS, local_workers, scheduler_workers
+from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
@@ -165,6 +166,23 @@ def test_ctrl_c_in_a_terminal_ends_in_one_line(clusters: ModuleType, palette: Pa
     assert running.returncode == 130
     assert "Traceback" not in said
     assert said.splitlines()[-1] == "brdf-suite: cancelled"
+
+
+def test_problems_are_printed_where_only_results_and_errors_are_wanted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    line = ["batch", "measure", "blue", "blue", "none", "-o", str(tmp_path / "out"), "--workers", "1", "-q"]
+    assert main(line) == 1
+    shown = capsys.readouterr()
+    assert shown.err.startswith("problem: none: ")
+    assert shown.err.count("\n") == 1
+    assert shown.out == ""
+
+
+def test_a_worker_has_one_thread_and_keeps_the_memory_of_arrays() -> None:
+    wanted = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MALLOC_TRIM_THRESHOLD_": str(16 << 20)}
+    with local_workers(1) as workers:
+        assert {name: workers.executor.submit(os.getenv, name).result() for name in wanted} == wanted
 
 
 def test_memory_is_written_with_its_unit() -> None:

@@ -430,3 +430,8 @@ def test_a_program_ends_with_the_command_that_started_it(tmp_path: Path) -> None
         _, errors = command.communicate(timeout=120)
         assert command.returncode == 130, errors
     assert not Path(f"/proc/{child}").exists()
+
+
+def test_a_list_of_nothing_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["list", "plugins"]) == 0  # the tests' environment has none
+    assert capsys.readouterr() == ("", "note: there are no plugins\n")

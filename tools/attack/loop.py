@@ -31,6 +31,8 @@ from tools.attack.seeds import Seed
 
 HANG_S = 5.0
 """Of processor time for one input."""
+OUTSIDE_HANG_S = 1.0
+"""The same in a library that has a process of its own, which is ended: that is counted, and is no fault."""
 SILENCE_S = 90.0
 """Of the clock: what waits for something that never comes takes no processor time."""
 SLICE_S = 10.0
@@ -288,6 +290,7 @@ def _work(
     scratch = folder / "files"
     scratch.mkdir()
     os.chdir(scratch)
+    tempfile.tempdir = str(folder)  # what a killed library leaves goes with it
     sys.setrecursionlimit(1000)
     seed.restore(scratch)
     found = outcome(seed.reader, scratch / seed.name)  # imports and caches are not what is limited
@@ -302,12 +305,13 @@ def _work(
     )
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
     begin = _status("VmRSS")
+    limit_s = min(hang_s, OUTSIDE_HANG_S) if seed.reader.outside else hang_s
     with seed.beside(scratch):
         for number in numbers:
             path = seed.write(scratch, run, number)
             _forget_peak()
             before = _status("VmRSS")
-            signal.setitimer(signal.ITIMER_PROF, hang_s)
+            signal.setitimer(signal.ITIMER_PROF, limit_s)
             start = time.process_time()
             result = seed.outcome(path)
             seconds = time.process_time() - start

@@ -60,8 +60,19 @@ def add(command: CommandParser) -> None:
         default="D65",
         help="also the colours under A or F11 (TL84-like): recomputed from spectra where they are known, else adapted",
     )
+    add_no_texture(command)
     add_json(command, csv=True)
     command.set_defaults(run=run)
+
+
+def add_no_texture(command: CommandParser) -> None:
+    """Declare ``--no-texture``."""
+    command.add_argument(
+        "--no-texture",
+        action="store_false",
+        dest="texture",
+        help="do not read sparkle and graininess, which take twenty times as long as the rest",
+    )
 
 
 def add_instrument(command: CommandParser) -> None:
@@ -86,7 +97,7 @@ def run(options: argparse.Namespace) -> int:
         item = load_material(
             what, observer_deg=options.observer, solved_through=through if options.solve else None
         )
-        measured.append(_Measured(item, read_material(item, geometries, through)))
+        measured.append(_Measured(item, read_material(item, geometries, through, texture=options.texture)))
     if options.json:
         answers = [measurement_json(one.item, one.report, options.illuminant) for one in measured]
         print_json(answers[0] if len(answers) == 1 else {"paints": answers})
@@ -129,7 +140,8 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
         for angle, value in report.gloss.items()
     )
     print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
-    _print_texture(report.texture or NO_TEXTURE)
+    if report.texture is not None:
+        _print_texture(report.texture)
     if report.flop is not None:
         print(f"  flop index: {report.flop.value:.2f}")
     if report.travel is not None:

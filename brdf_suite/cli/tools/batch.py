@@ -14,8 +14,8 @@ from brdf_suite.batches.workers import JOB_SYSTEMS, start_workers
 from brdf_suite.cli.arguments import add_arguments, add_format, add_json, whole_number
 from brdf_suite.cli.fit_options import add_basis, add_fitting, parse_basis, parse_fitting
 from brdf_suite.cli.measured.factorize import add_factoring, parse_factoring
-from brdf_suite.cli.measured.measure import APERTURE_HELP, GEOMETRY_HELP
-from brdf_suite.cli.output import print_done, print_json, print_notes, progress_bar
+from brdf_suite.cli.measured.measure import APERTURE_HELP, GEOMETRY_HELP, add_no_texture
+from brdf_suite.cli.output import print_done, print_json, print_notes, print_problems, progress_bar
 from brdf_suite.cli.picture.scene_options import (
     add_environment_layout,
     add_picture,
@@ -47,10 +47,14 @@ def add(command: CommandParser) -> None:
         dest="step", metavar="measure|fit|render|prefilter|factorize|export", required=True
     )
     measure = _step(
-        steps, "measure", "read with the virtual instruments", lambda o: Measure(o.geometry, o.aperture)
+        steps,
+        "measure",
+        "read with the virtual instruments",
+        lambda o: Measure(o.geometry, o.aperture, o.texture),
     )
     measure.add_argument("--geometry", default="six", metavar="NAME", help=GEOMETRY_HELP)
     measure.add_argument("--aperture", default="point", metavar="DEG", help=APERTURE_HELP)
+    add_no_texture(measure)
     measure.examples = ("brdf-suite batch measure blue copper -o measured --workers 1",)
     fit = _step(steps, "fit", "fit the cosine lobes", lambda o: Fit(parse_fitting(o)))
     add_fitting(fit)
@@ -171,7 +175,7 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
         )
         return
     shown = [f"{source}: {problem}" for source, problem in done.problems]
-    print_notes(shown[:_MOST_PROBLEMS], "problem")
+    print_problems(shown[:_MOST_PROBLEMS])
     print_notes(done.notices[:_MOST_PROBLEMS])
     if done.others:
         print_notes(

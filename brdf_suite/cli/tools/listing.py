@@ -10,7 +10,7 @@ from typing import Any
 
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.cli.arguments import USUAL, add_json
-from brdf_suite.cli.output import print_csv, print_json
+from brdf_suite.cli.output import print_csv, print_json, print_notes
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.files import exports, measured, palettes
 from brdf_suite.pipeline.material import paint_titles
@@ -61,6 +61,8 @@ def run(options: argparse.Namespace) -> int:
     for kind, rows in found.items():
         if len(found) > 1:
             print(f"{kind}:")
+        if not rows:
+            print_notes([f"there are no {kind}"])
         width = max((len(str(row["name"])) for row in rows), default=0)
         for row in rows:
             print(

@@ -402,3 +402,17 @@ def test_texture_is_printed_and_exported(asked) -> None:
     assert float(rows[0]["sparkle_grade_45"]) == pytest.approx(texture["sparkle"][1]["grade"], rel=1e-4)
     assert float(rows[0]["graininess"]) == pytest.approx(texture["graininess"], rel=1e-4)
     assert float(rows[1]["graininess"]) == 0.0
+
+
+def test_texture_is_left_out_where_it_is_not_wanted(asked) -> None:
+    status, out, _ = asked("measure", "blue", "--no-texture")
+    assert status == 0
+    assert "texture" not in out
+    read = json.loads(asked("measure", "blue", "--no-texture", "--json")[1])
+    assert read["texture"] is None
+    rows = [
+        next(csv.DictReader(io.StringIO(asked("measure", "blue", "--csv", *more)[1])))
+        for more in ((), ("--no-texture",))
+    ]
+    left_out = {name for name in rows[0] if name.startswith("sparkle_")} | {"graininess"}
+    assert rows[1] == {name: "" if name in left_out else value for name, value in rows[0].items()}

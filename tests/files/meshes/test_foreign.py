@@ -273,6 +273,19 @@ def test_seats_and_trim_of_a_gltf_stay_what_they_are(writers: ModuleType, tmp_pa
     ]
 
 
+@pytest.mark.parametrize("word", ["x", "1.5", "\x88", "&#49;", "<![CDATA[x]]>"])
+def test_indices_of_collada_that_are_no_integers_are_refused_with_their_line(
+    writers: ModuleType, tmp_path: Path, word: str
+) -> None:
+    path = writers.VARIANTS["collada"](1, tmp_path).path
+    head, found, rest = path.read_bytes().partition(b"<p>")
+    assert found
+    line = head.count(b"\n") + 1
+    path.write_bytes(head + found + word.encode("latin-1") + b" " + rest)
+    with pytest.raises(FileError, match=f"the indices <p> in line {line} are no integers"):
+        read_mesh(path)
+
+
 def test_compressed_data_that_announce_too_much_are_refused(writers: ModuleType, tmp_path: Path) -> None:
     path = writers.meshopt_glb(1, tmp_path).path
     data = path.read_bytes()

@@ -91,10 +91,11 @@ def _hostile_names(scene: Scene) -> None:
             for module in WINDOWS if number == 0 else [list(WINDOWS)[number % len(WINDOWS)]]:
                 scene.window(module)
             for line in (["measure", "p.brdfpaint", "--csv"], ["palette", "info", "p.gpl"]):
-                said = scene.start(COMMAND, *line)
-                if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said) or re.search(
-                    r"(?m)(?:^|,)\"?=", said
-                ):
+                if re.search(r"(?m)(?:^|,)\"?=", scene.start(COMMAND, *line)):
+                    scene.fault("an unguarded formula", line)
+                # Another program is given a name as it is.
+                said = scene.show(COMMAND, *line)
+                if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said):
                     scene.fault(f"an unguarded name on the terminal: {said[:200]!r}", line)
         if opened:
             scene.found.local_files_shown += 1

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+import pty
 import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -104,6 +105,27 @@ class Scene:
         elif done.returncode not in _STATUSES or (fails is not None and fails != bool(done.returncode)):
             self.fault(f"status {done.returncode}: {done.stderr[-300:]}", arguments)
         return done.stdout + done.stderr
+
+    def show(self, module: str, *arguments: str) -> str:
+        """Run a module of the suite on a terminal; return what it is shown."""
+        self.found.processes += 1
+        ours, its = pty.openpty()
+        process = subprocess.Popen(
+            child_command(module, *arguments),
+            cwd=self.work,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
+            stdout=its,
+            stderr=its,
+        )
+        os.close(its)
+        said = b""
+        with suppress(OSError):  # how Linux reports that the other end is closed
+            while block := os.read(ours, 1 << 16):
+                said += block
+        os.close(ours)
+        process.wait()
+        return said.decode("utf-8", "replace").replace("\r\n", "\n")
 
     @contextmanager
     def changed(self, variables: Mapping[str, str | None]) -> Iterator[None]:

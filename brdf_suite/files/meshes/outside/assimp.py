@@ -33,6 +33,8 @@ _3MF_UNITS = {
 _3MF_UNIT = re.compile(rb"<[\w:]*model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _NAMED = re.compile(rb"<(?:node|object)\b([^>]{1,4000})>")
 _ATTRIBUTE = re.compile(rb"\b(id|name)\s*=\s*[\"']([^\"']*)[\"']")
+_INDICES = re.compile(rb"<(p|v|vcount)(?:\s[^>]{0,1000})?(?<!/)>([^<]*(?:<!)?)")
+_NO_INTEGER = re.compile(rb"[^\d\s+-]")
 _LONGEST = 1 << 28
 _BASE = (
     assimp_py.Process_Triangulate | assimp_py.Process_SortByPType | assimp_py.Process_JoinIdenticalVertices
@@ -42,6 +44,8 @@ _BASE = (
 def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the triangles of all nodes; ``kind`` is the ending that the content asks for."""
     kind = options["kind"]
+    if kind == "dae":
+        _check_indices(read_bytes(file))
     flags = _BASE | (assimp_py.Process_GlobalScale if kind == "fbx" else 0)
     try:
         scene = assimp_py.import_file(str(named(file, kind)), flags)
@@ -64,6 +68,15 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
         unit = _3MF_UNIT.search(_3mf_model(file))
         return ReadMesh(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
     return ReadMesh(parts, "y", _METRES.get(kind))
+
+
+def _check_indices(text: bytes) -> None:
+    """Refuse a Collada file whose indices are no integers: the library would never come past them."""
+    for found in _INDICES.finditer(text):
+        wrong = _NO_INTEGER.search(found[2])
+        if wrong is not None:
+            line = text.count(b"\n", 0, found.start()) + 1
+            raise Refused(f"damaged: the indices <{found[1].decode()}> in line {line} are no integers")
 
 
 def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> ReadPart | None:
