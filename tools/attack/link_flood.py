@@ -33,7 +33,7 @@ from PySide6.QtNetwork import QLocalSocket
 
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.pipeline.material import load_shipped_paint
-from tools.attack.report import OLDEST_S, STALL_MS
+from tools.attack.bounds import OLDEST_S, STALL_MS
 
 _END = "end"
 

@@ -30,13 +30,14 @@ from statistics import median
 from time import perf_counter, sleep
 from typing import Any
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+
+from tools.attack.bounds import MOST_GROWTH, SHORTEST_VERDICT
+
 ROOT = Path(__file__).resolve().parents[2]
 EDITS, OPENINGS, LIGHTS = 30_000, 500, 200
 ROUNDS = 20
 """So often a program is looked at."""
-MOST_GROWTH = 0.10
-SHORTEST_VERDICT = 0.2
-"""From this scale on histories and pools of threads are full in the middle, and memory and threads count."""
 _PATIENCE_S = 900.0
 
 Sample = dict[str, float]

@@ -26,13 +26,10 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from brdf_suite.documents.atomic import encode, write_atomically
+from tools.attack.bounds import HANG_S, OUTSIDE_HANG_S
 from tools.attack.readers.reader import MEGABYTE, outcome
 from tools.attack.seeds import Seed
 
-HANG_S = 5.0
-"""Of processor time for one input."""
-OUTSIDE_HANG_S = 1.0
-"""The same in a library that has a process of its own, which is ended: that is counted, and is no fault."""
 SILENCE_S = 90.0
 """Of the clock: what waits for something that never comes takes no processor time."""
 SLICE_S = 10.0

@@ -7,12 +7,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from tools.attack.long_session import MOST_GROWTH, SHORTEST_VERDICT
+from tools.attack.bounds import HANG_S, MOST_GROWTH, OLDEST_S, SHORTEST_VERDICT, STALL_MS
 
 _BEGIN, _END = "<!-- attack: begin -->", "<!-- attack: end -->"
-_HANG_S = 5.0
-OLDEST_S, STALL_MS = 0.5, 50.0
-"""Bounds of a flood on the link: the age of values at their delivery, and turns of the event loop."""
 _LOOPS = {
     "readers": "damaged inputs of {} readers",
     "changing": "inputs of {} readers that change while they are read",
@@ -39,7 +36,7 @@ def rows(figures: Figures) -> list[Row]:
             (title.format(len(readers)), f"{total:,}", "", True),
             ("the same: of each reader, at least", f"{least:,}", "", True),
             ("crashes, uncaught exceptions, hangs, over the memory bound", f"{faults:,}", "0", faults == 0),
-            ("slowest input, s of processor time", f"{slowest:.2f}", f"≤ {_HANG_S:g}", slowest <= _HANG_S),
+            ("slowest input, s of processor time", f"{slowest:.2f}", f"≤ {HANG_S:g}", slowest <= HANG_S),
             ("deaths of libraries that have a process of their own", f"{died:,}", "", True),
         ]
     kills = figures.get("kills", {})
@@ -135,8 +132,8 @@ def _monkey_rows(programs: Mapping[str, Any]) -> list[Row]:
         (
             "random events: longest turn, s of processor time",
             f"{slowest:.2f}",
-            f"≤ {_HANG_S:g}",
-            slowest <= _HANG_S,
+            f"≤ {HANG_S:g}",
+            slowest <= HANG_S,
         ),
     ]
 

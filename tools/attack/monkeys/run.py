@@ -26,6 +26,7 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from tools.attack.bounds import HANG_S
 from tools.attack.command_lines import home
 from tools.attack.hostile.file_names import odd_names
 from tools.attack.hostile.scene import Scene, Surroundings
@@ -34,8 +35,6 @@ from tools.attack.seeds import seeds_of
 
 ROOT = Path(__file__).resolve().parents[3]
 PROGRAMS = ("designer", "viewer", "lobes", "swatch")
-HANG_S = 5.0
-"""Of processor time of the main thread, in one turn of the event loop."""
 _STARTS = 20
 """So often a program is started again after it was closed in order."""
 _LAST = 6
