@@ -163,7 +163,8 @@ class HandoverControl(Feature, QObject):
         self._later()
 
     def _later(self) -> None:
-        """Update once the edits pause, and only what is visible."""
+        """Update once the edits pause, and only what is visible; losses of what was before no longer count."""
+        self._tasks.cancel(_LOSSES)
         if self.host.is_seen:
             self._session.at_idle(_LOSSES, self._report)
 

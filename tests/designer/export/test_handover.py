@@ -101,6 +101,18 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     assert not control.section.export.isEnabled()
 
 
+def test_losses_of_formats_that_are_no_longer_ticked_are_not_shown(qtbot, control) -> None:
+    control.section.choose("gltf")
+    control.section.formats_chosen.emit()
+    qtbot.waitUntil(lambda: not control.is_idle)  # a sphere is evaluated for them
+    control.section.choose("csv")
+    control.section.formats_chosen.emit()
+    assert control.is_idle
+    assert not control.section.export.isEnabled()
+    qtbot.waitUntil(control.section.export.isEnabled)
+    assert control.section.losses.text() == "No losses."
+
+
 def test_several_formats_go_to_one_folder_beside_what_is_there(
     qtbot, designer, dialogs, control, tmp_path: Path
 ) -> None:
@@ -187,6 +199,7 @@ def test_the_command_brings_its_tab_to_the_front_with_the_whole_section_in_sight
     window.resize(1100, 700)
     assert window.inspector is window.panel.pages["paint"]
     control = window.findChild(HandoverControl)
+    control.section.choose("csv")
     control.open()
     settled(qtbot, control)
     assert window.inspector is window.panel.pages["export"]
