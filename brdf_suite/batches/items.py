@@ -122,10 +122,12 @@ def sources_in(lines: Iterable[str], folder: Path) -> list[str]:
     sources = []
     for line in lines:
         text = line.strip()
-        if not _is_path(folder, text):
+        found = _is_path(folder, text)
+        if not found and "#" in text:
             text = re.split(r"(?:^|\s)#", text, maxsplit=1)[0].rstrip()
+            found = _is_path(folder, text)
         if text:
-            sources.append(str(folder / text) if _is_path(folder, text) else text)
+            sources.append(str(folder / text) if found else text)
     return sources
 
 

@@ -83,7 +83,7 @@ class Workers:
         futures: list[Future[Optimum]] = []
         try:
             # The first tasks start the processes, which inherit both.
-            with interrupts_held_back(), safe_path_inherited():
+            with safe_path_inherited(), interrupts_held_back():
                 futures = [self._pool.submit(_work, start) for start in starts]
             left = set(futures)
             while left:
