@@ -28,7 +28,9 @@ MEASURED = re.compile(
         )
     )
 )
-MARKED = re.compile(r"<!--figure.*?<!--/-->|<!--table.*?<!--/table-->", re.DOTALL)
+MARKED = re.compile(
+    r"<!--figure.*?<!--/-->|<!--table.*?<!--/table-->|<!-- (\w+): begin -->.*?<!-- \1: end -->", re.DOTALL
+)
 CODE = re.compile(r"^```.*?^```|^    .*?$|`[^`\n]*`|\]\([^)\n]*\)", re.DOTALL | re.MULTILINE)
 HEAD = re.compile(r"\b(?:mean|median|worst|largest|longest|percentile|RMS|SNR|FLIP|ms|MB)\b")
 CELL = re.compile(rf"[<>≤]?\s*-?{NUMBER}(?:{UNIT}|\s(?:ΔE00|%|dB))?")

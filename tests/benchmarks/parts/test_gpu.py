@@ -19,7 +19,7 @@ counts = load_module(Path(__file__).parent / "shader_counts.py")
 
 
 def test_every_case_is_timed() -> None:
-    found = gpu.measure({"small": (48, 27), "wide": (64, 36)}, 1, 12, 40)
+    found = gpu.measure({"small": (48, 27), "wide": (64, 36)}, 1, 12, 120)
     assert set(found) == set(gpu.BOUNDS)
     assert all(value is not None and value > 0.0 for value in found.values())
     assert {tuple(row) for row in gpu.TABLES.values()} == {("small", "wide")}
