@@ -12,8 +12,8 @@ import os
 import runpy
 import signal
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
 OWN_PACKAGES = frozenset(
@@ -106,20 +106,26 @@ def run_module(module: str, arguments: Sequence[str]) -> None:
 
 
 @contextmanager
-def safe_path_inherited() -> Iterator[None]:
+def variables_inherited(variables: Mapping[str, str]) -> Iterator[None]:
+    """Set variables of the environment, which processes started inside the block inherit; restore them after it."""
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
+
+
+def safe_path_inherited() -> AbstractContextManager[None]:
     """Exclude the working folder from ``sys.path`` in processes started by ``multiprocessing`` inside the block.
 
     It builds its command lines itself; the environment is what they can be reached by.
     """
-    before = os.environ.get(_SAFE_PATH)
-    os.environ[_SAFE_PATH] = "1"
-    try:
-        yield
-    finally:
-        if before is None:
-            os.environ.pop(_SAFE_PATH, None)
-        else:
-            os.environ[_SAFE_PATH] = before
+    return variables_inherited({_SAFE_PATH: "1"})
 
 
 @contextmanager

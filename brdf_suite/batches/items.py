@@ -10,7 +10,6 @@ import hashlib
 import json
 import os
 import re
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
@@ -65,7 +64,9 @@ class BatchItem:
     fault
         Why there is nothing to work on; empty otherwise.
     notices
-        What the reading of its palette left out or changed, with a palette's first item; that it was given repeatedly.
+        What the reading of its palette left out or changed, with a palette's first item.
+    times
+        How often the sources hold it; it is done once.
     """
 
     label: str
@@ -74,6 +75,7 @@ class BatchItem:
     entry: bytes = b""
     fault: str = ""
     notices: tuple[str, ...] = ()
+    times: int = 1
 
 
 def load_item(item: BatchItem) -> Material:
@@ -139,18 +141,14 @@ def _is_path(folder: Path, text: str) -> bool:
 
 def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[BatchItem]:
     kept: dict[str, BatchItem] = {}
-    count: Counter[str] = Counter()
     for item in items:
-        kept.setdefault(item.key, item)
-        count[item.key] += 1
-    return [
-        replace(
-            item, notices=(*item.notices, f"{item.label} was given {count[key]:,} times; it is done once")
-        )
-        if count[key] > 1
-        else item
-        for key, item in kept.items()
-    ]
+        before = kept.get(item.key)
+        if before is None:
+            kept[item.key] = item
+        else:
+            notices = tuple(dict.fromkeys((*before.notices, *item.notices)))
+            kept[item.key] = replace(before, notices=notices, times=before.times + 1)
+    return list(kept.values())
 
 
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:

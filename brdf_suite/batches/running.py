@@ -101,7 +101,11 @@ def run_batch(
         report(progress, 1.0, "written")
         done = [(item, journal.finished[item.key]) for item in items]
         problems = tuple((item.source, one.problem) for item, one in done if one.problem)
-        notices = tuple(dict.fromkeys(text for _, one in done for text in one.notices))
+        # How often an item is there is a matter of this run's sources, and not of the journal.
+        repeated = [
+            f"{one.label} is there {one.times:,} times; it is done once" for one in items if one.times > 1
+        ]
+        notices = tuple(dict.fromkeys([*repeated, *(text for _, one in done for text in one.notices)]))
         others = len(journal.others)
     return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds, notices, others)
 

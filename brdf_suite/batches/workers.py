@@ -17,7 +17,7 @@ from typing import Any
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
-from brdf_suite.processes import interrupts_held_back, safe_path_inherited
+from brdf_suite.processes import interrupts_held_back, variables_inherited
 
 _WORKER_VARIABLES = {
     # One worker is one thread, also of Mesa's software renderer.
@@ -79,7 +79,9 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
         limit = dask.utils.parse_bytes(memory) if memory is not None else "auto"
     except ValueError as error:
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
-    with safe_path_inherited(), _quiet(distributed), dask.config.set(_settings()):
+    # Dask sets them in this process too, prefers what it finds there, and leaves them.
+    inherited = variables_inherited(_WORKER_VARIABLES)
+    with inherited, _quiet(distributed), dask.config.set(_settings()):
         try:
             with interrupts_held_back():
                 cluster = distributed.LocalCluster(

@@ -49,7 +49,7 @@ def read_material(
 ) -> InstrumentReport:
     """Return what spectrophotometer, glossmeter and texture instrument read; texture is zeros without flakes.
 
-    Texture takes twenty times as long as the rest; with ``texture`` False it is not read, and is None.
+    Texture takes most of the time of a paint with flakes; with ``texture`` False it is not read, and is None.
 
     Raises :class:`FittingError`: its values are not finite, or no lobes can be fitted to it.
     """

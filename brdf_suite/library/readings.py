@@ -65,7 +65,7 @@ def measure(
     observer_deg
         2 or 10: the observer through which the spectra of a measured file become colour.
     texture
-        Read sparkle and graininess too, which take twenty times as long as the rest; otherwise they are None.
+        Read sparkle and graininess too, which take most of the time of a paint with flakes; otherwise they are None.
 
     Returns
     -------

@@ -75,7 +75,7 @@ def test_items_are_the_paints_below_a_folder_and_each_counts_once(paints: Path) 
         "blue",
     ]
     assert len({item.key for item in items}) == 5
-    assert items[1].notices == ("blue.brdfpaint was given 2 times; it is done once",)
+    assert [item.times for item in items] == [1, 2, 1, 1, 1]
     assert [item.key for item in items] == [
         item.key for item in list_paints([paints, "blue"])
     ]  # in every run
@@ -149,6 +149,26 @@ def test_texture_is_left_out_where_it_is_not_wanted(tmp_path: Path, hire: Hire) 
     assert float(row["L_45"]) == pytest.approx(
         bs.measure("blue", geometry="e2194", texture=False).lab[1, 0], abs=1e-4
     )
+
+
+def test_what_is_there_twice_is_said_of_the_run_that_is_given_it(tmp_path: Path, hire: Hire) -> None:
+    step = Measure("e2194", texture=False)
+    twice = run_batch(step, list_paints(["blue", "blue"]), tmp_path, hire)
+    assert twice.notices == ("blue is there 2 times; it is done once",)
+    assert run_batch(step, list_paints(["blue"]), tmp_path, hire).notices == ()
+    again = run_batch(step, list_paints(["blue", "red", "blue"]), tmp_path, hire)
+    assert again.notices == twice.notices
+    assert again.done_before == 1
+
+
+def test_notices_of_a_palette_stay_where_its_first_paint_is_given_before(tmp_path: Path) -> None:
+    path = tmp_path / "two.gpl"
+    path.write_text("GIMP Palette\n1 2 3 first\n300 2 3 second\n")
+    items = list_paints([path])
+    assert "beyond 0 to 255" in items[0].notices[0]
+    both = list_paints([items[0].label.replace("two.gpl", str(path)), path])
+    assert [item.key for item in both] == [item.key for item in items]
+    assert both[0].notices == items[0].notices
 
 
 def test_a_fit_writes_the_weights(tmp_path: Path, hire: Hire) -> None:

@@ -171,18 +171,30 @@ def test_ctrl_c_in_a_terminal_ends_in_one_line(clusters: ModuleType, palette: Pa
 def test_problems_are_printed_where_only_results_and_errors_are_wanted(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    line = ["batch", "measure", "blue", "blue", "none", "-o", str(tmp_path / "out"), "--workers", "1", "-q"]
+    missing = [f"none {number}" for number in range(23)]
+    line = ["batch", "measure", "blue", "blue", *missing, "-o", str(tmp_path / "out"), "--workers", "1", "-q"]
     assert main(line) == 1
     shown = capsys.readouterr()
-    assert shown.err.startswith("problem: none: ")
-    assert shown.err.count("\n") == 1
+    lines = shown.err.splitlines()
+    assert lines[0].startswith("problem: none 0: ")
+    assert lines[20:] == ["problem: 3 more, all in results.csv"]
     assert shown.out == ""
 
 
-def test_a_worker_has_one_thread_and_keeps_the_memory_of_arrays() -> None:
-    wanted = {"LP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MALLOC_TRIM_THRESHOLD_": str(16 << 20)}
+def test_a_worker_has_one_thread_and_keeps_the_memory_of_arrays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")
+    monkeypatch.setenv("MALLOC_TRIM_THRESHOLD_", "65536")
+    monkeypatch.delenv("LP_NUM_THREADS", raising=False)
+    before = dict(os.environ)
+    wanted = {
+        "LP_NUM_THREADS": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "MALLOC_MMAP_THRESHOLD_": str(32 << 20),
+        "MALLOC_TRIM_THRESHOLD_": str(16 << 20),
+    }
     with local_workers(1) as workers:
         assert {name: workers.executor.submit(os.getenv, name).result() for name in wanted} == wanted
+    assert dict(os.environ) == before
 
 
 def test_memory_is_written_with_its_unit() -> None:

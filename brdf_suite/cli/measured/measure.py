@@ -71,7 +71,7 @@ def add_no_texture(command: CommandParser) -> None:
         "--no-texture",
         action="store_false",
         dest="texture",
-        help="do not read sparkle and graininess, which take twenty times as long as the rest",
+        help="do not read sparkle and graininess, which take most of the time of a paint with flakes",
     )
 
 

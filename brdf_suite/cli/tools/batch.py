@@ -175,7 +175,8 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
         )
         return
     shown = [f"{source}: {problem}" for source, problem in done.problems]
-    print_problems(shown[:_MOST_PROBLEMS])
+    beyond = len(shown) - _MOST_PROBLEMS
+    print_problems(shown[:_MOST_PROBLEMS] + ([f"{beyond:,} more, all in results.csv"] if beyond > 0 else []))
     print_notes(done.notices[:_MOST_PROBLEMS])
     if done.others:
         print_notes(

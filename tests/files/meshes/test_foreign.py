@@ -273,7 +273,7 @@ def test_seats_and_trim_of_a_gltf_stay_what_they_are(writers: ModuleType, tmp_pa
     ]
 
 
-@pytest.mark.parametrize("word", ["x", "1.5", "\x88", "&#49;", "<![CDATA[x]]>"])
+@pytest.mark.parametrize("word", ["x", "1.5", "\x88", "\f", "0\v", "&#49;", "<![CDATA[x]]>"])
 def test_indices_of_collada_that_are_no_integers_are_refused_with_their_line(
     writers: ModuleType, tmp_path: Path, word: str
 ) -> None:
@@ -284,6 +284,20 @@ def test_indices_of_collada_that_are_no_integers_are_refused_with_their_line(
     path.write_bytes(head + found + word.encode("latin-1") + b" " + rest)
     with pytest.raises(FileError, match=f"the indices <p> in line {line} are no integers"):
         read_mesh(path)
+
+
+def test_texts_in_comments_and_extras_of_collada_are_no_indices(writers: ModuleType, tmp_path: Path) -> None:
+    path = writers.VARIANTS["collada"](1, tmp_path).path
+    before = read_mesh(path)
+    head, found, rest = path.read_bytes().partition(b"<library_geometries>")
+    assert found
+    more = b"<!-- <p>none</p> --><extra type='a'><technique profile='b'><p>text</p></technique></extra>"
+    path.write_bytes(
+        head + b"<!-- <p>none</p> -->" + found + rest.replace(b"</COLLADA>", more + b"</COLLADA>")
+    )
+    after = read_mesh(path)
+    assert [part.name for part in after.parts] == [part.name for part in before.parts]
+    assert after.triangle_count == before.triangle_count
 
 
 def test_compressed_data_that_announce_too_much_are_refused(writers: ModuleType, tmp_path: Path) -> None:

@@ -34,7 +34,12 @@ _3MF_UNIT = re.compile(rb"<[\w:]*model\b[^>]*?\bunit\s*=\s*[\"'](\w+)[\"']")
 _NAMED = re.compile(rb"<(?:node|object)\b([^>]{1,4000})>")
 _ATTRIBUTE = re.compile(rb"\b(id|name)\s*=\s*[\"']([^\"']*)[\"']")
 _INDICES = re.compile(rb"<(p|v|vcount)(?:\s[^>]{0,1000})?(?<!/)>([^<]*(?:<!)?)")
-_NO_INTEGER = re.compile(rb"[^\d\s+-]")
+_NO_INTEGER = re.compile(rb"[^0-9 \t\r\n+-]")
+_SKIPPED = (
+    (re.compile(rb"<!--"), re.compile(rb"-->")),
+    (re.compile(rb"<extra(?:\s[^>]{0,1000})?(?<!/)>"), re.compile(rb"</extra\s*>")),
+)
+"""What begins and ends a part of a Collada file that holds no indices, whatever stands in it."""
 _LONGEST = 1 << 28
 _BASE = (
     assimp_py.Process_Triangulate | assimp_py.Process_SortByPType | assimp_py.Process_JoinIdenticalVertices
@@ -59,6 +64,8 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
         node, above = waiting.pop()
         matrix = above @ np.array(node.transformation, np.float64).reshape(4, 4)
         for number in node.mesh_indices:
+            if not 0 <= number < len(scene.meshes):
+                raise Refused("damaged: a node names a mesh that is not there")
             name = names.get(str(node.name), str(node.name))
             part = _part(scene, scene.meshes[number], name, matrix, linear=kind != "3mf")
             if part is not None:
@@ -72,11 +79,22 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
 
 def _check_indices(text: bytes) -> None:
     """Refuse a Collada file whose indices are no integers: the library would never come past them."""
-    for found in _INDICES.finditer(text):
+    for found in _INDICES.finditer(_without_skipped(text)):
         wrong = _NO_INTEGER.search(found[2])
         if wrong is not None:
             line = text.count(b"\n", 0, found.start()) + 1
             raise Refused(f"damaged: the indices <{found[1].decode()}> in line {line} are no integers")
+
+
+def _without_skipped(text: bytes) -> bytes:
+    """Return a Collada file with blanks in place of comments and of other programs' own data, line by line."""
+    data = bytearray(text)
+    for begins, ends in _SKIPPED:
+        at = 0
+        while (first := begins.search(data, at)) and (last := ends.search(data, first.end())):
+            at = last.end()
+            data[first.start() : at] = re.sub(rb"[^\n]", b" ", data[first.start() : at])
+    return bytes(data)
 
 
 def _part(scene: Any, mesh: Any, node: str, matrix: Any, *, linear: bool) -> ReadPart | None:
