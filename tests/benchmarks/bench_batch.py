@@ -2,8 +2,8 @@
 
 Workers are processes of one thread each, also of the software renderer; they are started, and have their scene open,
 before the time is taken. Paints are the shipped ones with small steps in L*. Measures are of colour and gloss; texture
-takes twenty times as long, which would hide what the layer adds. The simulation (`docs/method/scale.md`) has the
-measured costs of this run.
+takes most of the time of a paint with flakes, which would hide what the layer adds. The simulation
+(`docs/method/scale.md`) has the measured costs of this run.
 """
 
 from __future__ import annotations

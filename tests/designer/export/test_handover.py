@@ -7,6 +7,7 @@ import shutil
 import sys
 from dataclasses import replace
 from pathlib import Path
+from threading import Event
 
 import pytest
 from brdf_designer.assembly import Designer
@@ -20,8 +21,10 @@ from PySide6.QtCore import QPoint, Qt
 from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
 from brdf_suite.documents.paint import Gloss
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.paint_design.standard import standard_of
-from brdf_suite.reports.handover import formats, read_paints
+from brdf_suite.reports import handover
+from brdf_suite.reports.handover import format_named, formats, read_paints
 
 
 @pytest.fixture
@@ -101,14 +104,24 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     assert not control.section.export.isEnabled()
 
 
-def test_losses_of_formats_that_are_no_longer_ticked_are_not_shown(qtbot, control) -> None:
+def test_losses_of_formats_that_are_no_longer_ticked_are_not_shown(qtbot, control, monkeypatch) -> None:
+    begun, over = Event(), Event()
+
+    def slow(item: ExportItem) -> tuple[str, ...]:
+        begun.set()
+        over.wait(60.0)
+        return ("slow",)
+
+    known = {"gltf": replace(format_named("gltf"), losses=slow), "csv": format_named("csv")}
+    monkeypatch.setattr(handover, "format_named", known.__getitem__)
     control.section.choose("gltf")
     control.section.formats_chosen.emit()
-    qtbot.waitUntil(lambda: not control.is_idle)  # a sphere is evaluated for them
+    qtbot.waitUntil(begun.is_set)
     control.section.choose("csv")
     control.section.formats_chosen.emit()
     assert control.is_idle
     assert not control.section.export.isEnabled()
+    over.set()
     qtbot.waitUntil(control.section.export.isEnabled)
     assert control.section.losses.text() == "No losses."
 
