@@ -186,11 +186,14 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             keep()
         for part in [name for name in _SHARES if name in options.parts]:
             say(part)
+            progress = None if store is None else store.with_suffix(f".{part}.json")
+            if progress is not None and part in figures and not progress.exists():
+                write_atomically(progress, encode({"run": options.seed, "readers": figures[part]}))
             loop = Loop(
                 _seeds(part, options.only, folder / part),
                 options.seed,
                 round(_SHARES[part] * (options.inputs or 1 << 40)),
-                results=None if store is None else store.with_suffix(f".{part}.json"),
+                results=progress,
                 keep=options.keep,
                 report=say,
             )
@@ -199,6 +202,8 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             finally:
                 figures[part] = {name: asdict(tally) for name, tally in sorted(loop.tallies.items())}
                 keep()
+                if progress is not None:
+                    progress.unlink(missing_ok=True)
     return figures
 
 

@@ -202,7 +202,6 @@ class Loop:
         if status != 0:
             self._ended(worker, tally, status)
         worker.folder.cleanup()
-        tally.done[worker.seed.key] = worker.first + worker.heard
         return worker.seed
 
     def _count(self, worker: _Worker, tally: Tally, line: str) -> None:
@@ -217,7 +216,7 @@ class Loop:
             tally.refused += 1
         else:
             self._fault(worker, tally, result)
-        worker.heard += 1
+        self._advance(worker, tally)
 
     def _ended(self, worker: _Worker, tally: Tally, status: int) -> None:
         """Count the input during which a worker died."""
@@ -239,7 +238,12 @@ class Loop:
             tally.died += 1
         else:
             self._fault(worker, tally, f"{how}; {said}" if said else how)
+        self._advance(worker, tally)
+
+    def _advance(self, worker: _Worker, tally: Tally) -> None:
+        """Count one more input of a worker as read, so that no other run reads it again."""
         worker.heard += 1
+        tally.done[worker.seed.key] = worker.first + worker.heard
 
     def _fault(self, worker: _Worker, tally: Tally, text: str) -> None:
         general = re.sub(r"(?:/[\w.-]+)+/", "", re.sub(r"0x[0-9a-f]+|\d+", "#", text))

@@ -5,8 +5,11 @@ from __future__ import annotations
 import os
 import pty
 import re
+import select
+import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
@@ -100,32 +103,47 @@ class Scene:
         except subprocess.TimeoutExpired:
             self.fault("hangs", arguments)
             return ""
-        if _TRACES.search(done.stderr):
-            self.fault(done.stderr[-400:], arguments)
-        elif done.returncode not in _STATUSES or (fails is not None and fails != bool(done.returncode)):
-            self.fault(f"status {done.returncode}: {done.stderr[-300:]}", arguments)
+        self._judge(done.stderr, done.returncode, fails, arguments)
         return done.stdout + done.stderr
+
+    def _judge(self, said: str, status: int, fails: bool | None, arguments: Sequence[str]) -> None:
+        if _TRACES.search(said):
+            self.fault(said[-400:], arguments)
+        elif status not in _STATUSES or (fails is not None and fails != bool(status)):
+            self.fault(f"status {status}: {said[-300:]}", arguments)
 
     def show(self, module: str, *arguments: str) -> str:
         """Run a module of the suite on a terminal; return what it is shown."""
         self.found.processes += 1
         ours, its = pty.openpty()
-        process = subprocess.Popen(
-            child_command(module, *arguments),
-            cwd=self.work,
-            env=self.environment,
-            stdin=subprocess.DEVNULL,
-            stdout=its,
-            stderr=its,
-        )
-        os.close(its)
-        said = b""
-        with suppress(OSError):  # how Linux reports that the other end is closed
-            while block := os.read(ours, 1 << 16):
-                said += block
-        os.close(ours)
-        process.wait()
-        return said.decode("utf-8", "replace").replace("\r\n", "\n")
+        with os.fdopen(ours, "rb", buffering=0) as terminal:
+            process = subprocess.Popen(
+                child_command(module, *arguments),
+                cwd=self.work,
+                env=self.environment,
+                stdin=subprocess.DEVNULL,
+                stdout=its,
+                stderr=its,
+            )
+            os.close(its)
+            until, said = time.monotonic() + _PATIENCE_S, b""
+            try:
+                with suppress(OSError):  # how Linux reports that the other end is closed
+                    while select.select([terminal], [], [], max(0.0, until - time.monotonic()))[0]:
+                        block = terminal.read(1 << 16)
+                        if not block:
+                            break
+                        said += block
+                process.wait(max(0.0, until - time.monotonic()))
+            except subprocess.TimeoutExpired:
+                self.fault("hangs", arguments)
+            finally:
+                process.kill()
+                process.wait()
+        text = said.decode("utf-8", "replace").replace("\r\n", "\n")
+        if process.returncode != -signal.SIGKILL:
+            self._judge(text, process.returncode, None, arguments)
+        return text
 
     @contextmanager
     def changed(self, variables: Mapping[str, str | None]) -> Iterator[None]:

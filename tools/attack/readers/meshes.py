@@ -31,7 +31,7 @@ from tools.attack.readers.reader import MEGABYTE, Reader, WrongValueError
 
 _OWN_KINDS = ("glb", "gltf", "obj", "stl", "ply")
 _WRITTEN = {
-    "usd": (1, 3, 4, 5, 6),
+    "usd": range(1, 7),
     "fbx": (1, 2),
     "collada": (1,),
     "3mf": (1,),
