@@ -310,6 +310,8 @@ def test_the_limit_can_be_set_and_nonsense_is_reported(
 ) -> None:
     monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "300")
     assert MapCache().limit_bytes == 300_000_000
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "9" * 5000)
+    assert MapCache().limit_bytes > 10**14
     monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "-1 GB")
     with caplog.at_level(logging.WARNING):
         assert MapCache().limit_bytes == 2 * 1024**3

@@ -43,6 +43,7 @@ from brdf_suite.screen import screen_missing
 
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()
+_SCALE = "QT_SCALE_FACTOR"
 
 
 class ErrorRelay(QObject):
@@ -111,6 +112,7 @@ def create_application(
     missing = screen_missing()
     if missing is not None:
         sys.exit(f"{name} cannot open a window: {missing}. `brdf-suite render` needs none.")
+    _check_scale()
     QSurfaceFormat.setDefaultFormat(surface_format())
     QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
     app = SuiteApplication([name, *(argv or [])])
@@ -135,6 +137,18 @@ def create_application(
     atexit.register(qInstallMessageHandler, None)
     _quit_on_signals(app)
     return app
+
+
+def _check_scale() -> None:
+    """Ignore a scale of the user's by which nothing can be drawn: with one below zero no window would ever be shown."""
+    text = os.environ.get(_SCALE)
+    try:
+        good = text is None or 0.0 < float(text) < 100.0
+    except ValueError:
+        good = False
+    if not good:
+        log.warning("%s is %.40r, which is no scale; it is ignored.", _SCALE, text)
+        del os.environ[_SCALE]
 
 
 def process_age_s() -> float:

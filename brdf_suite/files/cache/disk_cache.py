@@ -62,7 +62,7 @@ def default_limit() -> int:
             "%s is %r, not a whole number of megabytes; 2 GiB is the limit.", variables.CACHE_MB, text
         )
         return DEFAULT_LIMIT_BYTES
-    return int(text) * 1_000_000
+    return int(text[:9]) * 1_000_000  # what is longer is beyond every disk
 
 
 @dataclass(frozen=True)

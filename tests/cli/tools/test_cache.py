@@ -29,6 +29,14 @@ def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, di
     return status, json.loads(capsys.readouterr().out)
 
 
+def test_a_cache_whose_name_no_file_system_takes(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / ("x/" * 2100)))
+    for action in ("info", "clear", "verify"):
+        assert answer(capsys, action)[0] == 0
+
+
 def test_an_empty_cache(capsys: pytest.CaptureFixture[str]) -> None:
     assert answer(capsys, "info")[1]["entries"] == []
     assert answer(capsys, "verify") == (
