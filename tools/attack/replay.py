@@ -34,6 +34,8 @@ def replay(folder: Path) -> list[str]:
                     shutil.copy(case, target)
                     name = case.name
                 seeds.append(StoredSeed(readers[own.name], target / name, label=f"{own.name}/{case.name}"))
+        if not seeds:
+            return [*faults, f"{folder} holds no kept file"]
         loop = Loop(seeds, 0, 1)
         loop.run()
         for name, tally in loop.tallies.items():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
@@ -69,6 +68,4 @@ def kept_effects(entry: Entry) -> dict[str, float]:
     except (ValueError, RecursionError):
         return {}
     pairs = found.items() if isinstance(found, dict) else ()
-    return {
-        what: float(value) for what, value in pairs if type(value) in (int, float) and math.isfinite(value)
-    }
+    return {what: float(value) for what, value in pairs if type(value) in (int, float) and abs(value) < 1e300}

@@ -361,6 +361,6 @@ def _ends(value: object) -> dict[int, list[float]]:
         return found
     for name, numbers in value.items():
         is_start = str(name).isdecimal() and isinstance(numbers, list)
-        if is_start and all(type(x) in (int, float) and math.isfinite(x) for x in numbers):
+        if is_start and all(type(x) in (int, float) and abs(x) < 1e300 for x in numbers):
             found[int(name)] = [float(x) for x in numbers]
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import FileError
 from brdf_suite.files.instruments import read_instrument
 from brdf_suite.files.palettes import read_content, read_palette, write_palette
+from brdf_suite.files.palettes.sample_entries import kept_effects
 from brdf_suite.files.samples import SampleFile
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import load_material
@@ -221,6 +223,14 @@ def test_effects_go_into_cxf_and_come_back_once(file: Path, tmp_path: Path) -> N
         dict(back.entries[0].foreign)["instrument.effects"]
         == dict(first.entries[0].foreign)["instrument.effects"]
     )
+
+
+def test_effects_that_are_no_numbers_are_left_out(file: Path, tmp_path: Path) -> None:
+    palette = read_palette(file).palette
+    effects = f'{{"graininess": 3.1, "sparkle": {10**400}, "area": NaN, "grade": "4"}}'
+    entry = replace(palette.entries[0], foreign=(("instrument.effects", effects),))
+    assert kept_effects(entry) == {"graininess": 3.1}
+    write_palette(replace(palette, entries=(entry,)), tmp_path / "again.cxf")
 
 
 def test_files_of_other_kinds_are_no_instrument(tmp_path: Path) -> None:

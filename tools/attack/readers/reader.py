@@ -57,7 +57,9 @@ def outcome(reader: Reader, path: Path) -> str:
         text = str(error)
         if "not enough memory" in text:
             return "over the memory bound, refused"
-        if reader.has_place and isinstance(error, SuiteError) and not getattr(error, "place", None):
+        # That a file is too large is said of the whole of it.
+        placed = getattr(error, "place", None) or "that this format can need" in text
+        if reader.has_place and isinstance(error, SuiteError) and not placed:
             return f"no place in the message {text!r}"[:300]
         # The file's own name may be as long as a system allows.
         own = error.path if isinstance(error, FileError) else ""
