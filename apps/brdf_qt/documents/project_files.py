@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -19,7 +20,7 @@ from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_suite.documents.project import MANIFEST, PROJECT_ENDING, Project, save_project
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.progress import Progress
 
 KEY = "project"
@@ -128,8 +129,9 @@ class ProjectFiles(Feature, QObject):
         if path is None or not self._may_replace(path):
             return
         if opened is None:
-            name = path.name.removesuffix(PROJECT_ENDING) or project.name
-            project = Project(**{**vars(project), "name": name})
+            # A project takes the name of its file, where that can be the name of a project.
+            with suppress(ValueRangeError):
+                project = replace(project, name=path.name.removesuffix(PROJECT_ENDING) or project.name)
         progress, what = self._window.progress, tr("Saving {name}").format(name=path.name)
 
         def moved(fraction: float, file: str) -> None:

@@ -145,6 +145,13 @@ def test_a_new_project_is_called_like_its_file(files, dialogs, tmp_path, qtbot):
     assert (found.name, found.paints) == ("autumn", (BLUE,))
 
 
+@pytest.mark.parametrize("name", ["x" * 230, "autumn\nwinter"])
+def test_a_new_project_whose_file_has_no_name_for_it_keeps_its_own(files, dialogs, tmp_path, qtbot, name):
+    dialogs.path = tmp_path / name
+    write(files, qtbot, "save_project")
+    assert load_project(tmp_path / f"{name}.brdfproject").name == "Untitled"
+
+
 def test_a_missing_file_is_named_and_the_old_project_stays(
     files, dialogs, project, map_file, tmp_path, qtbot
 ):

@@ -72,6 +72,11 @@ _MODIFIERS = (
     Qt.KeyboardModifier.AltModifier,
     Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier,
 )
+_MODIFIER_KEYS = {
+    Qt.KeyboardModifier.ShiftModifier: Qt.Key.Key_Shift,
+    Qt.KeyboardModifier.ControlModifier: Qt.Key.Key_Control,
+    Qt.KeyboardModifier.AltModifier: Qt.Key.Key_Alt,
+}
 _OF_THE_PLATFORM = "This plugin does not support"
 """What Qt's offscreen platform says of itself."""
 _BUTTONS = (*[Qt.MouseButton.LeftButton] * 6, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton)
@@ -355,7 +360,12 @@ def _name(widget: QWidget) -> str:
 
 
 def _strike(handle: QWindow, key: Qt.Key, keys: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
-    """Press and release a key; the press may end the window."""
+    """Press and release a key; the press may end the window, and so may that of a modifier before it."""
+    for modifier, own in _MODIFIER_KEYS.items():
+        if keys & modifier:
+            QTest.keyPress(handle, own)  # QTest itself would go on with a window that is gone
+            if not isValid(handle):
+                return
     QTest.keyPress(handle, key, keys)
     if isValid(handle):
         QTest.keyRelease(handle, key, keys)
