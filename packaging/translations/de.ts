@@ -16980,6 +16980,10 @@ h {hue}°</translation>
         <translation>braucht {0} daneben; diese Datei {1}</translation>
     </message>
     <message>
+        <source>damaged: a node names a mesh that is not there</source>
+        <translation>beschädigt: ein Knoten nennt ein Netz, das nicht vorhanden ist</translation>
+    </message>
+    <message>
         <source>is no material library in the folder of the mesh</source>
         <translation>ist keine Materialbibliothek im Ordner des Netzes</translation>
     </message>

@@ -61,7 +61,7 @@ def run(options: argparse.Namespace) -> int:
     for kind, rows in found.items():
         if len(found) > 1:
             print(f"{kind}:")
-        if not rows:
+        elif not rows:
             print_notes([f"there are no {kind}"])
         width = max((len(str(row["name"])) for row in rows), default=0)
         for row in rows:
