@@ -139,7 +139,7 @@ def _is_path(folder: Path, text: str) -> bool:
     return any(is_file(str(folder / name)) or is_folder(str(folder / name)) for name in names)
 
 
-def _without_repeats(items: Iterator[BatchItem] | Iterable[BatchItem]) -> list[BatchItem]:
+def _without_repeats(items: Iterable[BatchItem]) -> list[BatchItem]:
     kept: dict[str, BatchItem] = {}
     for item in items:
         before = kept.get(item.key)

@@ -26,6 +26,8 @@ _WORKER_VARIABLES = {
     "NUMBA_NUM_THREADS": "1",
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",
+    # Dask's own value, which it sets in this process too.
+    "PYTHONHASHSEED": "6640",
     # No Python file of the working folder is imported.
     "PYTHONSAFEPATH": "1",
     # Of glibc, bytes: it keeps the memory of arrays for the next ones. Giving it back each time takes a quarter of a
@@ -80,7 +82,7 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
     except ValueError as error:
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
     # Dask sets them in this process too, prefers what it finds there, and leaves them.
-    inherited = variables_inherited(_WORKER_VARIABLES)
+    inherited = variables_inherited(_WORKER_VARIABLES | {"__DASK_PARENT_PID": str(os.getpid())})
     with inherited, _quiet(distributed), dask.config.set(_settings()):
         try:
             with interrupts_held_back():

@@ -15,7 +15,6 @@ from brdf_suite.files.cache.disk_cache import CacheEntry
 from brdf_suite.files.meshes.occlusion_cache import occlusion_cache
 from brdf_suite.lighting.lobe_map_cache import PLAIN, MapCache
 from brdf_suite.palettes.swatches.store import SwatchStore
-from brdf_suite.pipeline.material import is_file
 
 
 def add(command: CommandParser) -> None:
@@ -52,7 +51,7 @@ def info(options: argparse.Namespace) -> int:
     rows = [_row(entry) for entry in reversed(cache.entries())]
     baked = occlusion.entries()
     used, baked_bytes = (sum(entry.size for entry in kind.entries()) for kind in (cache, occlusion))
-    number, pictures_bytes = pictures.size() if is_file(str(pictures.path)) else (0, 0)
+    number, pictures_bytes = pictures.size()
     if options.json:
         print_json(
             {
@@ -102,8 +101,8 @@ def clear(options: argparse.Namespace) -> int:
                 kind.folder, f"{_count(failed, 'entry', 'entries')} cannot be removed; is the disk read-only"
             )
         removed.append((len(before), sum(entry.size for entry in before)))
-    pictures_bytes = pictures.size()[1] if is_file(str(pictures.path)) else 0
-    removed.append((pictures.clear() if is_file(str(pictures.path)) else 0, pictures_bytes))
+    pictures_bytes = pictures.size()[1]
+    removed.append((pictures.clear(), pictures_bytes))
     if options.json:
         maps, baked, drawn = ({"removed": number, "freed_bytes": size} for number, size in removed)
         print_json(
@@ -129,7 +128,7 @@ def verify(options: argparse.Namespace) -> int:
     with progress_bar("checking", quiet=options.json) as progress:
         found = cache.verify(remove_damaged=options.remove, progress=progress)
     baked = occlusion.verify(remove_damaged=options.remove)
-    whole, spoilt = pictures.verify(remove=options.remove) if is_file(str(pictures.path)) else (0, 0)
+    whole, spoilt = pictures.verify(remove=options.remove)
     passed = found.passed and baked.passed and not spoilt
     if options.json:
         print_json(

@@ -98,17 +98,17 @@ class SwatchStore:
     def size(self) -> tuple[int, int]:
         """Return how many pictures are kept, and their bytes."""
         with self._lock:
-            return self._try(_counted, (0, 0))
+            return self._look(_counted, (0, 0))
 
     def clear(self) -> int:
         """Remove all pictures; return how many there were."""
         with self._lock:
-            return self._try(_cleared, 0)
+            return self._look(_cleared, 0)
 
     def verify(self, *, remove: bool = False) -> tuple[int, int]:
         """Read every picture; return how many are sound and how many damaged, and ``remove`` those."""
         with self._lock:
-            return self._try(lambda connection: _verified(connection, remove), (0, 0))
+            return self._look(lambda connection: _verified(connection, remove), (0, 0))
 
     def close(self) -> None:
         """Close the file; it is opened again when it is next needed."""
@@ -125,6 +125,14 @@ class SwatchStore:
             with contextlib.suppress(sqlite3.Error):
                 self._connection.close()
         self._connection = None
+
+    def _look(self, work: Callable[[sqlite3.Connection], _T], nothing: _T) -> _T:
+        """Do some work on the file if it is there; none is made."""
+        try:
+            there = self.path.is_file()
+        except OSError:  # no file system takes the name
+            there = False
+        return self._try(work, nothing) if there else nothing
 
     def _try(self, work: Callable[[sqlite3.Connection], _T], nothing: _T) -> _T:
         """Do some work on the file; where it is damaged make it anew, and where that fails do without."""

@@ -6,7 +6,6 @@ import os
 import pty
 import re
 import select
-import signal
 import subprocess
 import sys
 import time
@@ -137,13 +136,12 @@ class Scene:
                 process.wait(max(0.0, until - time.monotonic()))
             except subprocess.TimeoutExpired:
                 self.fault("hangs", arguments)
+            else:
+                self._judge(said.decode("utf-8", "replace"), process.returncode, None, arguments)
             finally:
                 process.kill()
                 process.wait()
-        text = said.decode("utf-8", "replace").replace("\r\n", "\n")
-        if process.returncode != -signal.SIGKILL:
-            self._judge(text, process.returncode, None, arguments)
-        return text
+        return said.decode("utf-8", "replace").replace("\r\n", "\n")
 
     @contextmanager
     def changed(self, variables: Mapping[str, str | None]) -> Iterator[None]:

@@ -49,15 +49,17 @@ _BASE = (
 def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the triangles of all nodes; ``kind`` is the ending that the content asks for."""
     kind = options["kind"]
-    if kind == "dae":
-        _check_indices(read_bytes(file))
+    text = read_bytes(file) if kind == "dae" else b""
+    _check_indices(text)
     flags = _BASE | (assimp_py.Process_GlobalScale if kind == "fbx" else 0)
     try:
         scene = assimp_py.import_file(str(named(file, kind)), flags)
     except (RuntimeError, ValueError, OSError) as error:
         reason = str(error).partition("': ")[2][:160].rstrip(". ") or "no reason is given"
         raise Refused(f"damaged, or of a kind that its library does not read ({reason})") from error
-    names = _names(file, kind)
+    if kind == "3mf":
+        text = _3mf_model(file)
+    names = _names(text, kind)
     parts: list[ReadPart] = []
     waiting = [(scene.root_node, np.eye(4))]
     while waiting:
@@ -72,7 +74,7 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
                 parts.append(part)
         waiting += [(child, matrix) for child in node.children]
     if kind == "3mf":
-        unit = _3MF_UNIT.search(_3mf_model(file))
+        unit = _3MF_UNIT.search(text)
         return ReadMesh(parts, "z", _3MF_UNITS.get(unit[1].decode(), 1e-3) if unit is not None else 1e-3)
     return ReadMesh(parts, "y", _METRES.get(kind))
 
@@ -135,11 +137,8 @@ def _look(material: dict[str, Any], linear: bool) -> dict[str, Any]:
     return fields
 
 
-def _names(file: Path, kind: str) -> dict[str, str]:
+def _names(text: bytes, kind: str) -> dict[str, str]:
     """Return what a Collada or 3MF file calls the things that its library names by their identity alone."""
-    if kind not in ("dae", "3mf"):
-        return {}
-    text = read_bytes(file) if kind == "dae" else _3mf_model(file)
     before = "" if kind == "dae" else "Object_"
     names = {}
     for tag in _NAMED.findall(text):
