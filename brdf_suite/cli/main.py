@@ -16,7 +16,7 @@ from time import perf_counter
 from brdf_suite.cli import default_action
 from brdf_suite.cli.interrupts import interrupts_between_imports
 from brdf_suite.cli.output import print_error
-from brdf_suite.cli.streams import streams, visible_streams
+from brdf_suite.cli.streams import closed_output, streams, visible_streams
 from brdf_suite.command_parser import LOG, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import prepare_streams, run_named_module
@@ -175,7 +175,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return status
     try:
         try:
-            with visible_streams(), interrupts_between_imports():
+            with closed_output(), visible_streams(), interrupts_between_imports():
                 status = _run(given)
         finally:
             if sys.stdout is not None:  # None where the caller closed it

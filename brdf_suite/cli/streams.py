@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import io
 import sys
 from collections.abc import Iterator
@@ -107,11 +108,45 @@ def visible_streams() -> Iterator[None]:
     left as it is: it is data.
     """
     with ExitStack() as stack:
-        if sys.stdout is not None and sys.stdout.isatty():  # None where the caller closed it
+        if sys.stdout.isatty():
             stack.enter_context(redirect_stdout(_Visible(sys.stdout)))
         if sys.stderr is not None:
             stack.enter_context(redirect_stderr(_Visible(sys.stderr)))
         yield
+
+
+@contextmanager
+def closed_output() -> Iterator[None]:
+    """Raise :class:`OSError` after the body if it wrote to standard output, and the caller had closed that."""
+    if sys.stdout is not None:
+        yield
+        return
+    out = _Closed()
+    with redirect_stdout(out):
+        try:
+            yield
+        except SystemExit as end:  # of --help
+            if end.code or not out.is_needed:
+                raise
+    if out.is_needed:
+        raise OSError(errno.EBADF, "standard output is closed")
+
+
+class _Closed(io.TextIOBase):
+    """In place of a standard output that the caller closed."""
+
+    encoding = "utf-8"
+    is_needed = False
+
+    @property
+    def buffer(self) -> Any:
+        """The stream itself, for files on standard output."""
+        return self
+
+    def write(self, content: str | bytes) -> int:
+        """Discard a text or bytes, and store that there were some."""
+        self.is_needed = True
+        return len(content)
 
 
 class _Visible(io.TextIOBase):

@@ -247,10 +247,24 @@ def test_a_reader_that_ends_early_gets_no_traceback() -> None:
     assert done.returncode == 1
 
 
-def test_a_closed_output_is_no_fault() -> None:
-    line = f"exec {shlex.quote(sys.executable)} -m brdf_suite.cli.main measure blue >&-"
-    done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=240, check=False)
+def in_a_shell(words: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    line = f"exec {shlex.quote(sys.executable)} -m brdf_suite.cli.main {words}"
+    return subprocess.run(
+        ["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=240, check=False
+    )
+
+
+@pytest.mark.parametrize(
+    "words", ["measure blue", "fit blue --json", "--help", "-q export blue -o - --format csv"]
+)
+def test_a_result_for_a_closed_output_is_reported_as_lost(words: str, tmp_path: Path) -> None:
+    refused(in_a_shell(f"{words} >&-", tmp_path), "the output cannot be written", "is closed")
+
+
+def test_what_prints_nothing_needs_no_output(tmp_path: Path) -> None:
+    done = in_a_shell("-q export blue -o blue.csv >&-", tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "blue.csv").exists()
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full, a disk that is always full")

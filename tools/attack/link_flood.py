@@ -1,10 +1,11 @@
-"""The live link under a flood: how old the newest value is when it is delivered, and how long the event loop stands.
+"""The live link under a flood: how old the newest value is at its delivery, and how long the event loop stands.
 
     python tools/attack/link_flood.py [--seconds 10] [--kilobytes 4] [--json]
 
 One process writes paints to the link's socket as fast as it takes them; each holds the time at which it was written.
 This process is the hub that they come to. ``oldest_s`` is the largest age of a value at its delivery, ``last_s`` the
-time from the end of the flood to the delivery of its last value, ``stall_ms`` the longest time between two turns of the
+time from the end of the flood to the delivery of its last value, ``newcomer_s`` the time from the start of a link in a
+third process, in the middle of the flood, to its first value, ``stall_ms`` the longest time between two turns of the
 event loop: what the link costs a window, without what the window draws. ``idle_stall_ms`` is the same before the flood:
 what other processes of the machine cost. Status 1 where one is over its bound.
 """
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import sys
 import time
@@ -67,6 +69,37 @@ def flood(name: str, seconds: float, size: int) -> int:
     return app.exec()
 
 
+def join(name: str) -> int:
+    """Connect to the link, and print how long its first value took, in seconds."""
+    app = create_application("Newcomer")
+    link = LiveLink("viewer", name=name)
+    begin = time.monotonic()
+
+    def received(_topic: str, _value: dict[str, Any]) -> None:
+        print(time.monotonic() - begin, flush=True)
+        app.quit()
+
+    link.received.connect(received)
+    link.start()
+    QTimer.singleShot(10_000, app.quit)
+    status = app.exec()
+    link.close()
+    return status
+
+
+def _start(process: QProcess, *words: str) -> None:
+    """Run this program with other words; what it reports as an error is passed on."""
+    process.setProcessChannelMode(QProcess.ProcessChannelMode.ForwardedErrorChannel)
+    process.start(sys.executable, [str(Path(__file__).resolve()), *words])
+
+
+def _printed(process: QProcess) -> float:
+    """Return the number that a process prints last; NaN if there is none."""
+    process.waitForFinished(20_000)
+    said = bytes(process.readAllStandardOutput().data()).decode().split()
+    return float(said[-1]) if said else math.nan
+
+
 def measure(seconds: float, size: int) -> dict[str, float]:
     """Return the figures of one flood."""
     app = create_application("Flood")
@@ -95,28 +128,21 @@ def measure(seconds: float, size: int) -> dict[str, float]:
     every = QTimer()
     every.timeout.connect(turn)
     every.start(0)
-    process = QProcess()
-    process.setProcessChannelMode(QProcess.ProcessChannelMode.ForwardedErrorChannel)
-    words = [
-        str(Path(__file__).resolve()),
-        "--inside",
-        name,
-        "--seconds",
-        str(seconds),
-        "--kilobytes",
-        str(size / 1000),
-    ]
-    QTimer.singleShot(round(500 * seconds), lambda: process.start(sys.executable, words))
+    flooding, newcomer = QProcess(), QProcess()
+    length = ("--seconds", str(seconds), "--kilobytes", str(size / 1000))
+    begin_ms = round(500 * seconds)
+    QTimer.singleShot(begin_ms, lambda: _start(flooding, "--inside", name, *length))
+    QTimer.singleShot(begin_ms + round(200 * seconds), lambda: _start(newcomer, "--newcomer", name))
     QTimer.singleShot(round(1000 * seconds) + 60_000, app.quit)
     app.exec()
-    process.waitForFinished(10_000)
-    said = bytes(process.readAllStandardOutput().data()).decode().split()
+    sent, served_s = _printed(flooding), _printed(newcomer)
     link.close()
     return {
-        "sent": float(said[-1]) if said else 0.0,
+        "sent": sent,
         "delivered": float(len(ages)),
         "oldest_s": max(ages, default=float("inf")),
         "last_s": last[0] if last else float("inf"),
+        "newcomer_s": served_s,
         "stall_ms": 1000.0 * longest[True],
         "idle_stall_ms": 1000.0 * longest[False],
     }
@@ -131,17 +157,21 @@ def main() -> int:
     parser.add_argument("--kilobytes", type=float, default=4.0, help="size of each message")
     parser.add_argument("--json", action="store_true")
     parser.add_argument("--inside", help=argparse.SUPPRESS)
+    parser.add_argument("--newcomer", help=argparse.SUPPRESS)
     options = parser.parse_args()
     size = round(1000 * options.kilobytes)
     if options.inside:
         return flood(options.inside, options.seconds, size)
+    if options.newcomer:
+        return join(options.newcomer)
     found = measure(options.seconds, size)
     print(
         json.dumps(found)
         if options.json
         else "\n".join(f"{key:10} {value:10.3f}" for key, value in found.items())
     )
-    return int(found["oldest_s"] > OLDEST_S or found["last_s"] > OLDEST_S or found["stall_ms"] > STALL_MS)
+    ages = (found["oldest_s"], found["last_s"], found["newcomer_s"])
+    return int(not all(age <= OLDEST_S for age in ages) or found["stall_ms"] > STALL_MS)
 
 
 if __name__ == "__main__":

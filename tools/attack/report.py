@@ -96,6 +96,12 @@ def rows(figures: Figures) -> list[Row]:
                 oldest <= OLDEST_S,
             ),
             (
+                "the same: first value of a newcomer, s",
+                f"{one['newcomer_s']:.2f}",
+                f"≤ {OLDEST_S:g}",
+                one["newcomer_s"] <= OLDEST_S,
+            ),
+            (
                 "the same: longest stall of the event loop, ms",
                 f"{stall:.0f}",
                 f"≤ {STALL_MS:g}",
