@@ -51,7 +51,8 @@ def compute_shader(model: ModelText, wi: Floats, wo: Floats, values: Mapping[str
     for start in range(0, len(wi), BATCH):
         part = slice(start, start + BATCH)
         pairs = np.concatenate((wi[part], wo[part]), axis=1).astype("<f4")
-        out[part] = child_process().compute(model, pairs, values)
+        with np.errstate(invalid="ignore"):  # what a driver makes of 1 / 0 may be a signalling NaN
+            out[part] = child_process().compute(model, pairs, values)
     return out
 
 

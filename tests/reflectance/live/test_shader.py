@@ -54,6 +54,11 @@ def test_values_are_those_of_the_same_formulas() -> None:
     assert glsl.isotropic is python.isotropic is False
 
 
+def test_what_is_no_number_is_black() -> None:
+    signalling = LiveModel.of(text("return vec3(uintBitsToFloat(0x7fa00000u));"))
+    assert not signalling.eval(WI[:100], WO[:100]).any()
+
+
 @pytest.mark.parametrize(
     ("wrong", "line", "words"),
     [
