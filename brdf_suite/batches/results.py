@@ -8,7 +8,6 @@ import json
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
-from html import escape
 from importlib import import_module
 from pathlib import Path
 from statistics import median
@@ -21,7 +20,7 @@ from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Palette
 from brdf_suite.documents.palette_store import entry_from_json, save_palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
-from brdf_suite.foreign_text import guard_formula
+from brdf_suite.foreign_text import escape_html, guard_formula
 from brdf_suite.pipeline.material import document_kind, is_file, load_document
 from brdf_suite.release import __version__
 
@@ -144,7 +143,7 @@ def _summary(
         "written": f"{datetime.now().astimezone():%Y-%m-%d %H:%M}, by release {__version__}",
     }
     parts = [
-        f"<h1>Batch: {escape(step)}</h1>",
+        f"<h1>Batch: {escape_html(step)}</h1>",
         _table(("", ""), list(facts.items())),
     ]
     if problems:
@@ -156,14 +155,14 @@ def _summary(
     pictures = [one for one in good if isinstance(one.row.get("picture"), str)]
     if pictures:
         shown = "".join(
-            f'<figure><img loading="lazy" src="{escape(str(one.row["picture"]))}" alt="">'
-            f"<figcaption>{escape(str(one.row.get('name', one.label)))}</figcaption></figure>"
+            f'<figure><img loading="lazy" src="{escape_html(str(one.row["picture"]))}" alt="">'
+            f"<figcaption>{escape_html(str(one.row.get('name', one.label)))}</figcaption></figure>"
             for one in pictures[:_MOST_SHOWN]
         )
         parts += [f'<h2>Pictures</h2><div class="pictures">{shown}</div>', _rest(len(pictures))]
     files = ", ".join(f'<a href="{name}">{name}</a>' for name in (CSV, PARQUET))
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Batch: {escape(step)}</title>'
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Batch: {escape_html(step)}</title>'
         f"<style>{_STYLE}</style></head><body>{''.join(parts)}<p>All rows: {files}.</p></body></html>\n"
     )
 
@@ -186,12 +185,12 @@ def _rest(count: int) -> str:
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    titles = "".join(f"<th>{escape(text)}</th>" for text in head)
+    titles = "".join(f"<th>{escape_html(text)}</th>" for text in head)
     body = "".join(
         "<tr>"
-        + f"<td>{escape(row[0])}</td>"
+        + f"<td>{escape_html(row[0])}</td>"
         + "".join(
-            f'<td class="{"number" if _is_number(text) else ""}">{escape(text)}</td>' for text in row[1:]
+            f'<td class="{"number" if _is_number(text) else ""}">{escape_html(text)}</td>' for text in row[1:]
         )
         + "</tr>"
         for row in rows

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import cast
 
@@ -18,6 +17,7 @@ from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.palettes.conversions import face_lab
 from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit
+from brdf_suite.foreign_text import escape_html
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.library.subjects import Subject, material_for
 from brdf_suite.palettes.swatches.look import colours_at
@@ -188,7 +188,7 @@ def _chips(palette: Palette) -> Drawing:
     chips = "".join(
         f'<rect x="{side * (k % _IN_A_ROW):g}" y="{side * (k // _IN_A_ROW):g}" width="{side - 2:g}" '
         f'height="{side - 2:g}" rx="2" fill="{lab_to_hex(face_lab(to_paint(entry.content)))}">'
-        f"<title>{escape(entry.name or entry.id)}</title></rect>"
+        f"<title>{escape_html(entry.name or entry.id)}</title></rect>"
         for k, entry in enumerate(shown)
     )
     more = f", of which {len(shown)} are shown" if len(palette) > len(shown) else ""
@@ -202,7 +202,7 @@ def _drawing(title: str, width: float, height: float, shapes: str, strokes: Sequ
     return Drawing(
         title,
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" '
-        f'viewBox="0 0 {width:g} {height:g}" font-family="sans-serif" role="img" aria-label="{escape(title)}">'
+        f'viewBox="0 0 {width:g} {height:g}" font-family="sans-serif" role="img" aria-label="{escape_html(title)}">'
         f'<rect width="{width:g}" height="{height:g}" fill="#ffffff"/>'
         f"{shapes}{''.join(map(stroke_svg, strokes))}</svg>",
     )

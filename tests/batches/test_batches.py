@@ -238,6 +238,14 @@ def test_formulas_in_names_stay_text_in_the_table(tmp_path: Path, hire: Hire) ->
     assert "<img src=y>" not in (tmp_path / "drawn" / "summary.html").read_text(encoding="utf-8")
 
 
+def test_the_page_of_a_batch_shows_what_is_not_seen_in_a_name(tmp_path: Path, hire: Hire) -> None:
+    (tmp_path / "gpj.\u202ea.brdfpaint").write_text("{}")
+    run_batch(Measure(), list_paints([tmp_path / "gpj.\u202ea.brdfpaint"]), tmp_path / "out", hire)
+    page = (tmp_path / "out" / "summary.html").read_text(encoding="utf-8")
+    assert "gpj.[U+202E]a.brdfpaint" in page
+    assert "\u202e" not in page
+
+
 def test_a_cancelled_batch_goes_on_where_it_was(tmp_path: Path, hire: Hire) -> None:
     names = ["blue", "red", "copper", "fine_silver"]
     whole, parts = tmp_path / "whole", tmp_path / "parts"

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import brdf_suite as bs
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.errors import FileError, ValueRangeError
 
 MIRROR = bs.spherical([0.3, 0.8], 0.0), bs.spherical([0.5, 0.2], 3.0)
@@ -246,3 +247,11 @@ def test_a_drawing_is_saved_as_it_is(tmp_path: Path) -> None:
     assert (tmp_path / "fit.svg").read_text(encoding="utf-8") == drawing.svg
     with pytest.raises(FileError, match=r"ends in \.svg"):
         drawing.save(tmp_path / "fit.png")
+
+
+def test_a_drawing_shows_what_is_not_seen_in_a_name() -> None:
+    flat = FlatColour("Blue\u00ad<b>", "RGB", (0.0, 0.0, 1.0), space="sRGB")
+    svg = bs.plot(bs.Palette("Two\u00ad", (bs.Entry(flat),))).svg
+    assert "<title>Blue[U+00AD]&lt;b&gt;</title>" in svg
+    assert 'aria-label="Two[U+00AD]: 1 entry"' in svg
+    assert "\u00ad" not in svg

@@ -349,6 +349,21 @@ def test_a_sheet_of_a_folder_reports_what_cannot_be_read(tmp_path: Path) -> None
         sheet_items(empty)
 
 
+def test_names_on_a_sheet_show_what_is_not_seen(lit: View, tmp_path: Path) -> None:
+    """A folder and a file can be called by names that no paint can have."""
+    seen = []
+    for mark in ("\u202e\u200b", "[U+202E][U+200B]"):
+        folder = tmp_path / f"Sum{mark}"
+        folder.mkdir()
+        save_paint(BLUE, folder / "blue.brdfpaint")
+        (folder / f"aa{mark}.brdfpaint").write_text("{}")
+        made = write_sheet([folder], lit, (240, 30), folder / "sheet.png", 2, form="chips")
+        assert (made.paints, len(made.problems)) == (2, 1)
+        with Image.open(folder / "sheet.png") as sheet:
+            seen.append(np.asarray(sheet))
+    np.testing.assert_array_equal(*seen)
+
+
 def test_a_sheet_as_pages(lit: View, tmp_path: Path) -> None:
     from pypdf import PdfReader
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import make_visible
 from brdf_suite.progress import Progress, report
 from brdf_suite.reports.contact_sheet.pictures import ItemPictures, SheetItem
 from brdf_suite.reports.sheet_text import broken, font_for, shortened
@@ -44,6 +45,7 @@ class SheetLayout:
             *(text for item in items for text in (item.name, item.group, item.problem)),
             _FIGURES,
         ]
+        texts = list(map(make_visible, texts))
         font, missing = font_for(texts, text_px)
         fonts = {
             "text": font,
@@ -97,8 +99,12 @@ class SheetLayout:
 
 
 def wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
-    """Return a text broken into so many lines at most, the last one shortened."""
-    return [shortened(line, font, width) for line in broken(text, font.getlength, width, lines)]
+    """Return a text as it is drawn, broken into so many lines at most, the last one shortened."""
+    return [shortened(line, font, width) for line in broken(make_visible(text), font.getlength, width, lines)]
+
+
+def _on_one_line(text: str, font: Any, width: int) -> str:
+    return shortened(make_visible(text), font, width)
 
 
 _GREY = 119
@@ -130,7 +136,7 @@ class SheetPainter:
         draw = ImageDraw.Draw(image)
         for text, kind, y in lines:
             font = self._layout.fonts[kind]
-            draw.text((MARGIN, y), shortened(text, font, width - 2 * MARGIN), (_BLACK,) * 3, font)
+            draw.text((MARGIN, y), _on_one_line(text, font, width - 2 * MARGIN), (_BLACK,) * 3, font)
         return np.asarray(image)
 
     def _cells(self, row: tuple[SheetItem, ...], paints: int, progress: Progress | None) -> NDArray[np.uint8]:
@@ -145,7 +151,7 @@ class SheetPainter:
             for number, text in enumerate([item.name, *lines]):
                 kind, shade = ("name", _BLACK) if number == 0 else ("text", _SOFT)
                 font = layout.fonts[kind]
-                draw.text((left, y), shortened(text, font, layout.cell[0]), (shade,) * 3, font)
+                draw.text((left, y), _on_one_line(text, font, layout.cell[0]), (shade,) * 3, font)
                 y += layout.line(kind)
             self._done += 1
         return np.asarray(image)
