@@ -68,10 +68,15 @@ def unguard_formula(text: str) -> str:
 
 def guard_cells(row: Mapping[str, object]) -> dict[str, object]:
     """Return a row whose texts are no formulas to a spreadsheet; numbers, also those in texts, stay as they are."""
-    return {name: _guard_text(value) if isinstance(value, str) else value for name, value in row.items()}
+    return {name: guard_cell(value) if isinstance(value, str) else value for name, value in row.items()}
 
 
-def _guard_text(text: str) -> str:
+def guard_cell(text: str) -> str:
+    """Return a cell's text that is no formula to a spreadsheet; a number stays as it is.
+
+    >>> guard_cell("-1.5"), guard_cell("-1+1")
+    ('-1.5', "'-1+1")
+    """
     try:
         float(text)
     except ValueError:

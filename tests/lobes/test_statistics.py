@@ -6,10 +6,13 @@ import csv
 
 import numpy as np
 import pytest
+from brdf_lobe_visualizer.statistics.panel import Column
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QIcon
+from PySide6.QtTest import QTest
 
+from brdf_suite.inspection.figures.text import FigureRow
 from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
@@ -121,6 +124,21 @@ def test_the_table_and_its_cells_are_copied_as_text(two) -> None:
     table.setCurrentIndex(table.figures.index(0, 1))
     table.copy_selected()
     assert QGuiApplication.clipboard().text() == table.figures.text(0, 1)
+
+
+def test_what_is_copied_is_no_formula_and_stays_in_its_cell(two) -> None:
+    first = two.session.subjects[0]
+    two.session.change(first.key, title="=1+1\tgrey\n2")
+    two.numbers.copy()
+    lines = [line.split("\t") for line in QGuiApplication.clipboard().text().splitlines()]
+    assert lines[0] == ["", "unit", "'=1+1 grey 2", "Red"]
+    assert {len(line) for line in lines} == {4}
+    table = two.numbers.panel.table
+    rows = (FigureRow("overview", "@SUM(1)", "", (-0.5,)), FigureRow("overview", "-1+1", "", (None,)))
+    table.figures.show([Column("Grey", QIcon(), stale=False)], rows)
+    table.selectAll()
+    QTest.keyClick(table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert QGuiApplication.clipboard().text() == "'@SUM(1)\t−0.5\n'-1+1\t–"
 
 
 def test_all_figures_are_exported(two, asked, tmp_path) -> None:

@@ -45,6 +45,16 @@ def test_other_programs_get_text_a_colour_and_the_paint() -> None:
     assert not flat.hasFormat(PAINT_MIME)
 
 
+def test_the_table_for_other_programs_is_no_formula_and_comes_back() -> None:
+    entries = [
+        Entry(FlatColour(name, "RGB", (1.0, 0.0, 0.0), space="sRGB"), id=name, code=code)
+        for name, code in (("=1+1", "@7"), ("-Blue", "-7"), ("Red", "+a"))
+    ]
+    data = carry(entries, ["#ff0000"] * 3, "p1", "me")
+    assert data.text().splitlines() == ["#ff0000\t'=1+1\t'@7", "#ff0000\t'-Blue\t-7", "#ff0000\tRed\t'+a"]
+    assert [entry.name for entry in entries_of_text(data.text())] == ["=1+1 @7", "Blue -7", "Red +a"]
+
+
 @pytest.mark.parametrize(
     ("text", "name", "model", "values"),
     [

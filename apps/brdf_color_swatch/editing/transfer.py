@@ -19,6 +19,7 @@ from brdf_suite.documents.palette import Entry, new_id
 from brdf_suite.documents.palette_store import palette_from_json
 from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_any_paint
 from brdf_suite.errors import SuiteError
+from brdf_suite.foreign_text import unguard_formula
 
 _TEXT, _COLOUR, _URIS = "text/plain", "application/x-color", "text/uri-list"
 TAKEN = (MIME, PAINT_MIME, _TEXT, _COLOUR, _URIS)
@@ -132,7 +133,9 @@ def _of_line(line: str) -> Entry | None:
 
 def _flat(line: str, match: re.Match[str], model: str, values: tuple[float, ...], **more: object) -> Entry:
     rest = line[: match.start()] + " " + line[match.end() :]
-    name = " ".join(re.sub(r"[\t;,:|]+", " ", rest).split()).strip(" -–")[:200]
+    # Our own tables guard what a spreadsheet would take for a formula.
+    rest = " ".join(unguard_formula(cell.strip()) for cell in rest.split("\t"))
+    name = " ".join(re.sub(r"[;,:|]+", " ", rest).split()).strip(" -–")[:200]
     name = "".join(character for character in name if character.isprintable())
     return Entry(FlatColour(name or match.group(0), model, values, **more), id=new_id())  # type: ignore[arg-type]  # checked there
 

@@ -37,7 +37,7 @@ from brdf_lobe_visualizer.verdict import DELTA_E_LIMITS, verdict_of
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
-from brdf_suite.foreign_text import make_visible
+from brdf_suite.foreign_text import guard_cell, make_visible
 from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
 
 if TYPE_CHECKING:
@@ -155,7 +155,7 @@ class FiguresTable(QTableView):
     def copy_selected(self) -> None:
         lines: dict[int, list[str]] = {}
         for row, column in sorted({(index.row(), index.column()) for index in self.selectedIndexes()}):
-            lines.setdefault(row, []).append(self.figures.text(row, column))
+            lines.setdefault(row, []).append(guard_cell(self.figures.text(row, column)))
         if lines:
             QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
 

@@ -14,6 +14,7 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette, new_id
 from brdf_suite.documents.palette_store import palette_to_json
 from brdf_suite.documents.store import paint_to_json
+from brdf_suite.foreign_text import guard_cell
 from brdf_suite.palettes.swatches.look import Content, measured_labs
 
 MIME = "application/x-brdf-swatches"
@@ -32,7 +33,7 @@ def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: st
     data.setData(MIME, json.dumps(whole).encode())
     data.setData(SOURCE_MIME, f"{owner}\n{source}".encode("utf-8", "surrogateescape"))
     lines = [
-        "\t".join((colour, entry.name.replace("\t", " "), entry.code)).rstrip()
+        "\t".join((colour, _cell(entry.name), _cell(entry.code))).rstrip()
         for entry, colour in zip(entries, hexes, strict=True)
     ]
     data.setText("\n".join(lines))
@@ -51,3 +52,8 @@ def carry_paint(content: Content, key: str) -> QMimeData:
     if Path(key).is_absolute() and Path(key).is_file():
         data.setUrls([QUrl.fromLocalFile(key)])
     return data
+
+
+def _cell(text: str) -> str:
+    """Return a text as one cell of a table: on one line, and no formula to a spreadsheet."""
+    return guard_cell(" ".join(text.split()))

@@ -85,7 +85,8 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
 
 def figures_text(named: Sequence[Named], groups: Sequence[Group] = GROUPS) -> str:
     """Return the table, or some groups of it, as lines with tabs between the columns, so that sheets take it."""
-    lines = [["", "unit", *(guard_formula(name) for name, _ in named)]]
+    # A tab or a line feed in a name would begin another cell.
+    lines = [["", "unit", *(guard_formula(" ".join(name.split())) for name, _ in named)]]
     lines += [
         [row.name, row.unit, *map(_number, row.values)] for row in figure_rows(named) if row.group in groups
     ]
