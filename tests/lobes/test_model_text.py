@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.model_text.section import WORDS, NumberSlider, decimals_of, to_share, to_value
 from brdf_lobe_visualizer.model_text.starts import STARTS
-from brdf_qt.window.dialogs import Answer
+from brdf_qt.window.dialogs import Answer, Overwrite
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtTest import QTest
@@ -31,6 +33,11 @@ class Dialogs:
         self.answer = Answer.CANCEL
         self.asked: list[str] = []
         self.suggested: Path | None = None
+        self.overwrite = Overwrite.CANCEL
+
+    def changed_file(self, path: Path) -> Overwrite:
+        self.asked.append(f"changed {path.name}")
+        return self.overwrite
 
     def open_path(self, _folder: Path, _filters: str) -> Path | None:
         return self.opened
@@ -248,6 +255,70 @@ def test_a_text_is_saved_opened_and_asked_about(program, models, started, settle
     assert models.panel.editor.toPlainText() == path.read_text(encoding="utf-8")
     assert models.section.rows["base.g"].number.value() == 1.0
     assert path in program.sources.recent()
+
+
+def change_in_another_program(path: Path, text: str) -> None:
+    code = "import pathlib, sys; pathlib.Path(sys.argv[1]).write_text(sys.argv[2], encoding='utf-8')"
+    subprocess.run([sys.executable, "-c", code, str(path), text], check=True)
+
+
+@pytest.mark.parametrize(("language", "ending"), [("python", ".py"), ("glsl", ".brdf")])
+def test_a_text_that_another_program_has_changed_is_asked_about(
+    program, models, opened, settle, tmp_path: Path, language: str, ending: str
+) -> None:
+    path, sign = tmp_path / f"mine{ending}", "#" if language == "python" else "//"
+    path.write_text(STARTS[language], encoding="utf-8")
+    opened(path)
+    models.show_panel()
+    editor = models.panel.editor
+    settle(lambda: editor.toPlainText() == STARTS[language])
+
+    def add_line_and_save(text: str) -> None:
+        editor.moveCursor(editor.textCursor().MoveOperation.End)
+        QTest.keyClick(editor, Qt.Key.Key_Return)
+        QTest.keyClicks(editor, f"{sign} {text}")
+        settle()
+        QTest.keyClick(editor, Qt.Key.Key_S, CTRL)
+
+    add_line_and_save("first")
+    assert models.dialogs.asked == []
+    assert path.read_text(encoding="utf-8") == editor.toPlainText()
+
+    theirs = f"{STARTS[language]}\n{sign} theirs\n"
+    change_in_another_program(path, theirs)
+    add_line_and_save("second")
+    assert models.dialogs.asked == [f"changed mine{ending}"]
+    assert path.read_text(encoding="utf-8") == theirs
+    assert models.panel.file.text().endswith("•")
+
+    models.dialogs.overwrite, models.dialogs.saved = Overwrite.SAVE_AS, tmp_path / f"other{ending}"
+    QTest.keyClick(editor, Qt.Key.Key_S, CTRL)
+    assert path.read_text(encoding="utf-8") == theirs
+    assert models.dialogs.saved.read_text(encoding="utf-8") == editor.toPlainText()
+
+    change_in_another_program(models.dialogs.saved, theirs)
+    models.dialogs.overwrite = Overwrite.OVERWRITE
+    add_line_and_save("third")
+    assert models.dialogs.saved.read_text(encoding="utf-8") == editor.toPlainText()
+    assert len(models.dialogs.asked) == 3
+    # What was written here is no change by another program.
+    add_line_and_save("fourth")
+    assert len(models.dialogs.asked) == 3
+
+
+def test_a_text_that_was_changed_before_its_first_save_is_asked_about(
+    program, models, opened, settle, tmp_path: Path
+) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(STARTS["python"], encoding="utf-8")
+    opened(path)
+    change_in_another_program(path, "# theirs\n")
+    models.show_panel()
+    QTest.keyClicks(models.panel.editor, " ")
+    settle()
+    QTest.keyClick(models.panel.editor, Qt.Key.Key_S, CTRL)
+    assert models.dialogs.asked == ["changed mine.py"]
+    assert path.read_text(encoding="utf-8") == "# theirs\n"
 
 
 def test_a_text_that_was_removed_unsaved_can_be_restored(program, models, started, settle) -> None:

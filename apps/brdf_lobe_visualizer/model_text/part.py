@@ -11,10 +11,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.dialogs import Answer, QtDialogs
+from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -39,10 +40,14 @@ _ENDINGS = {"glsl": ".brdf", "python": ".py"}
 
 @dataclass(eq=False)
 class _Text:
-    """The text of one subject: its document, its file, the subject as it was shown last, and what is wrong in it."""
+    """The text of one subject: its document, its file, the subject as it was shown last, and what is wrong in it.
+
+    ``stamp`` is what the file held as it was read or written here.
+    """
 
     document: QTextDocument
     path: Path | None
+    stamp: FileStamp | None
     subject: PlottedMaterial
     error: Exception | None = None
 
@@ -128,9 +133,17 @@ class Models(Feature, QObject):
             self.show_panel()
 
     def save(self, key: str, *, another: bool = False) -> bool:
-        """Write the text of a subject, where it has no file or with ``another`` to one that is asked for."""
+        """Write the text of a subject, where it has no file or with ``another`` to one that is asked for.
+
+        A file that another program has changed is written over only where the user says so.
+        """
         kept, subject = self._texts[key], self._session.subject(key) or self._texts[key].subject
         path = kept.path
+        if path is not None and not another and is_changed(path, kept.stamp):
+            answer = self.dialogs.changed_file(path)
+            if answer is Overwrite.CANCEL:
+                return False
+            another = answer is Overwrite.SAVE_AS
         if path is None or another:
             language = subject.reflectance.model.language  # type: ignore[attr-defined]  # that of a text
             ending = _ENDINGS[language]
@@ -147,7 +160,7 @@ class Models(Feature, QObject):
             return False
         self._window.dismiss_message("save model")
         renamed = kept.path != path
-        kept.path = path
+        kept.path, kept.stamp = path, stamp_of(path)
         kept.document.setModified(False)
         if renamed and self._session.subject(key) is not None:
             material = replace(subject.material, name=path.name, origin=str(path))
@@ -190,7 +203,7 @@ class Models(Feature, QObject):
             path = Path(front.material.origin) if front.material.origin else None
             document = self.panel.editor.make_document(text)
             document.setModified(False)
-            kept = self._texts[front.key] = _Text(document, path, front)
+            kept = self._texts[front.key] = _Text(document, path, front.stamp, front)
         kept.subject = front
         changes = self.panel.editor.document() is not kept.document
         name = kept.path.name if kept.path is not None else front.title

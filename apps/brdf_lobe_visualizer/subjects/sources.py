@@ -7,9 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.names import title_of
 from brdf_qt.program.translation import tr
@@ -31,6 +33,8 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.isotropy import is_isotropic
+from brdf_suite.reflectance.live.model import LiveModel
+from brdf_suite.reflectance.live.text import LARGEST
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.registry import ENTRIES
@@ -39,6 +43,8 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
+_LARGEST_TEXT_BYTES = 4 * LARGEST
+"""Of a model's text in UTF-8."""
 _SPIKE = 0.1
 """Share of the directions with light below which a reflectance is one narrow lobe."""
 
@@ -70,9 +76,23 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
     report(progress, 0.0, "reading")
     if is_file(asked) and asked not in paint_names() and file_kind(asked) == "palette":
         return _of_palette(asked, progress)
+    # Before the content is read: a change in between is then asked about once too often, never lost.
+    stamp = _text_stamp(Path(asked))
     material = load_material(asked)
     report(progress, 0.7, "checking the values")
-    return Opened((describe(material),), material.name)
+    subject = describe(material)
+    if isinstance(material.reflectance, LiveModel):
+        subject = replace(subject, stamp=stamp)
+    return Opened((subject,), material.name)
+
+
+def _text_stamp(path: Path) -> FileStamp | None:
+    """Return the stamp of a file that may be a model's text; larger ones are not read for it."""
+    try:
+        is_text = path.stat().st_size <= _LARGEST_TEXT_BYTES
+    except (OSError, ValueError):
+        return None  # a name, or reading reports what is wrong with it
+    return stamp_of(path) if is_text else None
 
 
 def _of_palette(path: str, progress: Progress | None) -> Opened:

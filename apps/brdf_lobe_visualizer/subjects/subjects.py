@@ -14,6 +14,8 @@ from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
+    from brdf_qt.documents.stamp import FileStamp
+
     from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Dash = Literal["solid", "dash", "dot", "dash dot", "long dash"]
@@ -51,6 +53,7 @@ class PlottedMaterial:
     - ``samples``: where the data are scattered samples.
     - ``measured``: where a table has holes: separates them from what was measured; None where there are none.
     - ``isotropic``: whether the azimuth of the incidence does not matter.
+    - ``stamp``: of a model's text, what its file held as it was read.
     - ``notes``: what a user should know of it, each a sentence: the material's notices and what its values show.
     """
 
@@ -63,6 +66,7 @@ class PlottedMaterial:
     samples: SamplePoints | None = None
     measured: Measured | None = None
     isotropic: bool = True
+    stamp: FileStamp | None = None
     notes: tuple[str, ...] = ()
 
     @property

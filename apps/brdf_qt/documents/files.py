@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
-from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
@@ -117,8 +117,7 @@ class DocumentFiles(QObject, Generic[T]):
         path = self.store.path
         if path is None:
             return self.save_as()
-        known, present = self.store.stamp, stamp_of(path)
-        if present is not None and (known is None or not known.same_content(present)):
+        if is_changed(path, self.store.stamp):
             answer = self.dialogs.changed_file(path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()

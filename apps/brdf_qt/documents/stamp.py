@@ -50,3 +50,11 @@ def stamp_of(path: Path) -> FileStamp | None:
     except FileError:  # It may still be replaced as a whole; size and time then have to do.
         digest = ""
     return FileStamp(found.st_size, found.st_mtime_ns, digest)
+
+
+def is_changed(path: Path, known: FileStamp | None) -> bool:
+    """Whether a file holds something else than is known of it, so that writing it would lose that; also where nothing
+    is known of it.
+    """
+    present = stamp_of(path)
+    return present is not None and (known is None or not known.same_content(present))
