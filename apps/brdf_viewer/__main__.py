@@ -6,16 +6,17 @@ import argparse
 import dataclasses
 import sys
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 from brdf_qt.program.run import program_parser, run_program
 from brdf_qt.program.settings import settings
 
-from brdf_suite.documents.store import load_view
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.pipeline.material import default_paint_name
 from brdf_suite.pipeline.scene import environment_names, in_environment, name_in_view, surface_names
 from brdf_viewer.controller import ViewerController
+from brdf_viewer.documents.first_view import FirstView
 from brdf_viewer.documents.remembered import recall
 from brdf_viewer.tracing.request import QUALITIES, RENDERERS
 
@@ -74,7 +75,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _make(options: argparse.Namespace) -> ViewerController:
     follow = options.follow or options.paint is None
-    controller = ViewerController(_first_view(options), options.paint or default_paint_name(), follow=follow)
+    reading = FirstView(options.view) if options.view else None
+    adapt = partial(_adapt, options)
+    remembered = recall(settings())
+    view = None if reading is None else reading.wait()
+    first = adapt(remembered if view is None else view)
+    controller = ViewerController(first, options.paint or default_paint_name(), follow=follow)
+    if options.view and view is None:
+        controller.views.open(options.view, adapt)
     if options.spp is not None:
         controller.traced.set_samples(options.spp)
     if options.quality is not None:
@@ -84,17 +92,17 @@ def _make(options: argparse.Namespace) -> ViewerController:
     return controller
 
 
-def _first_view(options: argparse.Namespace) -> View:
+def _adapt(options: argparse.Namespace, view: View) -> View:
+    """Return a view with what other options of the command line ask for."""
     wanted: dict[str, Any] = {
         "environment": options.environment and name_in_view(options.environment, environment_names()),
         "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
     if wanted["environment"]:
         wanted["environment_layout"] = options.layout
-    start = load_view(options.view) if options.view else recall(settings())
     if wanted["environment"]:
-        start = in_environment(start, wanted["environment"])
-    return dataclasses.replace(start, **{k: v for k, v in wanted.items() if v})
+        view = in_environment(view, wanted["environment"])
+    return dataclasses.replace(view, **{k: v for k, v in wanted.items() if v})
 
 
 if __name__ == "__main__":

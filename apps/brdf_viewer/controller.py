@@ -128,7 +128,7 @@ class ViewerController(Program):
         parts = self.state, self.window
         self.camera = CameraControl(*parts)
         self.scene = SceneControl(*parts, self._tasks)
-        self.paint = PaintControl(*parts, self.link, self._tasks, paint, follow=follow)
+        self.paint = PaintControl(*parts, self.link, paint, follow=follow)
         self.surface = SurfaceControl(*parts, self.scene)
         self.relief = ReliefControl(*parts, ask)
         self.seen = SeenParts(*parts)
@@ -140,7 +140,7 @@ class ViewerController(Program):
         self.tone = ToneControl(*parts)
         self.save = PictureExport(*parts, ask_picture, self.tone.grab_srgb)
         self.export = ExportControl(*parts)
-        self.views = ViewFiles(*parts, self._tasks, dialogs)
+        self.views = ViewFiles(*parts, dialogs)
         self.studio = StudioControl(*parts, self.scene, dialogs)
         self.recovered = ViewRecovery(*parts, self.paint, self.studio, self.views)
         self.lighting = LightingControl(*parts)

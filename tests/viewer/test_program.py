@@ -6,18 +6,26 @@ import json
 import os
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
 from brdf_qt.program import theme
 from brdf_qt.program.settings import settings
 from brdf_viewer import __main__ as program
+from brdf_viewer.documents import first_view, view_files
 from brdf_viewer.documents.remembered import recall, remember
+from brdf_viewer.paint import control
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication, QScrollArea
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QScrollArea
 
+from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.store import save_paint, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.errors import FileError
 from brdf_suite.pipeline.scene import default_view
 
 
@@ -190,3 +198,114 @@ def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
     with pytest.raises(SystemExit):
         program.main(arguments)
     assert reported == [("red" if "red" in arguments else "blue", follows)]
+
+
+class Slow:
+    """Holds a reader up until ``go`` is set."""
+
+    def __init__(self, read) -> None:
+        self.go, self.begun, self._read = threading.Event(), threading.Event(), read
+
+    def __call__(self, *given, **named):
+        self.begun.set()
+        assert threading.current_thread() is not threading.main_thread()
+        assert self.go.wait(60.0)
+        return self._read(*given, **named)
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """Hold up the reader of that name in a module."""
+    made = []
+
+    def hold(module, name: str) -> Slow:
+        made.append(Slow(getattr(module, name)))
+        monkeypatch.setattr(module, name, made[-1])
+        return made[-1]
+
+    yield hold
+    for one in made:
+        one.go.set()
+
+
+@pytest.fixture
+def own_paint(tmp_path):
+    path = tmp_path / "mine.brdfpaint"
+    save_paint(solid_paint("Mine", (40.0, 30.0, 20.0)), path)
+    return path
+
+
+@pytest.mark.parametrize("follow", [False, True])
+def test_the_first_paint_is_read_off_the_windows_thread(start, own_paint, slow, follow: bool) -> None:
+    reader = slow(control, "load_document")
+    reader.go.set()
+    viewer = start(paint=str(own_paint), follow=follow)
+    assert viewer.state.fit.name == "Mine"
+    assert viewer.state.paint_key == str(own_paint)
+    assert viewer.controller.paint.following == follow
+
+
+def test_a_slow_first_paint_keeps_no_picture_waiting_and_is_cancelled(start, own_paint, slow, qtbot) -> None:
+    reader = slow(control, "load_document")
+    viewer = start(paint=str(own_paint), wait=False)
+    qtbot.waitUntil(reader.begun.is_set)
+    qtbot.waitUntil(lambda: viewer.state.is_complete)
+    default = viewer.state.fit.name
+    assert default != "Mine"
+    assert not viewer.controller.is_idle
+    strip = viewer.window.progress
+    qtbot.waitUntil(strip.isVisible)
+    assert "Mine" in strip_text(strip) or "mine" in strip_text(strip)
+    button = next(one for one in strip.findChildren(QAbstractButton) if one.isVisible())
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: viewer.controller.paint.is_idle)
+    reader.go.set()
+    qtbot.wait(100)
+    assert viewer.state.fit.name == default
+    # One that is not given up comes in its place.
+    viewer.controller.open_file(str(own_paint))
+    qtbot.waitUntil(lambda: viewer.state.fit.name == "Mine")
+
+
+def test_a_first_paint_that_cannot_be_read_is_reported_with_its_file(start, tmp_path) -> None:
+    path = tmp_path / "bad.brdfpaint"
+    path.write_text("{}")
+    viewer = start(paint=str(path))
+    assert "bad.brdfpaint" in viewer.messages()["paint"]
+    assert viewer.state.fit is not None
+
+
+def test_a_view_of_the_start_that_takes_long_comes_later(lights, tmp_path, slow, qtbot) -> None:
+    path = tmp_path / "late.brdfview"
+    save_view(View(environment=str(lights["bright"]), surface="sphere", exposure_ev=1.5), path)
+    remember(settings(), View(environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle(mode="off")))
+    words = ["blue", "--view", str(path), "--environment", str(lights["dim"])]
+    options = program.parser().parse_args(words)
+    readers = slow(first_view, "load_view"), slow(view_files, "load_view")
+    controller = program._make(options)
+    try:
+        assert controller.state.view.exposure_ev == 0.0
+        assert not controller.views.is_idle
+        for reader in readers:
+            reader.go.set()
+        qtbot.waitUntil(lambda: controller.views.is_idle)
+        assert controller.state.view.exposure_ev == 1.5
+        assert controller.state.view.environment == str(lights["dim"])
+        # In time it is there from the beginning.
+        second = program._make(options)
+        assert second.state.view.exposure_ev == 1.5
+        assert not second.state.history.undo_text
+        second.window.close()
+    finally:
+        controller.window.close()
+
+
+def test_a_view_of_the_start_that_cannot_be_read_is_named(tmp_path) -> None:
+    path = tmp_path / "bad.brdfview"
+    path.write_text("{}")
+    with pytest.raises(FileError, match=r"bad\.brdfview"):
+        program._make(program.parser().parse_args(["--view", str(path)]))
+
+
+def strip_text(strip) -> str:
+    return " ".join(label.text() for label in strip.findChildren(QLabel))

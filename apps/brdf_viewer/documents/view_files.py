@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
-from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
@@ -23,17 +24,18 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 KIND = "view"
+_READERS = 4
 _MESSAGE_MS = 6000
 
 
 class ViewFiles(ViewerFeature):
     """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back."""
 
-    def __init__(
-        self, state: ViewerState, window: ViewerWindow, runner: TaskRunner, dialogs: QtDialogs
-    ) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: QtDialogs) -> None:
         super().__init__(state, window)
-        self._runner, self._dialogs = runner, dialogs
+        self._dialogs = dialogs
+        # Its own: a disk that hangs keeps no light waiting, and a view that was given up none after it.
+        self._runner = TaskRunner(self, threads=_READERS)
         self._is_reading = False
         window.busy_cancelled.connect(self._cancel)
         self._recent = RecentFiles(f"recent/{KIND}")
@@ -50,14 +52,20 @@ class ViewFiles(ViewerFeature):
     def is_idle(self) -> bool:
         return not self._is_reading
 
-    def open(self, path: str) -> None:
-        """Read the view in a file on a thread, and show it."""
+    def open(self, path: str, adapt: Callable[[View], View] | None = None) -> None:
+        """Read the view in a file on a thread, and show it; Save then writes to that file.
+
+        With ``adapt`` what that makes of the view is shown, which has no file.
+        """
         file = Path(path).absolute()
 
         def done(found: tuple[View, FileStamp | None]) -> None:
             self._is_reading = False
-            self.show(found[0])
-            self._take(file, found[1])
+            if adapt is None:
+                self.show(found[0])
+                self._take(file, found[1])
+            else:
+                self.show(adapt(found[0]))
 
         def failed(error: Exception) -> None:
             self._is_reading = False
@@ -66,6 +74,9 @@ class ViewFiles(ViewerFeature):
         self._is_reading = True
         self._window.set_busy(KIND, 0.0, file.name)
         self._run(self._runner, KIND, _read, file, done, failed)
+
+    def close(self) -> None:
+        self._runner.stop()
 
     def _cancel(self, kind: str) -> None:
         if kind == KIND and self._is_reading:
@@ -85,8 +96,7 @@ class ViewFiles(ViewerFeature):
         """Write the view to its file, or ask for one; True where it was written."""
         if self.path is None:
             return self.save_as()
-        present, known = stamp_of(self.path), self._state.history.stamp
-        if present is not None and (known is None or not present.same_content(known)):
+        if is_changed(self.path, self._state.history.stamp):
             answer = self._dialogs.changed_file(self.path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()

@@ -19,6 +19,7 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.fit_error import fit_mark, fit_tips
 from brdf_qt.work.tasks import TaskRunner
+from brdf_qt.work.timer import make_timer
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Palette
@@ -49,6 +50,9 @@ DESIGNER = "designer:"
 """The key of the paint that Designer holds; no file and no shipped paint has a name with a colon at its end."""
 _KEY = "paint"
 _OFFER = "follow"
+_READERS = 4
+_DEFAULT_MS = 250
+"""A first paint that is read for longer is waited for behind the default one."""
 _DESIGNER = "designer"
 """What Designer calls itself on the link."""
 
@@ -57,7 +61,8 @@ class PaintControl(ViewerFeature):
     """Fits Designer's paint while it is followed, else a shipped one or a file, and puts it on the viewer state.
 
     The paint ``first`` is shown until Designer has another one; without ``follow`` it stays, and Designer is offered.
-    One that cannot be read or fitted is reported, and the default one shown.
+    One that cannot be read or fitted is reported, and the default one shown; also until a file that takes a while is
+    read.
     """
 
     def __init__(
@@ -65,15 +70,16 @@ class PaintControl(ViewerFeature):
         state: ViewerState,
         window: ViewerWindow,
         link: LiveLink,
-        runner: TaskRunner,
         first: str,
         *,
         follow: bool,
     ) -> None:
         super().__init__(state, window)
-        self._runner = runner
+        # Its own: a light that is being loaded keeps no paint waiting, nor does a disk that hangs the next file.
+        self._runner = TaskRunner(self, threads=_READERS)
         self._first = first
         self._loading: str | None = None  # by name or file, in the background
+        self._default_soon = make_timer(self, self._show_default_first, _DEFAULT_MS)
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
@@ -101,7 +107,7 @@ class PaintControl(ViewerFeature):
         window.commands.set_paints(self._shipped())
         window.commands.step_requested.connect(self.step)
         window.commands.palette_close.triggered.connect(self._close_palette)
-        window.busy_cancelled.connect(self._cancel)
+        window.busy_cancelled.connect(self._give_up)
         self._list()
         self._show_following()
 
@@ -126,17 +132,24 @@ class PaintControl(ViewerFeature):
         return self._loading is None
 
     def start(self) -> None:
-        file = is_file(self._first) and self._first not in self._names
-        if file and document_kind(self._first) != "paint":
-            self._show_default()  # until the file is read
-            self.open(self._first)
+        if self._first in self._names:
+            self._show_document(self._first)
+            self._show_default_first()
             return
-        self._show_document(self._first)
-        if self._state.fit is None:
-            message = self._window.messages.shown().get(_KEY)
-            self._show_default()
-            if message is not None:
-                self._window.messages.show_message(message)
+        self._load(str(Path(self._first).absolute()) if is_file(self._first) else self._first, is_first=True)
+        # Nothing is drawn without a paint; the light takes longer than this in any case.
+        self._default_soon.start()
+
+    def _show_default_first(self) -> None:
+        """Show the default paint where none is shown yet; a message about the one that was asked for stays."""
+        self._default_soon.stop()
+        if self._state.fit is not None:
+            return
+        message = self._window.messages.shown().get(_KEY)
+        name = default_paint_name()
+        self._fit(load_shipped_paint(name), name)
+        if message is not None:
+            self._window.messages.show_message(message)
 
     def open(self, key: str) -> None:
         """Show a shipped paint or a file, and follow Designer no more."""
@@ -186,10 +199,6 @@ class PaintControl(ViewerFeature):
         if key is not None:
             self.open(key)
 
-    def _show_default(self) -> None:
-        name = default_paint_name()
-        self._show(load_shipped_paint(name), name)
-
     def _show_document(self, key: str) -> None:
         """Show the paint of a name or file; what has no document is loaded in the background."""
         try:
@@ -202,33 +211,44 @@ class PaintControl(ViewerFeature):
         else:
             self._show(document, key)
 
-    def _load(self, key: str, *, is_palette: bool = False) -> None:
-        """Load what a file has in the background; the paint on show stays until it is there."""
+    def _load(self, key: str, *, is_palette: bool = False, is_first: bool = False) -> None:
+        """Load what a file has in the background; the paint on show stays until it is there.
+
+        The first one of a run ends no following of Designer.
+        """
         self._loading = key
         title = title_of(key)
         self._window.set_busy(_KEY, 0.0, title)
-        loaded = partial(self._loaded, key)
+        loaded = partial(self._loaded, key, keeps_following=is_first and self.following)
         request = _Request(key, is_palette, self._state.fitting)
         self._run(self._runner, _KEY, _read, request, loaded, self._not_loaded, f"{title}: ")
 
-    def _loaded(self, key: str, found: _Found) -> None:
+    def _loaded(self, key: str, found: _Found, *, keeps_following: bool) -> None:
         self._cancel(_KEY)
         if found.palette is not None:
             self._recent_palettes.add(key)
             self.go_through(key, found.palette)
             return
-        self.set_following(False)
+        if not keeps_following:
+            self.set_following(False)
         if found.document is not None:
             self._show(found.document, key)
         elif found.fit is not None:
             self._exact.forget()
             self._set_fit(found.fit, key)
-        if is_file(key):
+        if found.is_file:
             self._remember(key)
 
     def _not_loaded(self, error: Exception) -> None:
         self._cancel(_KEY)
         self._complain(error)
+        self._show_default_first()
+
+    def _give_up(self, kind: str) -> None:
+        """Do what the button Cancel says; a picture has a paint also where the first one is given up."""
+        if kind == _KEY and self._loading is not None:
+            self._cancel(kind)
+            self._show_default_first()
 
     def _cancel(self, kind: str) -> None:
         """Give up what is loaded in the background."""
@@ -243,11 +263,18 @@ class PaintControl(ViewerFeature):
         self._list()
 
     def close(self) -> None:
+        self._default_soon.stop()
+        self._runner.stop()
         self.fitter.close()
 
     def _show(self, paint: AnyPaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
+        self._fit(paint, key)
+        # A first paint that cannot be fitted is reported, and the default one shown.
+        self._show_default_first()
+
+    def _fit(self, paint: AnyPaint, key: str) -> None:
         try:
             if isinstance(paint, Paint):
                 fit = self.fitter.fit(paint)
@@ -375,6 +402,7 @@ class _Found:
     palette: Palette | None = None
     document: AnyPaint | None = None
     fit: LobeFit | None = None
+    is_file: bool = False
 
 
 def _read(request: _Request, progress: Progress) -> _Found:
@@ -385,6 +413,7 @@ def _read(request: _Request, progress: Progress) -> _Found:
     if not is_file(key) or document_kind(key) == "paint":
         document = load_document(key)
         if document is not None:
-            return _Found(document=document)
+            return _Found(document=document, is_file=is_file(key))
     material = load_material(key)
-    return _Found(fit=fit_material(material, request.fitting, progress=subrange(progress, 0.1, 1.0)))
+    fit = fit_material(material, request.fitting, progress=subrange(progress, 0.1, 1.0))
+    return _Found(fit=fit, is_file=is_file(key))
