@@ -115,6 +115,12 @@ def walks(qapp, load_helper: Callable[[str], ModuleType]) -> ModuleType:
 
 
 @pytest.fixture(scope="session")
+def press_profile(load_helper: Callable[[str], ModuleType]) -> ModuleType:
+    """A press whose colours are known, and its ICC profile: see ``press_profile.py``."""
+    return load_helper("press_profile.py")
+
+
+@pytest.fixture(scope="session")
 def caches(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Return names of folders, a new one each time, that are made when something is written there."""
     folder = tmp_path_factory.mktemp("own caches")

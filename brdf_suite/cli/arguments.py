@@ -123,6 +123,16 @@ def add_output(
     command.set_defaults(stream=stream, or_last=or_last)
 
 
+def add_cmyk_profile(command: argparse._ActionsContainer) -> None:
+    """Declare ``--cmyk-profile``."""
+    command.add_argument(
+        "--cmyk-profile",
+        metavar="ICC",
+        type=Path,
+        help="the profile of a press, through which colours in CMYK are seen that bring none of their own",
+    )
+
+
 def add_json(command: CommandParser, *, csv: bool = False) -> None:
     """Declare ``--json``, and for a table ``--csv``."""
     form = command.add_mutually_exclusive_group()

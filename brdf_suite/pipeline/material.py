@@ -215,8 +215,17 @@ def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Mater
     )
 
 
-def load_palette_file(path: str | os.PathLike[str]) -> ReadPalette:
-    """Return a palette of any format; raise :class:`FileError` with the place where it cannot be read."""
+def load_palette_file(
+    path: str | os.PathLike[str], *, cmyk_profile: str | os.PathLike[str] | None = None
+) -> ReadPalette:
+    """Return a palette of any format; raise :class:`FileError` with the place where it cannot be read.
+
+    ``cmyk_profile`` is an ICC profile through which colours in CMYK are seen that bring none of their own.
+    """
+    if cmyk_profile is not None:
+        from brdf_suite.files.palettes import read_palette  # see _read_palette
+
+        return read_palette(path, cmyk_profile=cmyk_profile)
     try:
         state = Path(path).stat()
     except (OSError, ValueError):

@@ -13,6 +13,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.cli.arguments import (
     PAINT,
     PAINTS,
+    add_cmyk_profile,
     add_format,
     add_json,
     add_output,
@@ -39,7 +40,14 @@ from brdf_suite.files.palettes.format import OWN, ReadPalette
 from brdf_suite.paint_design.measured_start import load_paint_or_start
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, labs_of
 from brdf_suite.palettes.nearest_entries import colours_of_material, nearest_entries
-from brdf_suite.pipeline.material import document_kind, is_file, load_document, load_material, paints_of
+from brdf_suite.pipeline.material import (
+    ENTRY_MARK,
+    document_kind,
+    is_file,
+    load_document,
+    load_material,
+    paints_of,
+)
 
 _MOST = 1000
 
@@ -71,14 +79,15 @@ def add_find(parts: argparse._SubParsersAction[CommandParser]) -> None:
         default="mean",
         help="what orders them: the mean of the angles' ΔE00, or the worst (default: mean)",
     )
+    add_cmyk_profile(find)
     add_json(find, csv=True)
     find.set_defaults(run=run_find)
 
 
 def run_find(options: argparse.Namespace) -> int:
     """Search and print a table or a JSON object."""
-    name, lab = _labs(options.paint)
-    found = read_palette(options.palette)
+    name, lab = _labs(options.paint, options.cmyk_profile)
+    found = read_palette(options.palette, cmyk_profile=options.cmyk_profile)
     near = nearest_entries(found.palette, lab, options.count, options.combine)
     rows = [(one.entry, one.delta_e, one.per_angle) for one in near]
     if options.json:
@@ -140,8 +149,14 @@ def run_find(options: argparse.Namespace) -> int:
     return 0
 
 
-def _labs(name_or_path: str) -> tuple[str, Floats]:
-    """The name and L*a*b* (3, 3) of what is looked for."""
+def _labs(name_or_path: str, profile: Path | None) -> tuple[str, Floats]:
+    """Return the name and L*a*b* (3, 3) of what is looked for; an entry of a palette is seen through the profile."""
+    path, _, entry_id = name_or_path.rpartition(ENTRY_MARK)
+    if profile is not None and path and is_file(path):
+        palette = read_palette(path, cmyk_profile=profile).palette
+        if entry_id in palette.by_id:
+            entry = palette.entry(entry_id)
+            return entry.name, labs_of(entry.content)
     document = load_document(name_or_path)
     if document is not None:
         return document.name, labs_of(document)
@@ -185,7 +200,7 @@ def add(command: CommandParser) -> None:
         action="store_true",
         help="write each paint as three colours, at 15, 45 and 110°: for formats of one colour an entry",
     )
-    _add_profile(convert)
+    add_cmyk_profile(convert)
     add_json(convert)
     convert.set_defaults(run=run_convert)
     info = parts.add_parser(
@@ -195,19 +210,10 @@ def add(command: CommandParser) -> None:
     )
     info.examples = ("brdf-suite palette info ral.ase --csv > ral.csv",)
     info.add_argument("sources", metavar="PAINT|PALETTE", nargs="+", help=PAINTS)
-    _add_profile(info)
+    add_cmyk_profile(info)
     add_json(info, csv=True)
     info.set_defaults(run=run_info)
     add_find(parts)
-
-
-def _add_profile(command: CommandParser) -> None:
-    command.add_argument(
-        "--cmyk-profile",
-        metavar="ICC",
-        type=Path,
-        help="the profile of a press, through which colours in CMYK are seen that bring none of their own",
-    )
 
 
 def run_convert(options: argparse.Namespace) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.arguments import PAINTS, add_arguments, add_export, add_output
+from brdf_suite.cli.arguments import PAINTS, add_arguments, add_cmyk_profile, add_export, add_output
 from brdf_suite.cli.output import export_progress, print_written
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.command_parser import CommandParser
@@ -39,6 +39,7 @@ def add(command: CommandParser) -> None:
             "110°), figures (flop index and gloss), lab (default: all)",
         },
     )
+    add_cmyk_profile(command)
     add_scene(command, (360, 240))
     add_picture(command, radiance=False, sheet=True)
     add_export(command)
@@ -62,6 +63,7 @@ def run(options: argparse.Namespace) -> int:
             parse_settings(options),
             form=options.form if options.form in ("chips", "flop_strip") else None,
             style=style,
+            cmyk_profile=options.cmyk_profile,
             progress=progress,
         )
     size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"

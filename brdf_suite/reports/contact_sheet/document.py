@@ -31,10 +31,11 @@ from brdf_suite.reports.contact_sheet.pictures import SheetItem, item_pictures
 MOST_PAINTS = 5000
 
 
-def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
+def sheet_items(source: Path, cmyk_profile: Path | None = None) -> tuple[str, list[SheetItem]]:
     """Return the title and the paints of a palette of any format, a folder of paints, or a single material.
 
-    Of measured data and models the sheet shows the design that is started from their readings.
+    Colours in CMYK of a palette, where they bring no profile of their own, are seen through the ICC profile
+    ``cmyk_profile``. Of measured data and models the sheet shows the design that is started from their readings.
 
     A paint of a folder that cannot be read is an item with its problem.
 
@@ -48,7 +49,7 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
             raise FileError(source, f"holds {len(files)} paints; a sheet takes {MOST_PAINTS}")
         return source.absolute().name, [_item_of(file) for file in files]
     if is_file(str(source)) and file_kind(source) == "palette":
-        palette = load_palette_file(source).palette
+        palette = load_palette_file(source, cmyk_profile=cmyk_profile).palette
         items = palette_items(palette)
         if not items:
             raise FileError(source, "holds no paint")
@@ -106,6 +107,7 @@ def write_sheet(
     *,
     form: Form | None = None,
     style: PageStyle | None = None,
+    cmyk_profile: Path | None = None,
     progress: Progress | None = None,
 ) -> Sheet:
     """Draw every paint of the sources (:func:`sheet_items`) and write the sheet; see :func:`write_sheet_of`.
@@ -118,7 +120,7 @@ def write_sheet(
         The progress callback asked for it; the old file stays.
     """
     _check(path, columns, settings or PictureSettings())
-    found = [sheet_items(source) for source in sources]
+    found = [sheet_items(source, cmyk_profile) for source in sources]
     title = ", ".join(dict.fromkeys(title for title, _ in found))
     items = [item for _, some in found for item in some]
     return write_sheet_of(

@@ -2,76 +2,37 @@
 
 from __future__ import annotations
 
-import struct
+import json
 import zipfile
+from collections.abc import Callable
 from io import BytesIO
-from itertools import product
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display
 from brdf_suite.appearance.colour.flat_colours import display_notes, flat_labs
+from brdf_suite.arrays import Floats
 from brdf_suite.cli.main import main
 from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError
 from brdf_suite.files.palettes import find_format, read_palette, write_palette
 from brdf_suite.files.palettes.conversions import convert_to_rgb8, labs_d50
-
-
-def look(c: float, m: float, y: float, k: float) -> tuple[int, int, int]:
-    """L*a*b* of full and missing inks on this press."""
-    lightness = 100 - 30 * c - 35 * m - 8 * y
-    return round(lightness * (1 - 0.8 * k)), round(-30 * c + 60 * m), round(-35 * c - 5 * m + 80 * y)
-
-
-def press() -> bytes:
-    """A profile of a press, ICC.1 version 2: a table of 8 bits with two steps for each ink."""
-
-    def text(kind: bytes, value: bytes) -> bytes:
-        if kind == b"desc":
-            return (
-                b"desc\0\0\0\0"
-                + struct.pack(">I", len(value) + 1)
-                + value
-                + b"\0"
-                + bytes(4 + 4 + 2 + 1 + 67)
-            )
-        return b"text\0\0\0\0" + value + b"\0"
-
-    straight = bytes(range(256))
-    corners = b""
-    for inks in product((0, 1), repeat=4):
-        lightness, a, b = look(*inks)
-        corners += bytes((round(lightness * 2.55), a + 128, b + 128))
-    unit = b"".join(struct.pack(">i", 65536 if i in (0, 4, 8) else 0) for i in range(9))
-    table = b"mft1\0\0\0\0" + bytes((4, 3, 2, 0)) + unit + 4 * straight + corners + 3 * straight
-    white = b"XYZ \0\0\0\0" + struct.pack(">3i", *(round(65536 * v) for v in (0.9642, 1.0, 0.8249)))
-    tags = {
-        b"desc": text(b"desc", b"Press 7"), b"cprt": text(b"text", b"none"), b"wtpt": white, b"A2B0": table,
-        b"A2B1": table,
-    }  # fmt: skip
-    start, entries, data = 132 + 12 * len(tags), b"", b""
-    for name, content in tags.items():
-        entries += struct.pack(">4sII", name, start + len(data), len(content))
-        data += content + b"\0" * (-len(content) % 4)
-    head = struct.pack(
-        ">I4sI4s4s4s6H4s4sI4s4sQI3i48x", start + len(data), b"\0\0\0\0", 0x02400000, b"prtr", b"CMYK", b"Lab ",
-        *(2026, 1, 1, 0, 0, 0), b"acsp", b"\0\0\0\0", 0, b"\0\0\0\0", b"\0\0\0\0", 0, 0,
-        *(round(65536 * v) for v in (0.9642, 1.0, 0.8249)),
-    )  # fmt: skip
-    return head + struct.pack(">I", len(tags)) + entries + data
-
+from brdf_suite.reports.contact_sheet.document import sheet_items
 
 INKS = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 1.0, 0.0), (0.0, 0.0, 0.0, 0.0), (1.0, 1.0, 0.0, 1.0))
 
 
 @pytest.fixture
-def profile(tmp_path: Path) -> Path:
+def profile(tmp_path: Path, press_profile: ModuleType) -> Path:
     path = tmp_path / "press.icc"
-    path.write_bytes(press())
+    path.write_bytes(press_profile.press())
     return path
 
 
@@ -84,12 +45,14 @@ def file(tmp_path: Path) -> Path:
     return path
 
 
-def test_inks_look_as_the_profile_says_and_keep_their_numbers(file: Path, profile: Path) -> None:
+def test_inks_look_as_the_profile_says_and_keep_their_numbers(
+    file: Path, profile: Path, press_profile: ModuleType
+) -> None:
     read = read_palette(file, cmyk_profile=profile)
     colours = [entry.content for entry in read.palette if isinstance(entry.content, FlatColour)]
     assert [colour.values for colour in colours] == list(INKS)
     shown = labs_d50(flat_labs(colours))
-    assert np.abs(shown - [look(*row) for row in INKS]).max() < 0.6
+    assert np.abs(shown - [press_profile.look(*row) for row in INKS]).max() < 0.6
     assert read.notes == (
         "4 CMYK colours are shown through the profile press.icc; the numbers of the inks are kept as they are.",
     )
@@ -112,7 +75,46 @@ def test_the_command_takes_a_profile(file: Path, profile: Path, tmp_path: Path) 
     assert again.read_bytes() == file.read_bytes()
 
 
-def test_a_profile_in_a_file_is_used_for_the_colours_that_name_it(tmp_path: Path) -> None:
+def test_find_and_sheet_take_a_profile(
+    file: Path, profile: Path, press_profile: ModuleType, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    solid = tmp_path / "cyan.brdfpaint"
+    lab = flat_labs(
+        [FlatColour("", "Lab", press_profile.look(1, 0, 0, 0), illuminant="D50", observer_deg=2)]
+    )[0]
+    save_paint(solid_paint("Cyan of the press", tuple(lab)), solid)
+    differences = []
+    for words in ([], ["--cmyk-profile", str(profile)]):
+        assert main(["palette", "find", str(solid), "--in", str(file), "--count", "1", "--json", *words]) == 0
+        made = json.loads(capsys.readouterr().out)
+        differences.append(made["found"][0]["delta_e_2000"])
+    assert differences[1] < 1.0 < differences[0]
+    assert "through the profile press.icc" in " ".join(made["messages"])
+    entry = f"{file}#{read_palette(file).palette.entries[0].id}"
+    words = ["--count", "1", "--json", "--cmyk-profile", str(profile)]
+    assert main(["palette", "find", entry, "--in", str(file), *words]) == 0
+    assert json.loads(capsys.readouterr().out)["found"][0]["delta_e_2000"] < 1e-6
+    sheets = []
+    for name, more in (("plain.png", []), ("seen.png", ["--cmyk-profile", str(profile)])):
+        out = tmp_path / name
+        words = ["--form", "chips", "--columns", "1", "--size", "60x40"]
+        assert main(["sheet", str(file), "-o", str(out), *words, *more]) == 0
+        with Image.open(out) as sheet:
+            sheets.append(np.asarray(sheet.convert("RGB")).astype(int))
+    seen = display_rgb(lab)
+    rows = [np.abs(sheet - seen).max(axis=-1).min(axis=1) for sheet in sheets]
+    assert [bool((row <= 2).any()) for row in rows] == [False, True]
+    with pytest.raises(FileError, match=r"no ICC profile"):
+        sheet_items(file, cmyk_profile=file)
+
+
+def display_rgb(lab: Floats) -> Floats:
+    return np.rint(255 * np.clip(working_to_display(lab_to_working(lab)), 0, 1))
+
+
+def test_a_profile_in_a_file_is_used_for_the_colours_that_name_it(
+    tmp_path: Path, press_profile: ModuleType
+) -> None:
     xml = '<ColorSet version="2.0" name="p" columns="2" rows="2">' + "".join(
         f'<ColorSetEntry name="{i}" id="" spot="false" bitdepth="U8"><CMYK c="{c}" m="{m}" y="{y}" k="{k}" '
         f'space="{"Press 7" if i else "other"}"/></ColorSetEntry>'
@@ -124,13 +126,15 @@ def test_a_profile_in_a_file_is_used_for_the_colours_that_name_it(tmp_path: Path
         archive.writestr("mimetype", "krita/x-colorset")
         archive.writestr("colorset.xml", xml + "</ColorSet>")
         archive.writestr("profiles.xml", names)
-        archive.writestr("a.icc", press())
+        archive.writestr("a.icc", press_profile.press())
     path = tmp_path / "a.kpl"
     path.write_bytes(buffer.getvalue())
     read = read_palette(path)
     colours = [entry.content for entry in read.palette if isinstance(entry.content, FlatColour)]
     assert [len(colour.others) for colour in colours] == [0, 1, 1, 1]
-    assert np.abs(labs_d50(flat_labs(colours[1:])) - [look(*row) for row in INKS[1:]]).max() < 0.6
+    assert (
+        np.abs(labs_d50(flat_labs(colours[1:])) - [press_profile.look(*row) for row in INKS[1:]]).max() < 0.6
+    )
     assert "3 CMYK colours are shown through the profile in the file" in " ".join(read.notes)
     # The profile goes along, so nothing is lost.
     again = tmp_path / "b.kpl"
@@ -139,16 +143,18 @@ def test_a_profile_in_a_file_is_used_for_the_colours_that_name_it(tmp_path: Path
 
 
 @pytest.mark.parametrize(
-    ("content", "reason"),
+    ("change", "reason"),
     [
-        (b"no profile", "no ICC profile of a device in CMYK"),
-        (press()[:16] + b"RGB " + press()[20:], "no ICC profile of a device in CMYK"),
-        (press()[:400], "no profile that can be used"),
+        (lambda _press: b"no profile", "no ICC profile of a device in CMYK"),
+        (lambda press: press[:16] + b"RGB " + press[20:], "no ICC profile of a device in CMYK"),
+        (lambda press: press[:400], "no profile that can be used"),
     ],
 )
-def test_other_profiles_are_refused_by_name(file: Path, tmp_path: Path, content: bytes, reason: str) -> None:
+def test_other_profiles_are_refused_by_name(
+    file: Path, tmp_path: Path, press_profile: ModuleType, change: Callable[[bytes], bytes], reason: str
+) -> None:
     path = tmp_path / "bad.icc"
-    path.write_bytes(content)
+    path.write_bytes(change(press_profile.press()))
     with pytest.raises(FileError, match=reason) as caught:
         read_palette(file, cmyk_profile=path)
     assert "bad.icc" in str(caught.value)
