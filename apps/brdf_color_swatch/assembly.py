@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.recovery_offer import offer_recovery
 from brdf_qt.program.application import error_relay
@@ -93,12 +94,13 @@ class ColorSwatch(Program):
             self.window,
         )
         self.unsaved = UnsavedWork(self.library)
-        self.session = PaletteSession(self.library, self.window)
+        reading = FileReading(self.window.progress, self.window)
+        self.session = PaletteSession(self.library, reading, self.window)
         self.session.recall()
         self.controller = PaletteController(self.session, self.window, self.window)
         self.features += (feature(self.session, self.window) for feature in FEATURES)
         files = self.feature(FileCommands)
-        self.features += (files.projects, files.reading, self.feature(PaintExchange).link)
+        self.features += (files.projects, reading, self.feature(PaintExchange).link)
         note = tr("Takes effect in Viewer and Designer at their next start, in Lobe Visualizer at once.")
         FitCommand(self.window, note).add_to_menu()
         self.window.complete()

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
@@ -57,9 +58,9 @@ class PaletteSession(QObject):
     reveal_requested = Signal(int, object)
     working_changed = Signal(int)
 
-    def __init__(self, library: Library, parent: QObject | None = None) -> None:
+    def __init__(self, library: Library, reading: FileReading, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.library = library
+        self.library, self.reading = library, reading
         self.loader = PaletteLoader(library)
         self.states = [PaneState(), PaneState()]
         self.shown = [VisibleRows(Rows.empty()), VisibleRows(Rows.empty())]

@@ -91,7 +91,7 @@ def test_a_paint_as_text_as_a_file_and_a_colour(tmp_path: Path) -> None:
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(tmp_path / name)) for name in ("red.brdfpaint", "all.ase")])
     carried = read_data(data)
-    assert [entry.content for entry in carried.entries] == [RED.content]
+    assert carried.paints == (tmp_path / "red.brdfpaint",)
     assert carried.files == (tmp_path / "all.ase",)
     colour = QMimeData()
     colour.setColorData(QColor("#336699"))

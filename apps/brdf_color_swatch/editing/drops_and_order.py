@@ -12,7 +12,8 @@ from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
 from brdf_color_swatch.editing.entry_edits import OWNER, count_words, what_words, with_date
-from brdf_color_swatch.editing.transfer import read_data, source_of
+from brdf_color_swatch.editing.paint_files import take_data
+from brdf_color_swatch.editing.transfer import Carried, source_of
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.panels.swatch import today
@@ -20,7 +21,6 @@ from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import GroupPath, Palette
-from brdf_suite.errors import SuiteError
 
 
 class DropsAndOrder(SwatchFeature):
@@ -118,14 +118,19 @@ class DropsAndOrder(SwatchFeature):
     def _drop_data(
         self, data: QMimeData, scope: Scope, group: GroupPath | None, before: str | None, *, moves: bool
     ) -> None:
+        library = self._session.library
+        take_data(
+            data,
+            self._session.reading,
+            lambda carried: self._put_in(carried, scope, group, before, moves=moves),
+            lambda error: library.fails(error, "edit", tr("The palette is unchanged.")),
+            self._window.open_requested.emit,
+        )
+
+    def _put_in(
+        self, carried: Carried, scope: Scope, group: GroupPath | None, before: str | None, *, moves: bool
+    ) -> None:
         session = self._session
-        try:
-            carried = read_data(data)
-        except SuiteError as error:
-            session.library.fails(error, "edit", tr("The palette is unchanged."))
-            return
-        for path in carried.files:
-            self._window.open_requested.emit(path)
         if not carried.entries:
             return
         target = scope.palette
@@ -148,6 +153,8 @@ class DropsAndOrder(SwatchFeature):
             self._place(name, pane, list(carried.ids), group, before)
             return
         known = set(session.library.palette(target).by_id)  # type: ignore[union-attr]  # it is there
+        if before not in known:
+            before = None  # it was removed while files were read
         entries = [entry if entry.date else replace(entry, date=today()) for entry in carried.entries]
         if scope.tag:
             entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, scope.tag)))) for e in entries]

@@ -20,10 +20,12 @@ from brdf_color_swatch.editing.entry_edits import (
     what_words,
     with_date,
 )
-from brdf_color_swatch.editing.transfer import Carried, hexes_of, read_data
+from brdf_color_swatch.editing.paint_files import take_data
+from brdf_color_swatch.editing.transfer import Carried, hexes_of
 from brdf_color_swatch.export.palette_export import suggested_file
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.pane import Pane
+from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
@@ -113,14 +115,17 @@ class EditCommands(SwatchFeature):
             self._remove(tr("Cut {what}").format(what=what_words(entries)))
 
     def paste(self) -> None:
-        """Put in what the clipboard holds, before the current swatch."""
-        try:
-            carried = read_data(QGuiApplication.clipboard().mimeData())
-        except SuiteError as error:
-            self._session.library.fails(error, "edit", tr("The palette is unchanged."))
-            return
-        for path in carried.files:
-            self._window.open_requested.emit(path)
+        """Put in what the clipboard holds; into the palette that is in front now, also where files are read first."""
+        scope, library = self._session.state.scope, self._session.library
+        take_data(
+            QGuiApplication.clipboard().mimeData(),
+            self._session.reading,
+            lambda carried: self._put_in(carried, scope),
+            lambda error: library.fails(error, "edit", tr("The palette is unchanged.")),
+            self._window.open_requested.emit,
+        )
+
+    def _put_in(self, carried: Carried, scope: Scope) -> None:
         if not carried.entries:
             if not carried.files:
                 self._session.library.fails(
@@ -128,13 +133,12 @@ class EditCommands(SwatchFeature):
                     tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* values."),
                 )  # fmt: skip
             return
-        if self._session.palette is None:
+        if self._session.library.palette(scope.palette) is None:
             self._session.show_new(Palette(tr("Untitled")))
+            scope = self._session.state.scope
         self._session.library.settled.emit("edit")
-        group = self._session.state.scope.group
-        add_entries(
-            self._session, tr("Paste {what}").format(what=what_words(carried.entries)), carried.entries, group
-        )
+        name = tr("Paste {what}").format(what=what_words(carried.entries))
+        add_entries(self._session, name, carried.entries, scope.group, scope=scope)
 
     def duplicate(self) -> None:
         """Copy what is selected behind the last of it."""

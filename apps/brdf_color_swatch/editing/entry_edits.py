@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import tr
 
+from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.panels.swatch import today
 from brdf_color_swatch.session import PaletteSession
 from brdf_suite.documents import palette_edits as edits
@@ -23,30 +24,39 @@ def add_entries(
     entries: Sequence[Entry],
     group: GroupPath | None = None,
     before: str | None = None,
+    scope: Scope | None = None,
 ) -> bool:
-    """Add entries to the palette in front as one step, select and show them; True where that was done."""
-    palette = session.palette
-    if palette is None or not entries:
+    """Add entries as one step to what a scope shows (that in front); select and show them; True where that was done."""
+    scope = scope or session.state.scope
+    if session.library.palette(scope.palette) is None or not entries:
         return False
     if group is None:
-        group = session.state.scope.group
-    tag = session.state.scope.tag
+        group = scope.group
+    tag = scope.tag
     if tag:
         # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
         entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
     with_dates = [entry if entry.date else replace(entry, date=today()) for entry in entries]
-    return edit_and_reveal(session, name, lambda old: edits.add_entries(old, with_dates, group, before))
+    return edit_and_reveal(
+        session, name, lambda old: edits.add_entries(old, with_dates, group, before), scope.palette
+    )
 
 
-def edit_and_reveal(session: PaletteSession, name: str, change: Callable[[Palette], Palette]) -> bool:
-    """Change the palette in front, and select and show the entries that came; True where that was done."""
-    before = session.palette
+def edit_and_reveal(
+    session: PaletteSession, name: str, change: Callable[[Palette], Palette], key: str | None = None
+) -> bool:
+    """Change a palette (that in front), and select and show the entries that came; True where that was done.
+
+    They are shown where the palette still is in front.
+    """
+    key = session.state.scope.palette if key is None else key
+    before = session.library.palette(key)
     known = set() if before is None else set(before.by_id)
-    if not session.edit(name, change):
+    if not session.edit(name, change, key):
         return False
-    after = session.palette
-    assert after is not None
-    session.reveal(tuple(key for key in after.by_id if key not in known))
+    after = session.library.palette(key)
+    if after is not None and session.state.scope.palette == key:
+        session.reveal(tuple(id_ for id_ in after.by_id if id_ not in known))
     return True
 
 

@@ -17,7 +17,7 @@ from brdf_suite.appearance.colour.flat_colours import lab_to_hex
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, new_id
 from brdf_suite.documents.palette_store import palette_from_json
-from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_any_paint
+from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.foreign_text import unguard_formula
 
@@ -36,9 +36,13 @@ _LAB = re.compile(
 
 @dataclass(frozen=True)
 class Carried:
-    """What a drag or the clipboard holds. ``source`` and ``ids`` say where from, for a move within this program."""
+    """What a drag or the clipboard holds. ``source`` and ``ids`` say where from, for a move within this program.
+
+    ``paints`` are files of paints, which are not read yet; ``files`` are all others.
+    """
 
     entries: tuple[Entry, ...] = ()
+    paints: tuple[Path, ...] = ()
     files: tuple[Path, ...] = ()
     source: str = ""
     owner: str = ""
@@ -69,7 +73,7 @@ def read_data(data: QMimeData | None) -> Carried:
     Raises
     ------
     SuiteError
-        It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
+        It says that it holds swatches or a paint, and they are not valid.
     """
     if data is None:
         return Carried()
@@ -79,9 +83,8 @@ def read_data(data: QMimeData | None) -> Carried:
         return Carried((_of_paint(_json(bytes(data.data(PAINT_MIME).data()))),))
     if data.hasUrls():
         files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
-        paints = [path for path in files if path.suffix.lower() == PAINT_ENDING]
-        entries = tuple(Entry(load_any_paint(path), id=new_id()) for path in paints)
-        return Carried(entries, tuple(path for path in files if path not in paints))
+        paints = tuple(path for path in files if path.suffix.lower() == PAINT_ENDING)
+        return Carried(paints=paints, files=tuple(path for path in files if path not in paints))
     found = entries_of_text(data.text()) if data.hasText() else []
     if found:
         return Carried(tuple(found))
@@ -145,7 +148,7 @@ def _whole(content: bytes) -> Carried:
     if not isinstance(value, dict) or not {"owner", "source", "palette"} <= set(value):
         raise SuiteError(tr("The swatches on the clipboard are damaged."))
     palette = palette_from_json(value["palette"], "the clipboard")
-    return Carried(palette.entries, (), str(value["source"]), str(value["owner"]))
+    return Carried(palette.entries, source=str(value["source"]), owner=str(value["owner"]))
 
 
 def _of_paint(value: object) -> Entry:

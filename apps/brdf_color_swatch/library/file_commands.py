@@ -6,7 +6,6 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.project_files import ProjectFiles
 from brdf_qt.documents.projects import is_project
 from brdf_qt.documents.recent_files import RecentFiles
@@ -60,7 +59,6 @@ class FileCommands(SwatchFeature):
         self._close = add("file", mark("&Close Palette"), "close", self.close_palette, "close", icon="x")
         window.menus["file"].addSeparator()
         self.projects = ProjectFiles(window, SwatchProject(session), session.library.dialogs)
-        self.reading = FileReading(window.progress, window)
         for action in (new, opened, self._close):
             window.add_library_button(action)
         for action in (new, opened, self._save):
@@ -86,8 +84,8 @@ class FileCommands(SwatchFeature):
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
         # Also one of ours waits for those that were asked for before it.
-        if path is not None and (path.suffix.lower() != PALETTE_ENDING or not self.reading.is_idle):
-            self.reading.begin(path, self._find_opener, lambda opener: opener(), self._on_add_failed)
+        if path is not None and (path.suffix.lower() != PALETTE_ENDING or not self._session.reading.is_idle):
+            self._session.reading.begin(path, self._find_opener, lambda opener: opener(), self._on_add_failed)
         else:
             self._open_palette(path)
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtGui import QGuiApplication
 
-from brdf_color_swatch.editing.transfer import read_data
+from brdf_color_swatch.editing.paint_files import take_data
+from brdf_color_swatch.editing.transfer import Carried
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Near
 from brdf_color_swatch.session import PaletteSession
@@ -57,14 +58,18 @@ class ColourSearch(SwatchFeature):
             self.find_near(near_of(entries[0]), 1 - self._session.front)
 
     def find_clipboard(self) -> None:
-        try:
-            carried = read_data(QGuiApplication.clipboard().mimeData())
-            if not carried.entries:
-                raise SuiteError(tr("The clipboard contains no swatch, paint or colour."))
-        except SuiteError as error:
+        pane = self._session.front
+
+        def failed(error: Exception) -> None:
             self._session.library.fails(error, "edit", tr("The order is unchanged."))
-            return
-        self.find_near(near_of(carried.entries[0]))
+
+        def take(carried: Carried) -> None:
+            if carried.entries:
+                self.find_near(near_of(carried.entries[0]), pane)
+            else:
+                failed(SuiteError(tr("The clipboard contains no swatch, paint or colour.")))
+
+        take_data(QGuiApplication.clipboard().mimeData(), self._session.reading, take, failed)
 
     def find_near(self, near: Near, pane: int | None = None) -> None:
         pane = self._session.front if pane is None else pane
