@@ -28,6 +28,7 @@ from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.thumbnails import VisiblePictures
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.changed_files import ChangedFiles
+from brdf_color_swatch.library.cmyk_profile import CmykProfile
 from brdf_color_swatch.library.file_commands import FileCommands, new_palette
 from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.library.loading import UnsavedWork
@@ -51,6 +52,7 @@ FEATURES: tuple[Callable[[PaletteSession, SwatchWindow], SwatchFeature], ...] = 
     FileCommands,
     PaletteExport,
     ContactSheets,
+    CmykProfile,
     EditCommands,
     DropsAndOrder,
     GroupCommands,

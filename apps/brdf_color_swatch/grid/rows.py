@@ -62,6 +62,11 @@ class Rows:
         return display_notes([e.content for e in self.entries if isinstance(e.content, FlatColour)])
 
     @cached_property
+    def inks(self) -> int:
+        """How many colours are in CMYK."""
+        return sum(isinstance(e.content, FlatColour) and e.content.model == "CMYK" for e in self.entries)
+
+    @cached_property
     def groups(self) -> tuple[np.ndarray, tuple[GroupPath, ...]]:
         """Which group each entry is in: (n,) places in the paths of the groups, in the order in which they come."""
         places: dict[GroupPath, int] = {}

@@ -201,6 +201,7 @@ class FileCommands(SwatchFeature):
                 "save_as",
                 "copy_palette",
                 "export",
+                "cmyk_profile",
                 "",
                 "new_group",
                 "rename_group",

@@ -89,6 +89,7 @@ class Library(QObject):
     - ``message(Message)``, ``settled(str)``: a message for the user; the key of a message that no longer holds.
     - ``changed_outside(key)``: the file of an open palette holds something that neither this program wrote nor
       read.
+    - ``profile_requested(key)``: the user wants to choose an ICC profile for the CMYK colours of a palette.
     """
 
     items_changed = Signal()
@@ -97,6 +98,7 @@ class Library(QObject):
     message = Signal(Message)
     settled = Signal(str)
     changed_outside = Signal(str)
+    profile_requested = Signal(str)
 
     def __init__(
         self,

@@ -13,24 +13,30 @@ from pathlib import Path
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.core_texts import tr_core
+from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 
 from brdf_color_swatch.export.dialog import open_filters
 from brdf_color_swatch.grid.rows import Rows, rows_of
 from brdf_color_swatch.library.library import Item, Library
+from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette, without_collection
 from brdf_suite.errors import DocumentError, FileError
 from brdf_suite.progress import Progress
 
 OURS = "brdfpalette"
+PROFILE_KEY = "palette/cmyk_profile"
 _MANY = 1000
 
 
 @dataclass(frozen=True, eq=False)
 class Read:
-    """What a file held. ``is_ours``: it is a ``.brdfpalette``, which holds all that a palette has."""
+    """What a file held. ``is_ours``: it is a ``.brdfpalette``, which holds all that a palette has.
+
+    ``seen`` is how many colours in CMYK have the look that the profile gives.
+    """
 
     path: Path
     palette: Palette
@@ -38,23 +44,51 @@ class Read:
     stamp: FileStamp | None
     is_ours: bool
     notices: tuple[str, ...] = ()
+    seen: int = 0
 
 
-def read_palette_file(path: Path, progress: Progress) -> Read:
-    """Read ``path`` of any format; raise :class:`~brdf_suite.errors.FileError` where it cannot be."""
+def remembered_profile() -> Path | None:
+    """Return the ICC profile that was chosen for colours in CMYK, if any."""
+    path = str(settings().value(PROFILE_KEY, ""))
+    return Path(path) if path else None
+
+
+def read_palette_file(path: Path, progress: Progress, profile: Path | None = None) -> Read:
+    """Read ``path`` of any format; raise :class:`~brdf_suite.errors.FileError` where it cannot be.
+
+    Colours in CMYK of other programs' files are seen through the ICC ``profile``; one that cannot be used is a notice.
+    """
     # Before the content: a change in between is then asked about once too often, never lost.
     stamp = stamp_of(path)
     progress(0.0, path.name)
     with without_collection():
         palette, notes, ours = _content(path)
+        seen = 0
+        if profile is not None and not ours:
+            palette, seen, more = _through(palette, profile)
+            notes += more
         progress(0.8, path.name)
         rows = rows_of(palette.entries)
         # The window needs them at once, and would work them out on its own thread.
-        _ = rows.groups, rows.tag_counts, rows.ids, rows.has_codes, rows.notes, palette.by_id
+        _ = rows.groups, rows.tag_counts, rows.ids, rows.has_codes, rows.notes, rows.inks, palette.by_id
         if len(palette) >= _MANY:
             # They live long and are in no cycle: a collection that looks through all of them would hold up the window.
             gc.freeze()
-    return Read(path.absolute(), palette, rows, stamp, ours, notes)
+    return Read(path.absolute(), palette, rows, stamp, ours, notes, seen)
+
+
+def _through(palette: Palette, profile: Path) -> tuple[Palette, int, tuple[str, ...]]:
+    """Return a palette through a profile, of how many colours the look is the profile's, and notices."""
+    if not any(isinstance(one.content, FlatColour) and one.content.model == "CMYK" for one in palette):
+        return palette, 0, ()
+    from brdf_suite.files.palettes.cmyk_profile import profile_note, read_profile, seen_through  # as below
+
+    try:
+        palette, count = seen_through(palette, {"": read_profile(profile)}, profile)
+    except FileError as error:
+        text = tr("The CMYK profile {name} cannot be used: {reason}.")
+        return palette, 0, (text.format(name=profile.name, reason=tr_core(error.reason)),)
+    return palette, count, (profile_note(count, profile.name),) if count else ()
 
 
 def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
@@ -75,6 +109,11 @@ def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
             raise own from None
         raise
     return read.palette, tuple(read.notes), read.format.name == OURS
+
+
+def _read(request: tuple[Path, Path | None], progress: Progress) -> Read:
+    path, profile = request
+    return read_palette_file(path, progress, profile)
 
 
 class PaletteLoader:
@@ -100,8 +139,8 @@ class PaletteLoader:
         self._library.items_changed.emit()
         self._library.tasks.submit(
             f"read {key}",
-            read_palette_file,
-            item.path,
+            _read,
+            (item.path, remembered_profile()),
             lambda read: self.accept(key, read),
             lambda error: self._not_read(key, error),
         )
@@ -126,12 +165,17 @@ class PaletteLoader:
         self._library.fill(item, read.palette, path, clean=True, stamp=stamp, rows=read.rows, origin=origin)
         self._library.remember_file(read.path)
         self._library.settled.emit(f"open {key}")
-        if read.notices:
+        # Ours are saved as they look here; of others it may be the first time that they are seen.
+        rough = read.rows.notes if read.rows.inks and not read.is_ours else ()
+        notices = tuple(dict.fromkeys((*read.notices, *rough)))
+        if notices:
             one, several = tr("“{name}” imported with 1 note."), tr("“{name}” imported with {count} notes.")
-            text = one if len(read.notices) == 1 else several
-            text = text.format(name=read.path.name, count=len(read.notices))
-            todo = "\n".join(map(tr_core, read.notices[:6])) + ("\n…" if len(read.notices) > 6 else "")
-            self._library.message.emit(Message(f"open {key}", text, todo=todo))
+            text = one if len(notices) == 1 else several
+            text = text.format(name=read.path.name, count=len(notices))
+            todo = "\n".join(map(tr_core, notices[:6])) + ("\n…" if len(notices) > 6 else "")
+            choose = (tr("Choose CMYK Profile…"), lambda: self._library.profile_requested.emit(key))
+            actions = (choose,) if rough or read.seen else ()
+            self._library.message.emit(Message(f"open {key}", text, todo=todo, actions=actions))
         self._library.read.emit(key)
         item.run_waiting()
 
