@@ -70,10 +70,14 @@ def parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the Viewer; return the exit status."""
-    return run_program("Viewer", parser(), _make, arguments)
+    return run_program("Viewer", parser(), make_viewer, arguments)
 
 
-def _make(options: argparse.Namespace) -> ViewerController:
+def make_viewer(options: argparse.Namespace) -> ViewerController:
+    """Return the Viewer that the options ask for.
+
+    Raises :class:`~brdf_suite.errors.SuiteError`: the view cannot be read.
+    """
     follow = options.follow or options.paint is None
     reading = FirstView(options.view) if options.view else None
     adapt = partial(_adapt, options)

@@ -222,23 +222,20 @@ def load_palette_file(
 
     ``cmyk_profile`` is an ICC profile through which colours in CMYK are seen that bring none of their own.
     """
-    if cmyk_profile is not None:
-        from brdf_suite.files.palettes import read_palette  # see _read_palette
-
-        return read_palette(path, cmyk_profile=cmyk_profile)
+    name, profile = os.fspath(path), None if cmyk_profile is None else os.fspath(cmyk_profile)
     try:
         state = Path(path).stat()
     except (OSError, ValueError):
-        return _read_palette(os.fspath(path), 0, 0)  # its reader says what is wrong
-    return _read_palette(os.fspath(path), state.st_mtime_ns, state.st_size)
+        return _read_palette(name, 0, 0, profile)  # its reader says what is wrong
+    return _read_palette(name, state.st_mtime_ns, state.st_size, profile)
 
 
 @lru_cache(maxsize=1)
-def _read_palette(path: str, _changed_ns: int, _size: int) -> ReadPalette:
+def _read_palette(path: str, _changed_ns: int, _size: int, profile: str | None) -> ReadPalette:
     """Read a palette; the last one is kept, since its entries are asked for one after the other."""
     from brdf_suite.files.palettes import read_palette  # 60 to 90 ms at the start of each program
 
-    return read_palette(path)
+    return read_palette(path, cmyk_profile=profile)
 
 
 def paints_of(name_or_path: str | os.PathLike[str]) -> tuple[str, ...]:

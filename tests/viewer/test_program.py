@@ -282,7 +282,7 @@ def test_a_view_of_the_start_that_takes_long_comes_later(lights, tmp_path, slow,
     words = ["blue", "--view", str(path), "--environment", str(lights["dim"])]
     options = program.parser().parse_args(words)
     readers = slow(first_view, "load_view"), slow(view_files, "load_view")
-    controller = program._make(options)
+    controller = program.make_viewer(options)
     try:
         assert controller.state.view.exposure_ev == 0.0
         assert not controller.views.is_idle
@@ -292,7 +292,7 @@ def test_a_view_of_the_start_that_takes_long_comes_later(lights, tmp_path, slow,
         assert controller.state.view.exposure_ev == 1.5
         assert controller.state.view.environment == str(lights["dim"])
         # In time it is there from the beginning.
-        second = program._make(options)
+        second = program.make_viewer(options)
         assert second.state.view.exposure_ev == 1.5
         assert not second.state.history.undo_text
         second.window.close()
@@ -304,7 +304,7 @@ def test_a_view_of_the_start_that_cannot_be_read_is_named(tmp_path) -> None:
     path = tmp_path / "bad.brdfview"
     path.write_text("{}")
     with pytest.raises(FileError, match=r"bad\.brdfview"):
-        program._make(program.parser().parse_args(["--view", str(path)]))
+        program.make_viewer(program.parser().parse_args(["--view", str(path)]))
 
 
 def strip_text(strip) -> str:

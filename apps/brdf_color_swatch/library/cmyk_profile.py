@@ -12,7 +12,12 @@ from brdf_qt.window.message_bar import Message
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.library.library import OpenPalette
-from brdf_color_swatch.library.loading import PROFILE_KEY, read_palette_file, remembered_profile
+from brdf_color_swatch.library.loading import (
+    PROFILE_KEY,
+    foreign_palettes,
+    read_palette_file,
+    remembered_profile,
+)
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -115,9 +120,7 @@ class CmykProfile(SwatchFeature):
             if was_clean and seen.palette == seen.base:
                 # As after an import: it would be read in the same way again.
                 opened.store.stack.setClean()
-        from brdf_suite.files.palettes.cmyk_profile import profile_note
-
-        text = tr_core(profile_note(seen.count, profile.name))
+        text = tr_core(foreign_palettes().profile_note(seen.count, profile.name))
         if not seen.count:
             text = tr("All CMYK colours of this palette have a look of their own, which they keep.")
         self._window.show_message(Message(_KEY, text))
@@ -129,16 +132,14 @@ class CmykProfile(SwatchFeature):
 
 
 def _see(request: _Request, profile: Path, progress: Progress) -> _Seen:
-    # With it come the parsers of every format, which a start need not wait for.
-    from brdf_suite.files.palettes.cmyk_profile import read_profile, seen_through
-
     report(progress, 0.0, profile.name)
-    content = read_profile(profile)
+    foreign = foreign_palettes()
+    content = foreign.read_profile(profile)
     if request.origin is None:
-        palette, count = seen_through(request.palette, {"": content}, profile)
+        palette, count = foreign.seen_through(request.palette, {"": content}, profile)
         return _Seen(palette, request.base, count)
     read = read_palette_file(request.origin, progress, profile)
     merged = merge(request.base, request.palette, read.palette).palette
     # What was pasted or dropped into it is not in its file.
-    palette, more = seen_through(merged, {"": content}, profile)
+    palette, more = foreign.seen_through(merged, {"": content}, profile)
     return _Seen(palette, read.palette, read.seen + more)

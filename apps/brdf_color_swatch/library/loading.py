@@ -9,6 +9,7 @@ import gc
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.documents.stamp import FileStamp, stamp_of
@@ -20,7 +21,6 @@ from brdf_qt.window.message_bar import Message
 from brdf_color_swatch.export.dialog import open_filters
 from brdf_color_swatch.grid.rows import Rows, rows_of
 from brdf_color_swatch.library.library import Item, Library
-from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette, without_collection
 from brdf_suite.errors import DocumentError, FileError
@@ -65,7 +65,7 @@ def read_palette_file(path: Path, progress: Progress, profile: Path | None = Non
         palette, notes, ours = _content(path)
         seen = 0
         if profile is not None and not ours:
-            palette, seen, more = _through(palette, profile)
+            palette, seen, more = foreign_palettes().show_through(palette, profile)
             notes += more
         progress(0.8, path.name)
         rows = rows_of(palette.entries)
@@ -77,18 +77,12 @@ def read_palette_file(path: Path, progress: Progress, profile: Path | None = Non
     return Read(path.absolute(), palette, rows, stamp, ours, notes, seen)
 
 
-def _through(palette: Palette, profile: Path) -> tuple[Palette, int, tuple[str, ...]]:
-    """Return a palette through a profile, of how many colours the look is the profile's, and notices."""
-    if not any(isinstance(one.content, FlatColour) and one.content.model == "CMYK" for one in palette):
-        return palette, 0, ()
-    from brdf_suite.files.palettes.cmyk_profile import profile_note, read_profile, seen_through  # as below
+def foreign_palettes() -> Any:
+    """Return the module that reads other programs' files."""
+    # With it come the parsers of every format, which a start and our own palettes need not wait for.
+    from brdf_color_swatch.library import foreign
 
-    try:
-        palette, count = seen_through(palette, {"": read_profile(profile)}, profile)
-    except FileError as error:
-        text = tr("The CMYK profile {name} cannot be used: {reason}.")
-        return palette, 0, (text.format(name=profile.name, reason=tr_core(error.reason)),)
-    return palette, count, (profile_note(count, profile.name),) if count else ()
+    return foreign
 
 
 def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
@@ -99,11 +93,8 @@ def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
         except DocumentError as error:
             # Perhaps another program's file under our ending; otherwise this is the error to report.
             own = error
-    # With it come the parsers of every format, which our own palettes need not wait for.
-    from brdf_suite.files.palettes import read_palette
-
     try:
-        read = read_palette(path)
+        read = foreign_palettes().read_palette(path)
     except FileError:
         if own is not None:
             raise own from None
