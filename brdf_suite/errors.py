@@ -80,6 +80,10 @@ class FileError(SuiteError):
         return type(self), (self.path, self.reason, self.place)
 
 
+class UnreadFormatError(FileError):
+    """A file of a format that is known and not read; the reason says what it is, and another way to its content."""
+
+
 class DocumentError(FileError):
     """A document of ours (paint, palette, view) whose content is not valid; ``place`` names the field."""
 

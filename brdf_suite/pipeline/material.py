@@ -22,7 +22,7 @@ from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import LARGEST_PALETTE, PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
-from brdf_suite.errors import FileError, UnreachableError
+from brdf_suite.errors import FileError, UnreachableError, UnreadFormatError
 from brdf_suite.foreign_text import file_title
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance, interpolation_notices
 from brdf_suite.reflectance.instruments.through_aperture import build_through
@@ -88,7 +88,8 @@ def default_paint() -> Paint:
 def file_kind(path: str | os.PathLike[str]) -> FileKind:
     """Return what a file is, by its content.
 
-    Raises :class:`FileError`: it cannot be read, or its content is of no known format.
+    Raises :class:`FileError`: it cannot be read, or its content is of no known format;
+    :class:`~brdf_suite.errors.UnreadFormatError`: it is of one that is known and not read.
     """
     known = document_kind(path)
     if known is None and is_file(os.fspath(path)):
@@ -317,10 +318,14 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
 
     try:
         measured.sniff(path)
+    except UnreadFormatError:
+        raise
     except FileError as no_measurement:
         try:
             content = read_bytes(path, LARGEST_PALETTE)
             palettes.sniff(content, path)
+        except UnreadFormatError:
+            raise
         except FileError:
             reason = (
                 "is neither a paint nor a palette nor measured data of a format that is known here (the pages "

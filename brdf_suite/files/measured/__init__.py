@@ -33,6 +33,7 @@ from brdf_suite.files.measured.format import (
     WrittenMeasurement,
 )
 from brdf_suite.files.measured.optics import lighttools, ssdd, zemax
+from brdf_suite.files.unread_formats import refuse_axf
 from brdf_suite.plugins import Call, Plugin, Registry
 from brdf_suite.reflectance.guarded import GuardedReflectance, is_own
 from brdf_suite.regular_files import open_regular, within_memory
@@ -90,26 +91,23 @@ FORMATS = Registry(
 """In the order in which they are tried; the ones that a few bytes settle come first, those of plug-ins last."""
 
 _HEAD = 1 << 16
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 _LARGEST = 8 << 30
 
 
 def sniff(path: PathLike) -> MeasuredFormat:
     """Return the format of the file at ``path``, by its content.
 
-    Raises :class:`FileError`: it cannot be read, is empty, or is of no known format.
+    Raises :class:`FileError`: it cannot be read, is empty, or is of no known format;
+    :class:`~brdf_suite.errors.UnreadFormatError`: it is of one that is known and not read.
     """
     with open_regular(path, _LARGEST) as stream:
         head = stream.read(_HEAD)
         size = stream.seek(0, 2)
     if not head:
         raise FileError(path, "is empty", "byte 0")
-    if head.startswith(_HDF5) or Path(path).suffix.lower() == ".axf":
-        reason = (
-            "is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3"
-        )
-        raise FileError(path, reason, "byte 0")
     found = [known for known in FORMATS if known.sniff(head, size)]
+    if not any(known in FORMATS.added for known in found):
+        refuse_axf(head, path)
     ending = Path(path).suffix.lower()
     for known in found:
         if ending in known.endings:

@@ -30,8 +30,9 @@ from brdf_suite.files.palettes.text import (
     table,
 )
 from brdf_suite.files.palettes.xml import autocad, corel, cxf3, instrument, scribus, soc
+from brdf_suite.files.unread_formats import refuse_axf, refuse_theme
 from brdf_suite.plugins import Call, Registry
-from brdf_suite.regular_files import read_bytes, within_memory
+from brdf_suite.regular_files import open_regular, read_bytes, within_memory
 
 _BUILT_IN = (
     OWN,
@@ -107,13 +108,19 @@ def format_for(path: PathLike) -> PaletteFormat:
 
 
 def sniff(content: bytes, path: PathLike) -> PaletteFormat:
-    """Return the format of a file's content; :class:`FileError` where it is of none that is known."""
+    """Return the format of a file's content.
+
+    Raises :class:`FileError`: it is empty, or of no known format; :class:`~brdf_suite.errors.UnreadFormatError`: it is
+    of one that is known and not read.
+    """
     if not content:
         raise FileError(path, "is empty", "byte 0")
     head, size = content[:_HEAD], len(content)
     if OWN.sniff(head, size):
         return OWN  # without a look at plug-ins
     found = [known for known in FORMATS if known.sniff(head, size)]
+    if not any(known in FORMATS.added for known in found):
+        refuse_axf(head, path)
     ending = Path(path).suffix.lower()
     # A format of a plug-in is found before one that is built in only where the ending is the plug-in's alone.
     if found and ending not in found[0].endings:
@@ -128,6 +135,7 @@ def sniff(content: bytes, path: PathLike) -> PaletteFormat:
         return found[0]
     if ending in (".csv", ".tsv") and b"\0" not in content[:_HEAD]:
         return table.FORMAT  # its reader says which columns there are and which are wanted
+    refuse_theme(head, path)
     titles = ", ".join(known.title for known in FORMATS)
     raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
 
@@ -144,6 +152,10 @@ def read_palette(path: PathLike, *, cmyk_profile: PathLike | None = None) -> Rea
         It cannot be read, is of no known format, or is damaged; with the place: byte, line or field. Nothing is partly
         read.
     """
+    with open_regular(path) as stream:
+        head = stream.read(_HEAD)
+        if stream.seek(0, 2) > LARGEST_PALETTE:
+            refuse_axf(head, path)
     read = read_content(read_bytes(path, LARGEST_PALETTE), path)
     if cmyk_profile is None:
         return read

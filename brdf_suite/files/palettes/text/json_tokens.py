@@ -274,7 +274,8 @@ def _value(entry: Entry) -> dict[str, Any]:
 
 def _sniff(head: bytes, _size: int) -> bool:
     start = head.removeprefix(b"\xef\xbb\xbf").lstrip()
-    if not start.startswith((b"{", b"[")) or b"\0" in head:
+    # A word behind the bracket is the section of a settings file.
+    if not re.match(rb'\{|\[\s*(?:[\[\]{"\d-]|$)', start) or b"\0" in head:
         return False
     # Documents of this program have a format of their own; what is left must speak of a colour somewhere.
     return not re.match(rb'\{\s*"format"\s*:', start)
