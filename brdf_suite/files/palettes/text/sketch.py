@@ -12,7 +12,8 @@ from brdf_suite.files.palettes.conversions import convert_to_plain
 from brdf_suite.files.palettes.format import PaletteFormat
 
 _KEYS = ("red", "green", "blue")
-_VERSION = "2.0"
+_VERSION = "1.4"
+"""The layout's own version: plug-ins of a lower version refuse a file, and from 1.4 on colours are numbers."""
 
 
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
