@@ -70,6 +70,9 @@ STANDARD: dict[str, Given] = {
         "specular_color": GOLD, "specular_roughness": 0.45, "specular_IOR": 1.6, "coat": 0.7, "coat_color": GOLD,
         "coat_roughness": 0.3, "coat_IOR": 1.45,
     },
+    "rough metal": {"base_color": GOLD, "metalness": 1.0, "specular_roughness": 0.8},
+    "tinted weak specular": {"base_color": RED, "specular": 0.5, "specular_color": GOLD, "specular_roughness": 0.4},
+    "coat of a high index": {"base_color": BLUE, "coat": 1.0, "coat_IOR": 1.9, "coat_roughness": 0.35},
 }  # fmt: skip
 OPENPBR: dict[str, Given] = {
     "defaults": {},
@@ -94,6 +97,14 @@ OPENPBR: dict[str, Given] = {
         "specular_weight": 0.8, "specular_color": GOLD, "specular_roughness": 0.45, "specular_ior": 1.6,
         "coat_weight": 0.7, "coat_color": GOLD, "coat_roughness": 0.3, "coat_ior": 1.45, "coat_darkening": 0.5,
     },
+    "another index": {"base_color": BLUE, "specular_ior": 1.9, "specular_roughness": 0.4},
+    "coat on half a metal": {
+        "base_color": GOLD, "base_metalness": 0.5, "specular_roughness": 0.5, "coat_weight": 1.0, "coat_roughness": 0.3,
+    },
+    "coat on a rough base": {
+        "base_color": RED, "base_diffuse_roughness": 0.5, "specular_weight": 0.5, "specular_roughness": 0.6,
+        "coat_weight": 1.0, "coat_roughness": 0.35,
+    },
 }  # fmt: skip
 GLTF: dict[str, Given] = {
     "defaults": {},
@@ -111,8 +122,25 @@ GLTF: dict[str, Given] = {
         "base_color": GOLD, "metallic": 0.3, "roughness": 0.5, "specular": 0.8, "specular_color": BLUE, "ior": 1.7,
         "clearcoat": 0.6, "clearcoat_roughness": 0.35,
     },
+    "rough metal": {"base_color": GOLD, "metallic": 1.0, "roughness": 0.8},
+    "dark plastic": {"base_color": (0.02, 0.02, 0.02), "metallic": 0.0, "roughness": 0.35},
+    "clearcoat on metal": {
+        "base_color": GOLD, "metallic": 1.0, "roughness": 0.5, "clearcoat": 1.0, "clearcoat_roughness": 0.3,
+    },
+    "clearcoat on matt": {
+        "base_color": BLUE, "metallic": 0.0, "specular": 0.0, "clearcoat": 1.0, "clearcoat_roughness": 0.4,
+    },
+    "quarter of a metal": {"base_color": RED, "metallic": 0.25, "roughness": 0.45},
+    "weak coloured specular": {
+        "base_color": RED, "metallic": 0.0, "specular": 0.5, "specular_color": GOLD, "roughness": 0.5,
+    },
+    "low index": {"base_color": RED, "metallic": 0.0, "ior": 1.3, "roughness": 0.4},
+    "index under a clearcoat": {
+        "base_color": BLUE, "metallic": 0.0, "ior": 1.8, "roughness": 0.5, "clearcoat": 0.8, "clearcoat_roughness": 0.4,
+    },
 }  # fmt: skip
 VARIANTS = {"standard_surface": STANDARD, "open_pbr_surface": OPENPBR, "gltf_pbr": GLTF}
+LEAST_VARIANTS = 20
 
 
 def written(tmp_path: Path, text: str) -> Path:
@@ -125,6 +153,7 @@ def written(tmp_path: Path, text: str) -> Path:
 def test_the_reflectance_is_that_of_the_shader_of_materialx(tmp_path: Path, kind: str) -> None:
     """The shader is compiled once; its inputs are uniforms."""
     differences = {}
+    assert len(VARIANTS[kind]) >= LEAST_VARIANTS
     with _shader.open_shader(written(tmp_path, document(kind, {}))) as shader:
         for name, given in VARIANTS[kind].items():
             shader.set({f"surface_{key}": size for key, size in given.items()})
