@@ -1,10 +1,11 @@
 """What the columns of a table are, by their headings: one table of names for palettes and for instruments' exports.
 
 Headings are compared without case, stars, degree signs and marks between words. A heading may name an angle in any
-usual way (``L15``, ``L*-15``, ``15° L*``, ``45as15 L``, ``r45as-15``), a light and an observer (``D65/10``), a
-wavelength (``400``, ``R400 nm``) or a difference (``dL``, ``ΔE``), which is passed over. The aspecular angles, their
-``45as15`` notation and the quantities of sparkle and graininess are those of the instruments' public descriptions; the
-headings of their exports are not published, so a heading is known by what it says and never by its place.
+usual way (``L15``, ``L*-15``, ``15° L*``, ``45as15 L``, ``r45as-15``, ``L* as15°``), a light and an observer
+(``D65/10``), a wavelength (``400``, ``R400 nm``) or a difference (``dL``, ``ΔE``), which is passed over. The aspecular
+angles, their ``45as15`` notation and the quantities of sparkle and graininess are those of the instruments' public
+descriptions; the headings of their exports are not published, so a heading is known by what it says and never by its
+place.
 """
 
 from __future__ import annotations
@@ -76,7 +77,7 @@ WHOLE = {
 """Headings of columns with all numbers of a colour in one cell."""
 
 _AS = re.compile(
-    r"\br?(\d{1,2}(?:\.\d+)?)\s*[aA][sS]\s*(minus|[-_])?\s*(\d{1,3}(?:\.\d+)?)"
+    r"(?<![^\W_])(?:r?(\d{1,2}(?:\.\d+)?)\s*)?as\s*(minus|[-_])?\s*(\d{1,3}(?:\.\d+)?)"
     r"(?:\s*az(?:imuth)?\s*(minus|[-_])?\s*(\d{1,3}(?:\.\d+)?))?°?",
     re.IGNORECASE,
 )
@@ -173,7 +174,7 @@ def parse_geometry(text: str, light_deg: float = USUAL_LIGHT_DEG) -> Geometry | 
 def _geometry(found: re.Match[str]) -> Geometry:
     light, minus, aspecular, turned, azimuth = found.groups()
     return (
-        float(light),
+        USUAL_LIGHT_DEG if light is None else float(light),
         -float(aspecular) if minus else float(aspecular),
         0.0 if azimuth is None else -float(azimuth) if turned else float(azimuth),
     )

@@ -13,6 +13,7 @@ import plistlib
 import random
 import struct
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
@@ -302,6 +303,189 @@ def instrument_trees() -> Iterator[Variant]:
             f"{text}</Table></Worksheet></Workbook>"
         )
         yield Variant(f"worksheet {style}", sheet.encode(), samples=SAMPLES)
+
+
+class Device(NamedTuple):
+    """A multi-angle instrument: what it measures, by its public descriptions, and how an export may head it."""
+
+    name: str
+    geometries: tuple[tuple[int, int], ...]
+    """Light and aspecular angle, in the plane of incidence."""
+    outside: tuple[str, ...]
+    """Geometries out of the plane, which a paint has no place for."""
+    headings: tuple[Callable[[str, str, int], str], ...]
+    """The heading of a channel, of a geometry's name and its aspecular angle."""
+    effects: dict[str, tuple[str, float]]
+    """Quantities by their headings: as the suite names them, and a value."""
+
+
+_AT_45 = tuple((45, angle) for angle in ANGLES)
+_SPARKLE = {
+    f"{letter}{angle}": (f"sparkle {word} {angle}°", size + angle / 100)
+    for angle in (15, 45, 75)
+    for letter, word, size in (("Si", "intensity", 4.0), ("Sa", "area", 12.0))
+}
+DEVICES = (
+    Device(
+        "BYK-mac i",
+        _AT_45,
+        (),
+        (
+            lambda c, _, a: f"{c}*{a}",
+            lambda c, _, a: f"{a}° {c}*",
+            lambda c, _, a: f"{c}* ({a}°)",
+            lambda c, _, a: f"{a} {c}",
+        ),
+        {**_SPARKLE, "G": ("graininess", 3.75)},
+    ),
+    Device(
+        "MA-T6",
+        _AT_45,
+        (),
+        (
+            lambda c, g, _: f"{g} {c}*",
+            lambda c, g, _: f"{c}* r{g}",
+            lambda c, g, _: f"{c}_{g}",
+            lambda c, g, _: f"{c}*(D65/10°) {g}",
+        ),
+        {"Sparkle Grade": ("sparkle grade", 5.5), "Coarseness": ("coarseness", 2.25)},
+    ),
+    Device(
+        "MA-T12",
+        (*_AT_45, *((15, angle) for angle in (-45, -15, 15, 45))),
+        ("45as25az90", "45as25az-90"),
+        (
+            lambda c, g, _: f"{g} {c}*",
+            lambda c, g, _: f"{c}* r{g}",
+            lambda c, g, _: f"{c}_{g}",
+            lambda c, g, _: f"{c}*(D65/10°) {g}",
+        ),
+        {"Sparkle Grade": ("sparkle grade", 5.5), "Diffuse coarseness": ("coarseness", 2.25)},
+    ),
+    Device(
+        "CM-M6",
+        _AT_45,
+        (),
+        (
+            lambda c, _, a: f"{c}*(D65/10°) as{a}°",
+            lambda c, _, a: f"as{a}° {c}*",
+            lambda c, _, a: f"{c}* as {a}",
+            lambda c, g, _: f"{c}*(D65) {g}",
+        ),
+        {},
+    ),
+)
+
+
+def device_samples(device: Device) -> tuple[tuple[str, Reading], ...]:
+    """What a device read of three paints."""
+    found = []
+    for seed, name in enumerate(("Silver 1", "Blau Metallic", "藍 Xirallic")):
+        at_45 = readings(seed)
+        at_15 = {
+            (15.0, a): (round(0.9 * lab[0], 2), lab[1], lab[2])
+            for (_, a), lab in readings(seed + 10, (-45, -15, 15, 45)).items()
+        }
+        whole = {**at_45, **at_15}
+        found.append((name, {(float(light), float(a)): whole[light, a] for light, a in device.geometries}))
+    return tuple(found)
+
+
+def device_tables(device: Device) -> Iterator[Variant]:
+    """Text exports of one instrument: a row for a sample, or a row for a geometry."""
+    samples = device_samples(device)
+    effects = dict(device.effects.values())
+    names = [*(f"{light}as{a}" for light, a in device.geometries), *device.outside]
+    places = [*(a for _, a in device.geometries), *(25 for _ in device.outside)]
+    about = [["Instrument:", device.name], ["Illuminant/Observer:", "D65/10"], []]
+
+    def cells(found: Reading, comma: bool) -> list[list[str]]:
+        rows = [*found.values(), *((30.0, 1.0, 2.0) for _ in device.outside)]
+        return [[decimal(v, comma) for v in lab] for lab in rows]
+
+    for (number, head), (separator, comma), with_effects, by_channel in itertools.product(
+        enumerate(device.headings), ((";", True), ("\t", False), (",", False)), (False, True), (False, True)
+    ):
+        places_of = [(i, c) for i in range(len(names)) for c in range(3)]
+        if by_channel:
+            places_of.sort(key=lambda place: place[1])
+        rows = [["Sample name", "Date", *(head("Lab"[c], names[i], places[i]) for i, c in places_of)]]
+        rows[0] += list(device.effects) if with_effects else []
+        for name, found in samples:
+            texts = cells(found, comma)
+            row = [name, "2026-01-31", *(texts[i][c] for i, c in places_of)]
+            row += [decimal(value, comma) for _, value in device.effects.values()] if with_effects else []
+            rows.append(row)
+        text = delimited([*about, *rows] if number % 2 else rows, separator)
+        yield Variant(
+            f"{device.name} wide {number} {separator!r} {with_effects} {by_channel}",
+            text.encode("utf-16" if separator == "\t" else "utf-8-sig"),
+            samples=samples,
+            effects=effects if with_effects else None,
+        )
+    for heading, comma in itertools.product(("Geometry", "Angle", "Winkel"), (False, True)):
+        rows = [["Sample", "Instrument", heading, "L*", "a*", "b*"]]
+        for name, found in samples:
+            for at, row in zip(names, cells(found, comma), strict=True):
+                rows.append([name, device.name, at, *row])
+        text = delimited(rows, ";" if comma else ",")
+        yield Variant(f"{device.name} long {heading} {comma}", text.encode(), samples=samples)
+
+
+def device_trees(device: Device) -> Iterator[Variant]:
+    """XML exports of one instrument."""
+    samples = device_samples(device)
+    words = {"Sparkle Grade": "SparkleGrade", "Diffuse coarseness": "Coarseness", "G": "Graininess"}
+    wraps: tuple[Callable[[str, str], str], ...] = (
+        lambda at, inner: f'<Reading Geometry="{at}">{inner}</Reading>',
+        lambda at, inner: f"<Measurement><Geometry>{at}</Geometry>{inner}</Measurement>",
+        lambda at, inner: f'<Angle Name="{at}">{inner}</Angle>',
+    )
+    for wrap, as_attributes, with_effects, declared in itertools.product(
+        wraps, (False, True), (False, True), ("", '<?xml version="1.0" encoding="utf-8"?>\n')
+    ):
+        body = ""
+        for name, found in samples:
+            at_all = {f"{light:g}as{a:g}": lab for (light, a), lab in found.items()}
+            at_all |= dict.fromkeys(device.outside, (30.0, 1.0, 2.0))
+            inner = ""
+            for at, lab in at_all.items():
+                parts = list(zip("Lab", lab, strict=True))
+                plain = "".join(f"<{c}>{v:g}</{c}>" for c, v in parts)
+                keys = " ".join(f'{c}="{v:g}"' for c, v in parts)
+                inner += wrap(at, f"<Lab {keys}/>" if as_attributes else plain)
+            if with_effects:
+                inner += "".join(
+                    f"<{words.get(key, key)}>{value:g}</{words.get(key, key)}>"
+                    for key, (_, value) in device.effects.items()
+                )
+            body += f"<Sample Name={quoteattr(name)}>{inner}</Sample>"
+        text = (
+            f'{declared}<Export Device="{device.name}"><Illuminant>D65</Illuminant><Observer>10</Observer>'
+            f"{body}</Export>"
+        )
+        effects = dict(device.effects.values()) if with_effects else None
+        label = f"{device.name} {wraps.index(wrap)} {as_attributes} {with_effects} {bool(declared)}"
+        yield Variant(label, text.encode(), samples=samples, effects=effects)
+
+
+def paint_net() -> Iterator[Variant]:
+    """Palettes of paint.net: comments behind a semicolon, and codes of eight digits, opacity first."""
+    heads = {
+        "full": "; paint.net Palette File\n; Lines that start with a semicolon are comments\n; Colors: 4\n",
+        "named": "; Palette Name: Season\n; Description: of 2026\n; Colors: 4\n",
+        "short": ";\n",
+        "old": "; Paint.NET Palette File\n;\n; a\n\n",
+    }
+    for (title, head), upper, newline, code in itertools.product(
+        heads.items(), (True, False), ("\r\n", "\n"), ("utf-8", "utf-8-sig", "utf-16")
+    ):
+        codes = ["ff{:02x}{:02x}{:02x}".format(*row) for row in RGB]
+        text = head + "\n".join(one.upper() if upper else one for one in codes) + "\n"
+        content = text.replace("\n", newline).encode(code)
+        yield Variant(f"{title} {upper} {newline!r} {code}", content, rgb_flat(("", "", "", "")))
+    clear = head + "\n".join("{:02x}{:02x}{:02x}{:02x}".format(64 * i, *row) for i, row in enumerate(RGB))
+    yield Variant("see-through", clear.encode(), rgb_flat(("", "", "", "")))
 
 
 def hex_lists() -> Iterator[Variant]:
@@ -596,7 +780,10 @@ WRITERS: dict[str, tuple[str, Callable[[], Iterator[Variant]]]] = {
     "plain tables": ("table", flat_tables),
     "instruments' tables": ("table", instrument_tables),
     "instruments' XML": ("instrument", instrument_trees),
+    **{f"{one.name}, tables": ("table", partial(device_tables, one)) for one in DEVICES},
+    **{f"{one.name}, XML": ("instrument", partial(device_trees, one)) for one in DEVICES},
     "CxF3 of instruments": ("cxf", cxf),
+    "paint.net": ("hex", paint_net),
     "hex lists": ("hex", hex_lists),
     "CorelDRAW XML": ("corel", corel_xml),
     "CorelDRAW CPL": ("cpl", cpl),

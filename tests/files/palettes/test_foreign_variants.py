@@ -65,3 +65,19 @@ def test_variants_are_read_and_none_has_a_wrong_colour(title: str) -> None:
             wrong.append(f"{variant.label}: {bad}")
     assert wrong == []
     assert len(refused) <= (1.0 - LEAST_READ) * len(variants), refused
+
+
+INSTRUMENTS = [
+    title
+    for title in WRITERS
+    if "instruments'" in title or any(one.name in title for one in _writers.DEVICES)
+]
+
+
+@pytest.mark.parametrize("title", INSTRUMENTS)
+def test_instruments_say_that_their_layout_is_not_published(title: str) -> None:
+    for variant in WRITERS[title][1]():
+        notes = read_content(variant.content, "a.dat").notes
+        assert any(note.startswith("The layout of the table is not published") for note in notes)
+        # What is out of the plane of incidence is no reading of a paint, and is named.
+        assert any("45as25 is out of the plane" in note for note in notes) == ("MA-T12" in title)
