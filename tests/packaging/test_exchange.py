@@ -111,6 +111,27 @@ def test_what_is_seen_is_what_is_reported(checkout: Path) -> None:
             assert abs(found["seen"] - found["reported"]) <= near, (name, client)
 
 
+BOUNDS = {
+    "blender": {"solid": 2.0, "metallic": 3.0, "pearl": 3.0},
+    "luxcore": {"solid": 2.0, "metallic": 4.0, "pearl": 4.0},
+}
+"""Mean ΔE00 of a rendered sphere that the exports may be off, by class."""
+
+
+@pytest.mark.parametrize("client", BOUNDS)
+def test_the_means_of_classes_are_within_their_bounds(
+    checkout: Path, monkeypatch: pytest.MonkeyPatch, client: str
+) -> None:
+    monkeypatch.syspath_prepend(str(checkout / "packaging" / "documents"))
+    tables = importlib.import_module("insert_figures")
+    seen: dict[str, list[float]] = {}
+    for name, clients in tables.exchange_figures().items():
+        seen.setdefault(tables.paint_class(name), []).append(clients[client]["seen"])
+    assert seen.keys() == BOUNDS[client].keys()
+    means = {kind: float(np.mean(found)) for kind, found in seen.items()}
+    assert {kind: mean for kind, mean in means.items() if mean > BOUNDS[client][kind]} == {}
+
+
 def test_usd_states_what_blender_shows_besides() -> None:
     item = item_of("midnight_blue")
     there, elsewhere = loss_in_blender(item), fit_coated_facets(item, "usd").on_sphere
