@@ -1,17 +1,19 @@
 """Layouts of environment images, their detection by shape, and their conversion to a latitude-longitude map.
 
-All images are taken as seen from inside, not mirrored, unless the layout is a mirror ball, which is seen from
-outside. The middle of the front is +z, what is right of it is -x, as in the suite's latitude-longitude maps.
+All images are taken as seen from inside, not mirrored, unless the layout is a probe or a mirror ball, which are seen
+from outside. The middle of the front is +z, what is right of it is -x, as in the suite's latitude-longitude maps; the
+middle of a probe and of a mirror ball is -z. There all directions opposite to the middle share the rim, and the default
+camera looks towards -z, so the rim lies behind it.
 
 Cube faces are kept in the order right, left, up, down, front, back; each upright as seen from inside, up with the
 front at its lower edge, down with the front at its upper edge.
 
 Of the images that are a disc, for a direction d of unit length, the place in the disc of radius 1 (to the right, up):
 
-- angular map (light probe): r = acos(d_z)/π along (d_x, d_y); P. Debevec, "Rendering Synthetic Objects into
-  Real Scenes", SIGGRAPH 1998, and the page of his light probe gallery. It is what a mirror ball shows, evened
-  out, so it is seen from outside as that is: +x is right.
-- mirror ball, orthographic, the camera at +z: the place is the ball's normal there, halfway between d and +z.
+- angular map (light probe): r = acos(-d_z)/π along (-d_x, d_y); P. Debevec, "Rendering Synthetic Objects into
+  Real Scenes", SIGGRAPH 1998, and the page of his light probe gallery, whose middle is (0, 0, -1). It is what a mirror
+  ball shows, evened out, so it is seen from outside as that is: -x is right.
+- mirror ball, orthographic, the camera at -z: the place is the ball's normal there, halfway between d and -z.
 - dome: r = acos(d_y)/(π/2) about the zenith, the front (+z) below, -x at the right: a fisheye picture taken
   upwards. What is below the horizon is black.
 """
@@ -39,8 +41,8 @@ LAYOUTS: Mapping[Layout, str] = MappingProxyType(
         "horizontal_strip": "six faces side by side: right, left, up, down, front, back",
         "vertical_strip": "six faces one below the other, in the same order",
         "exr_cube": "six faces one below the other as OpenEXR's cube maps have them",
-        "angular": "light probe: the angle from the front grows evenly with the radius, the rim is the back",
-        "mirror_ball": "photograph of a mirror ball from far away, the camera in front of it (+z)",
+        "angular": "light probe: the angle from the middle (-z) grows evenly with the radius",
+        "mirror_ball": "photograph of a mirror ball from far away, the camera at -z",
         "dome": "fisheye of the upper half: the zenith in the middle, the horizon at the rim, the front below",
     }
 )
@@ -240,15 +242,16 @@ def _look_up_disc(
 
 def _angular(d: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     across = np.hypot(d[:, 0], d[:, 1])
-    # arctan2 keeps what arccos loses near the front and the back.
-    scale = np.arctan2(across, d[:, 2]) / np.pi / np.maximum(across, _TINY)
-    return _inside(d[:, 0] * scale, d[:, 1] * scale, np.arctan2(across, d[:, 2]) / np.pi)
+    # arctan2 keeps what arccos loses near the middle and opposite to it.
+    radius = np.arctan2(across, -d[:, 2]) / np.pi
+    scale = radius / np.maximum(across, _TINY)
+    return _inside(-d[:, 0] * scale, d[:, 1] * scale, radius)
 
 
 def _mirror_ball(d: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    # |d + z| = √(2 + 2 d_z); straight behind the ball every point of the rim shows the same.
-    length = np.sqrt(np.maximum(2.0 + 2.0 * d[:, 2], _TINY))
-    right, up = d[:, 0] / length, d[:, 1] / length
+    # |d - z| = √(2 - 2 d_z); straight behind the ball every point of the rim shows the same.
+    length = np.sqrt(np.maximum(2.0 - 2.0 * d[:, 2], _TINY))
+    right, up = -d[:, 0] / length, d[:, 1] / length
     return _inside(right, up, np.hypot(right, up))
 
 

@@ -87,5 +87,5 @@ def test_the_layout_can_be_said(tmp_path: Path, capsys: pytest.CaptureFixture[st
             == 0
         )
         strongest[name] = json.loads(capsys.readouterr().out)["lights"][0]["direction"]
-    assert strongest["angular"] == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
+    assert strongest["angular"] == pytest.approx([0.0, 0.0, -1.0], abs=0.05)
     assert strongest["dome"] == pytest.approx([0.0, 1.0, 0.0], abs=0.05)

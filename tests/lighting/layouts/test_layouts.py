@@ -7,6 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from brdf_suite.documents.view import Camera
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.lighting.layouts import LAYOUTS, as_latlong, detect_layout
@@ -60,7 +61,9 @@ def drawn(layout: str, size: int) -> np.ndarray:
             )
         else:
             theta = inside * np.pi if layout == "angular" else 2.0 * np.arcsin(inside)
-            d = np.stack([np.sin(theta) * np.cos(turn), np.sin(theta) * np.sin(turn), np.cos(theta)], axis=-1)
+            d = np.stack(
+                [-np.sin(theta) * np.cos(turn), np.sin(theta) * np.sin(turn), -np.cos(theta)], axis=-1
+            )
         return light(d).astype(np.float32)
     faces = {look: cube_face(look, size) for look in ("front", "back", "right", "left", "up", "down")}
     order = ["right", "left", "up", "down", "front", "back"]
@@ -108,11 +111,28 @@ def test_every_layout_gives_the_light_back(layout):
         error = error[: height // 2 - 1]
     if layout in ("angular", "mirror_ball"):
         # Behind a mirror ball a wide ring of directions shares the last pixels of the rim.
-        behind = direction(ring_angles(height)[:, None], column_angles(2 * height)[None, :])[..., 2] < -0.95
+        behind = direction(ring_angles(height)[:, None], column_angles(2 * height)[None, :])[..., 2] > 0.95
         assert np.percentile(error[behind], 99) < (0.35 if layout == "mirror_ball" else 0.08)
         error = error[~behind]
     assert error.max() < (0.06 if layout == "mirror_ball" else 0.04)
     assert np.median(error) < 0.002
+
+
+@pytest.mark.parametrize("layout", ["angular", "mirror_ball"])
+def test_the_default_camera_looks_away_from_the_rim(layout):
+    image = np.zeros((64, 64, 3), np.float32)
+    image[28:36, 28:36] = 1.0
+    result = as_latlong(image, layout)[..., 0]
+    height = len(result)
+    towards = direction(ring_angles(height)[:, None], column_angles(2 * height)[None, :])
+    lit = (towards * result[..., None]).sum(axis=(0, 1))
+    camera = Camera()
+    azimuth, elevation = np.radians(camera.azimuth_deg), np.radians(camera.elevation_deg)
+    away = np.array(
+        [np.sin(azimuth) * np.cos(elevation), np.sin(elevation), np.cos(azimuth) * np.cos(elevation)]
+    )
+    # Not the middle of a probe, and still less its rim, lies behind the default camera.
+    assert lit / np.linalg.norm(lit) @ -away > np.cos(np.radians(45.0))
 
 
 @pytest.mark.parametrize("layout", [name for name in LAYOUTS if name not in ("latlong", "dome")])
