@@ -213,6 +213,21 @@ def test_commands_take_it(file: Path, capsys: pytest.CaptureFixture[str], tmp_pa
     assert "Silver" in capsys.readouterr().out
 
 
+def test_commands_say_that_the_layout_is_not_published(
+    file: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    for words in (
+        ["palette", "info", str(file)],
+        ["palette", "convert", str(file), "-o", str(tmp_path / "out.gpl")],
+        ["convert", str(file), "-o", str(tmp_path / "out.merl")],
+        ["design", "start", str(file), "-o", str(tmp_path / "out.brdfpaint")],
+    ):
+        assert main(words) == 0
+        # CxF3 is published.
+        said = "The layout of the table is not published" in "".join(capsys.readouterr())
+        assert said == (file.suffix != ".cxf"), words
+
+
 def test_effects_go_into_cxf_and_come_back_once(file: Path, tmp_path: Path) -> None:
     first = read_palette(file).palette
     again = tmp_path / "again.cxf"
