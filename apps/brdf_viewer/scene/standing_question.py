@@ -1,19 +1,25 @@
-"""Asks how a mesh stands that looks wrong: axis up and unit, over the picture, which shows each answer at once."""
+"""Asks how a mesh stands that looks wrong: axis up and unit, over the picture, which shows each answer at once.
+
+Of a CAD file it also asks how near its triangles come to its surfaces.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import PurePath
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, set_bold
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import decimal, tr
 from brdf_qt.window.floating import Floating
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.documents.view_settings import PARAMETERS, SurfaceLook
+from brdf_suite.files.meshes.kinds import CAD_ENDINGS
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.standing import Standing, find_standing
@@ -22,6 +28,7 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.section import UNIT_TITLES, UP_TITLES
 from brdf_viewer.window import ViewerWindow
 
+_FINENESS = PARAMETERS["surface.tessellation_mm"]
 _ASKED = {
     "up": {key: UP_TITLES[key] for key in ("y", "z")},
     "unit": {key: UNIT_TITLES[key] for key in ("m", "cm", "mm", "in")},
@@ -29,9 +36,9 @@ _ASKED = {
 
 
 class StandingPanel(Floating):
-    """Two rows of choices and a size. Signals: ``answered(field, key)`` with each choice, ``closed()``."""
+    """Two rows of choices, for CAD files a number, and a size. Signals: ``answered(field, value)``, ``closed()``."""
 
-    answered = Signal(str, str)
+    answered = Signal(str, object)
     closed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -44,10 +51,14 @@ class StandingPanel(Floating):
         paper = QFrame()
         paper.setFrameShape(QFrame.Shape.StyledPanel)
         paper.setAutoFillBackground(True)
-        question = PlainLabel(tr("Is it upright, and the right size?"))
-        set_bold(question, True)
+        self.question = PlainLabel()
+        set_bold(self.question, True)
+        self.fineness = NumberField(tr("Fineness"), *reach_of(_FINENESS, 0.05, 3))
+        self.fineness.setToolTip(tr(_FINENESS.meaning))
+        self.fineness.edited.connect(lambda value: self.answered.emit("tessellation_mm", value))
+        self._fineness_title = PlainLabel(tr("Fineness"))
         column = QVBoxLayout(paper)
-        column.addWidget(question)
+        column.addWidget(self.question)
         row = QHBoxLayout()
         for field, group in self.choices.items():
             for button in group.buttons():
@@ -56,6 +67,8 @@ class StandingPanel(Floating):
                 lambda button, field=field: self.answered.emit(field, button.objectName())
             )
             row.addSpacing(12)
+        row.addWidget(self._fineness_title)
+        row.addWidget(self.fineness)
         row.addStretch(1)
         column.addLayout(row)
         last = QHBoxLayout()
@@ -67,8 +80,16 @@ class StandingPanel(Floating):
         outside.addWidget(paper)
         self.hide()
 
-    def show_look(self, look: SurfaceLook, mesh: Mesh) -> None:
-        """Show the present answers, and how large that makes the surface."""
+    def show_look(self, look: SurfaceLook, mesh: Mesh, *, of_cad: bool) -> None:
+        """Show the present answers, and how large that makes the surface; ``of_cad``: also how fine it is cut."""
+        self.question.setText(
+            tr("Is it upright, the right size, and fine enough?")
+            if of_cad
+            else tr("Is it upright, and the right size?")
+        )
+        self._fineness_title.setVisible(of_cad)
+        self.fineness.setVisible(of_cad)
+        self.fineness.set_value(look.tessellation_mm)
         for field, group in self.choices.items():
             for button in group.buttons():
                 button.setChecked(button.objectName() == getattr(look, field))
@@ -85,7 +106,7 @@ class StandingQuestion(ViewerFeature):
         super().__init__(state, window)
         self.panel = StandingPanel()
         self.panel.float_over(window.picture, window.picture)
-        self.panel.answered.connect(lambda field, key: self._answer(**{field: key}))
+        self.panel.answered.connect(lambda field, value: self._answer(**{field: value}))
         self.panel.closed.connect(self.panel.hide)
         self._seen: Mesh | None = None
         self._asked = ""
@@ -100,28 +121,36 @@ class StandingQuestion(ViewerFeature):
         self._seen = surface.value
         if not self.panel.isHidden():
             if surface.key == self._asked:
-                self.panel.show_look(self._state.view.surface_look, surface.value)
+                self._show()
                 return
             self.panel.hide()
         look = self._state.view.surface_look
         if surface.key == self._asked or (look.up, look.unit) != ("file", "file"):
             return
         found = find_standing(surface.value)
-        if found is not None and found.is_doubtful:
+        proposed = found if found is not None and found.is_doubtful else None
+        if proposed is not None or (_is_cad(surface.key) and look.tessellation_mm == _FINENESS.default):
             self._asked = surface.key
             # Later: this comes from within a change of the view.
-            QTimer.singleShot(0, self, lambda: self._propose(found))
+            QTimer.singleShot(0, self, lambda: self._ask(proposed))
 
-    def _propose(self, found: Standing) -> None:
-        """Show the likeliest answer; undone together with the opening of the file."""
+    def _ask(self, proposed: Standing | None) -> None:
+        """Show the question, and the likeliest answer; undone together with the opening of the file."""
         view = self._state.view
         if view.surface != self._asked:
             return
-        look = replace(view.surface_look, up=found.up, unit=found.unit)
         self.panel.show()
-        self._state.follow_view(surface_look=look, camera=frame(view.camera))
+        self._show()
+        if proposed is not None:
+            look = replace(view.surface_look, up=proposed.up, unit=proposed.unit)
+            self._state.follow_view(surface_look=look, camera=frame(view.camera))
 
-    def _answer(self, **fields: str) -> None:
+    def _show(self) -> None:
+        """Show the view's answers."""
+        if self._seen is not None:
+            self.panel.show_look(self._state.view.surface_look, self._seen, of_cad=_is_cad(self._asked))
+
+    def _answer(self, **fields: str | float) -> None:
         """Show an answer in the picture, where it may be undone as any change."""
         look = replace(self._state.view.surface_look, **fields)  # type: ignore[arg-type]  # its check says what is wrong
         self._state.change_view(surface_look=look, camera=frame(self._state.view.camera))
@@ -131,8 +160,12 @@ class StandingQuestion(ViewerFeature):
             self._look()
         if new.surface != self._asked:
             self.panel.hide()
-        elif self._seen is not None and not self.panel.isHidden():
-            self.panel.show_look(new.surface_look, self._seen)
+        elif not self.panel.isHidden():
+            self._show()
+
+
+def _is_cad(key: str) -> bool:
+    return PurePath(key).suffix.lower() in CAD_ENDINGS
 
 
 def _choices(titles: Mapping[str, str]) -> QButtonGroup:

@@ -20,6 +20,8 @@ _ENDINGS = {
     **{ending: ending for ending in ("glb", "gltf", "obj", "stl", "ply", *OUTSIDE)},
     **{"usd": "usdc", "stp": "step", "igs": "iges", "p21": "step"},
 }
+CAD_ENDINGS = tuple(f".{ending}" for ending, kind in _ENDINGS.items() if OUTSIDE.get(kind) == "step")
+"""Of files whose surfaces are cut into triangles on reading."""
 MESH_ENDINGS = (
     *(".glb", ".gltf", ".obj", ".stl", ".ply", ".usd", ".usda", ".usdc", ".usdz", ".fbx", ".dae", ".3mf"),
     *(".step", ".stp", ".iges", ".igs", ".x3d", ".ac", ".3ds"),

@@ -70,3 +70,26 @@ def test_what_stands_is_not_asked(viewer, tmp_path) -> None:
     viewer.wait_idle()
     assert not viewer.controller.standing.panel.isVisible()
     assert viewer.view.surface_look.up == "file"
+
+
+def test_of_a_cad_file_the_fineness_is_asked(viewer, qtbot, tmp_path, load_helper) -> None:
+    pytest.importorskip("cascadio")
+    path = load_helper("mesh_writers.py").VARIANTS["step"](1, tmp_path).path
+    open_mesh(viewer, path)
+    panel = viewer.controller.standing.panel
+    qtbot.waitUntil(panel.isVisible)
+    assert panel.question.text() == "Is it upright, the right size, and fine enough?"
+    assert panel.fineness.isVisible()
+    before = viewer.state.surface.value
+    panel.fineness.setValue(1.5)
+    assert viewer.view.surface_look.tessellation_mm == 1.5
+    qtbot.waitUntil(lambda: viewer.state.surface.value is not before)
+    assert panel.fineness.value() == 1.5
+    QTest.mouseClick(panel.done, Qt.MouseButton.LeftButton)
+    assert not panel.isVisible()
+    box = tmp_path / "tall.obj"
+    write_box(box, (1000.0, 500.0, 2000.0))
+    open_mesh(viewer, box)
+    qtbot.waitUntil(panel.isVisible)
+    assert not panel.fineness.isVisible()
+    assert panel.question.text() == "Is it upright, and the right size?"
