@@ -859,6 +859,100 @@ def step(number: int, folder: Path) -> Written:
     return Written(file.write(path, bodies, unit), found, 1e-4)
 
 
+# X3D, AC3D and 3DS
+
+
+def x3d(number: int, folder: Path) -> Written:
+    found = solids(number)
+    shapes = []
+    for place, solid in enumerate(found):
+        shift = solid.points.mean(axis=0) if number % 2 else np.zeros(3)
+        comma = ", " if number % 3 == 1 else " "
+        points = comma.join(" ".join(f"{v:.9g}" for v in row) for row in solid.points - shift)
+        faces = [tuple(f) for f in solid.triangles.tolist()] if number % 5 < 2 else solid.faces
+        index = " -1 ".join(" ".join(map(str, face)) for face in faces) + (" -1" if number % 2 else "")
+        red, green, blue = solid.colour
+        clear = f' transparency="{1.0 - solid.opacity:g}"' if solid.opacity < 1.0 else ""
+        look = f'<Appearance><Material diffuseColor="{red:g} {green:g} {blue:g}"{clear}/></Appearance>'
+        flags = ' solid="true" ccw="true"' if number % 4 == 2 else ""
+        shapes.append(
+            f'<Transform DEF="{solid.name}" translation="{" ".join(f"{v:.9g}" for v in shift)}"><Shape DEF="s{place}">'
+            f'{look}<IndexedFaceSet coordIndex="{index}"{flags}><Coordinate point="{points}"/></IndexedFaceSet>'
+            "</Shape></Transform>"
+        )
+    version = ("3.0", "3.2", "3.3")[number % 3]
+    kind = f'<!DOCTYPE X3D PUBLIC "ISO//Web3D//DTD X3D {version}//EN" "http://www.web3d.org/x3d.dtd">\n'
+    text = (
+        f'<?xml version="1.0" encoding="UTF-8"?>\n{kind if number % 4 == 3 else ""}'
+        f'<X3D profile="Interchange" version="{version}"><head><meta name="title" content="a"/></head><Scene>'
+        f"{''.join(shapes)}</Scene></X3D>\n"
+    )
+    path = folder / "a.x3d"
+    path.write_text(text)
+    return Written(path, found, 1e-4)
+
+
+def ac3d(number: int, folder: Path) -> Written:
+    found = solids(number)
+    lines = [f"AC3D{'bc'[number % 2]}"]
+    for solid in found:
+        red, green, blue = solid.colour
+        lines.append(
+            f'MATERIAL "{solid.material}" rgb {red:g} {green:g} {blue:g}  amb 0.2 0.2 0.2  emis 0 0 0  '
+            f"spec 0.5 0.5 0.5  shi 10  trans {1.0 - solid.opacity:g}"
+        )
+    lines += ["OBJECT world", f"kids {len(found)}"]
+    for place, solid in enumerate(found):
+        shift = solid.points.mean(axis=0) if number % 3 == 1 else np.zeros(3)
+        lines += ["OBJECT poly", f'name "{solid.name}"']
+        lines += ["loc " + " ".join(f"{v:.9g}" for v in shift)] if shift.any() else []
+        lines += ["crease 30.0"] if number % 4 == 1 else []
+        lines.append(f"numvert {len(solid.points)}")
+        lines += [" ".join(f"{v:.9g}" for v in row) for row in solid.points - shift]
+        faces = [tuple(f) for f in solid.triangles.tolist()] if number % 5 < 2 else solid.faces
+        lines.append(f"numsurf {len(faces)}")
+        for face in faces:
+            lines += [f"SURF 0x{(0x00, 0x10)[number % 2]:02x}", f"mat {place}", f"refs {len(face)}"]
+            lines += [f"{k} 0 0" for k in face]
+        lines.append("kids 0")
+    path = folder / "a.ac"
+    path.write_bytes(("\r\n" if number % 4 == 3 else "\n").join([*lines, ""]).encode())
+    return Written(path, found, 1e-4)
+
+
+def three_ds(number: int, folder: Path) -> Written:
+    def chunk(code_: int, content: bytes) -> bytes:
+        return struct.pack("<HI", code_, 6 + len(content)) + content
+
+    found = solids(number)
+    materials, objects = b"", b""
+    for solid in found:
+        colour = chunk(0x0011, bytes(round(255 * v) for v in solid.colour))
+        if number % 2:
+            colour = chunk(0x0010, struct.pack("<3f", *solid.colour))
+        name = solid.material.encode() + b"\0"
+        clear = chunk(0xA050, chunk(0x0030, struct.pack("<H", round(100 * (1.0 - solid.opacity)))))
+        if name not in materials:
+            materials += chunk(0xAFFF, chunk(0xA000, name) + chunk(0xA020, colour) + clear)
+        points = lowered(solid.points).astype("<f4")
+        triangles = solid.triangles.astype("<u2")
+        flags = np.full((len(triangles), 1), 7 if number % 3 else 0, "<u2")
+        listed = np.arange(len(triangles), dtype="<u2").tobytes()
+        faces = struct.pack("<H", len(triangles)) + np.concatenate((triangles, flags), 1).tobytes()
+        faces += chunk(0x4130, name + struct.pack("<H", len(triangles)) + listed)
+        if number % 4 == 1:
+            faces += chunk(0x4150, np.ones(len(triangles), "<u4").tobytes())
+        inner = chunk(0x4110, struct.pack("<H", len(points)) + points.tobytes()) + chunk(0x4120, faces)
+        if number % 5 == 2:
+            inner += chunk(0x4160, np.eye(4, 3, dtype="<f4").tobytes())
+        objects += chunk(0x4000, solid.name.encode() + b"\0" + chunk(0x4100, inner))
+    version = chunk(0x0002, struct.pack("<I", 3))
+    edited = chunk(0x3D3D, (chunk(0x3D3E, struct.pack("<I", 3)) if number % 2 else b"") + materials + objects)
+    path = folder / "a.3ds"
+    path.write_bytes(chunk(0x4D4D, version + edited))
+    return Written(path, found, 1e-4)
+
+
 VARIANTS: dict[str, Callable[[int, Path], Written]] = {
     "quantized": quantized_glb,
     "draco": draco_glb,
@@ -868,4 +962,7 @@ VARIANTS: dict[str, Callable[[int, Path], Written]] = {
     "collada": collada,
     "3mf": three_mf,
     "step": step,
+    "x3d": x3d,
+    "ac3d": ac3d,
+    "3ds": three_ds,
 }

@@ -25,6 +25,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.standing import find_standing
 
 FORMATS = ("quantized", "draco", "meshopt", "usd", "fbx", "collada", "3mf", "step")
+OLD_FORMATS = ("x3d", "ac3d", "3ds")
 SMALLEST_SHARE = 0.97
 
 
@@ -55,7 +56,7 @@ def faults(mesh: Mesh, written) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("name", [*FORMATS, *OLD_FORMATS])
 def test_every_variant_is_read(writers: ModuleType, tmp_path: Path, name: str) -> None:
     good, said = 0, []
     for number in range(writers.COUNT):
