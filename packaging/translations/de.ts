@@ -7186,6 +7186,10 @@ Unten: {second}</translation>
         <translation>„{name}“ mit {count} Hinweisen importiert.</translation>
     </message>
     <message>
+        <source>Choose CMYK Profile…</source>
+        <translation>CMYK-Profil wählen…</translation>
+    </message>
+    <message>
         <source>The palette stays in the library; nothing else has changed.</source>
         <translation>Die Palette bleibt in der Bibliothek; sonst hat sich nichts geändert.</translation>
     </message>
@@ -10540,6 +10544,10 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Looks Right</source>
         <translation>Passt so</translation>
+    </message>
+    <message>
+        <source>Is it upright, the right size, and fine enough?</source>
+        <translation>Steht es aufrecht, stimmt die Größe, und ist es fein genug?</translation>
     </message>
     <message>
         <source>Is it upright, and the right size?</source>
@@ -16612,10 +16620,6 @@ h {hue}°</translation>
         <translation>enthält Zahlen über {0}, die weder Anteile noch Richtungen sind</translation>
     </message>
     <message>
-        <source>is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3</source>
-        <translation>ist ein AxF-Material oder ein anderer HDF5-Container und wird nicht gelesen; exportieren Sie die Messwerte als CxF3</translation>
-    </message>
-    <message>
         <source>is a function that ALTA fitted ({0}), not data; export its samples from ALTA</source>
         <translation>ist eine von ALTA angepasste Funktion ({0}), keine Messdaten; exportieren Sie die Messpunkte aus ALTA</translation>
     </message>
@@ -16986,6 +16990,14 @@ h {hue}°</translation>
     <message>
         <source>is no material library in the folder of the mesh</source>
         <translation>ist keine Materialbibliothek im Ordner des Netzes</translation>
+    </message>
+    <message>
+        <source>is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3 (see the page “AxF” of the manual)</source>
+        <translation>ist ein AxF-Material oder ein anderer HDF5-Container und wird nicht gelesen; exportieren Sie die Messwerte als CxF3 (siehe die Seite „AxF“ des Handbuchs)</translation>
+    </message>
+    <message>
+        <source>is a desktop theme or a colour scheme of windows (settings in sections), which is not read; write its colours as hex codes, one a line</source>
+        <translation>ist ein Desktop-Thema oder ein Farbschema von Fenstern (Einstellungen in Abschnitten) und wird nicht gelesen; schreiben Sie die Farben als Hex-Codes, einen je Zeile</translation>
     </message>
     <message>
         <source>expected {0} to {1} texels, not {2}</source>
@@ -17530,14 +17542,6 @@ h {hue}°</translation>
     <message>
         <source>six faces one below the other as OpenEXR&apos;s cube maps have them</source>
         <translation>sechs Seiten untereinander, wie die Würfelkarten von OpenEXR sie haben</translation>
-    </message>
-    <message>
-        <source>light probe: the angle from the front grows evenly with the radius, the rim is the back</source>
-        <translation>Lichtsonde: Der Winkel von vorn wächst gleichmäßig mit dem Radius, der Rand ist hinten</translation>
-    </message>
-    <message>
-        <source>photograph of a mirror ball from far away, the camera in front of it (+z)</source>
-        <translation>Foto einer Spiegelkugel aus großer Entfernung, die Kamera davor (+z)</translation>
     </message>
     <message>
         <source>fisheye of the upper half: the zenith in the middle, the horizon at the rim, the front below</source>
@@ -19444,6 +19448,14 @@ h {hue}°</translation>
         <translation>ändert sich, wenn die Probe gedreht wird; in diesem Format werden nur isotrope Reflexionen geschrieben</translation>
     </message>
     <message>
+        <source>light probe: the angle from the middle (-z) grows evenly with the radius</source>
+        <translation>Lichtsonde: Der Winkel von der Mitte (-z) wächst gleichmäßig mit dem Radius</translation>
+    </message>
+    <message>
+        <source>photograph of a mirror ball from far away, the camera at -z</source>
+        <translation>Foto einer Spiegelkugel aus großer Entfernung, die Kamera bei -z</translation>
+    </message>
+    <message>
         <source>must be one or more angles that rise</source>
         <translation>müssen ein oder mehr steigende Winkel sein</translation>
     </message>
@@ -20094,6 +20106,42 @@ h {hue}°</translation>
     <message>
         <source>has a table without points</source>
         <translation>hat eine Tabelle ohne Punkte</translation>
+    </message>
+    <message>
+        <source>Choose CM&amp;YK Profile…</source>
+        <translation>CM&amp;YK-Profil wählen…</translation>
+    </message>
+    <message>
+        <source>Show the CMYK colours of this palette, and of those opened later, through an ICC profile</source>
+        <translation>Die CMYK-Farben dieser und später geöffneter Paletten durch ein ICC-Profil zeigen</translation>
+    </message>
+    <message>
+        <source>Forget CMYK Profile</source>
+        <translation>CMYK-Profil vergessen</translation>
+    </message>
+    <message>
+        <source>Show the CMYK colours of palettes opened later without a profile</source>
+        <translation>Die CMYK-Farben später geöffneter Paletten ohne Profil zeigen</translation>
+    </message>
+    <message>
+        <source>ICC profiles</source>
+        <translation>ICC-Profile</translation>
+    </message>
+    <message>
+        <source>The palette is unchanged. Choose another profile.</source>
+        <translation>Die Palette ist unverändert. Wählen Sie ein anderes Profil.</translation>
+    </message>
+    <message>
+        <source>Choose CMYK profile</source>
+        <translation>CMYK-Profil wählen</translation>
+    </message>
+    <message>
+        <source>All CMYK colours of this palette have a look of their own, which they keep.</source>
+        <translation>Alle CMYK-Farben dieser Palette haben ein eigenes Aussehen und behalten es.</translation>
+    </message>
+    <message>
+        <source>The CMYK profile {name} cannot be used: {reason}.</source>
+        <translation>Das CMYK-Profil {name} kann nicht verwendet werden: {reason}.</translation>
     </message>
 </context>
 </TS>
