@@ -306,7 +306,7 @@ def instrument_trees() -> Iterator[Variant]:
 
 
 class Device(NamedTuple):
-    """A multi-angle instrument: what it measures, by its public descriptions, and how an export may head it."""
+    """A multi-angle instrument: what it measures, as it is generally described, and how an export may head it."""
 
     name: str
     geometries: tuple[tuple[int, int], ...]
