@@ -93,8 +93,9 @@ class PartGeometry:
         if array.ndim != 2 or array.shape[1] != width or array.shape[0] < 3:
             reason = f"shape {array.shape}, not (n, {width}) with n of at least 3"
             raise ValueRangeError(self._place(field), reason)
-        bad = np.flatnonzero(~(np.abs(array) <= np.finfo(np.float32).max).all(axis=1))
-        if bad.size:
+        largest = np.finfo(np.float32).max
+        if not -largest <= array.min() <= array.max() <= largest:  # NaN is in neither
+            bad = np.flatnonzero(~(np.abs(array) <= largest).all(axis=1))
             raise ValueRangeError(self._place(f"{field}[{bad[0]}]"), "not a finite single-precision number")
         return _read_only(array, np.float32)
 
@@ -105,8 +106,8 @@ class PartGeometry:
         if array.ndim != 2 or array.shape[1] != 3 or array.shape[0] < 1:
             reason = f"shape {array.shape}, not (k, 3) with k of at least 1"
             raise ValueRangeError(self._place("triangles"), reason)
-        bad = np.flatnonzero((array < 0).any(axis=1) | (array >= len(self.positions)).any(axis=1))
-        if bad.size:
+        if not 0 <= array.min() <= array.max() < len(self.positions):
+            bad = np.flatnonzero((array < 0).any(axis=1) | (array >= len(self.positions)).any(axis=1))
             reason = f"an index outside 0 to {len(self.positions) - 1}"
             raise ValueRangeError(self._place(f"triangles[{bad[0]}]"), reason)
         return _read_only(array, np.uint32)

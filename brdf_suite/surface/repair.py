@@ -16,14 +16,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from brdf_suite.arrays import AnyArray, Bools, Floats, Integers
+from brdf_suite.arrays import AnyArray, AnyIntegers, Bools, Floats, Integers, Reals
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import (
+    blocks,
     corner_normals,
     cross_columns,
     edge_columns,
     face_normals,
+    index_type,
     is_inside_out,
     packed,
     used_numbers,
@@ -35,7 +37,7 @@ _EVEN = 2.0
 _SHARE = 0.8
 
 
-def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats, Floats]:
+def stretch(positions: Floats, triangles: AnyIntegers, uvs: Floats) -> tuple[Floats, Floats, Floats]:
     """Return the smallest and largest length in texture space of a unit length on each triangle, and its area.
 
     All are (k,).
@@ -43,6 +45,13 @@ def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats
     The lengths are the singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs``
     per unit of ``positions``.
     """
+    smallest, largest, area = (np.empty(len(triangles)) for _ in range(3))
+    for block in blocks(len(triangles)):
+        smallest[block], largest[block], area[block] = _stretch(positions, triangles[block], uvs)
+    return smallest, largest, area
+
+
+def _stretch(positions: Floats, triangles: AnyIntegers, uvs: Floats) -> tuple[Floats, Floats, Floats]:
     # Coordinates that no scale can hold give infinite lengths, or none.
     with np.errstate(over="ignore", invalid="ignore"):
         along, other = edge_columns(positions, triangles)
@@ -62,7 +71,7 @@ def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats
     return smallest, largest, 0.5 * base * height
 
 
-def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> Floats | None:
+def uvs_in_millimetres(positions: Floats, triangles: AnyIntegers, uvs: Floats) -> Floats | None:
     """Return ``uvs`` scaled to millimetres, (n, 2), or ``None`` where they are too uneven to be.
 
     Even enough: on 80 % of the area every length is within a factor of two of the scale chosen.
@@ -82,7 +91,7 @@ def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> F
     return np.asarray(uvs * (MILLIMETRES / scale))
 
 
-def box_uvs(positions: Floats, triangles: Integers) -> tuple[Floats, Integers, Integers]:
+def box_uvs(positions: Floats, triangles: AnyIntegers) -> tuple[Floats, Integers, AnyIntegers]:
     """Project every triangle along the axis that its normal is nearest to.
 
     Returns
@@ -91,11 +100,18 @@ def box_uvs(positions: Floats, triangles: Integers) -> tuple[Floats, Integers, I
         (m, 2) millimetres; (m,) the old vertex of each new one, since a vertex is split where its triangles
         face different sides; (k, 3) new indices.
     """
-    side = np.abs(face_normals(positions, triangles)).argmax(axis=1)
-    used, numbered = used_numbers(triangles * 3 + side[:, None], 3 * len(positions))
-    kept, axis = used // 3, used % 3
-    planes = np.array([[2, 1], [0, 2], [0, 1]])[axis]
-    uvs = np.take_along_axis(positions[kept], planes, axis=1) * MILLIMETRES
+    corners = np.empty(triangles.shape, index_type(3 * len(positions)))
+    for block in blocks(len(triangles)):
+        side = np.abs(face_normals(positions, triangles[block])).argmax(axis=1)
+        corners[block] = triangles[block] * corners.dtype.type(3) + side[:, None]
+    used, numbered = used_numbers(corners, 3 * len(positions))
+    del corners
+    kept, axis = np.divmod(used, 3)
+    del used
+    planes = np.array([[2, 1], [0, 2], [0, 1]])
+    uvs = np.empty((len(kept), 2))
+    for block in blocks(len(kept)):
+        uvs[block] = np.take_along_axis(positions[kept[block]], planes[axis[block]], axis=1) * MILLIMETRES
     return uvs, kept, numbered
 
 
@@ -122,7 +138,7 @@ class ForeignLook:
 class RawPart:
     """Unchecked data of one part from a file.
 
-    ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices; ``normals`` (n, 3) or ``None``;
+    ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices, of any integer type; ``normals`` (n, 3) or ``None``;
     ``uvs`` (n, 2) in any unit, or ``None``. ``look`` is the file's material, ``material`` ours, to be guessed by
     :func:`brdf_suite.surface.part_materials.guess_materials`.
     """
@@ -130,7 +146,7 @@ class RawPart:
     name: str
     material: str
     positions: Floats
-    triangles: Integers
+    triangles: AnyIntegers
     normals: Floats | None = None
     uvs: Floats | None = None
     look: ForeignLook = ForeignLook()
@@ -145,51 +161,62 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
     triangles = _drawable(raw, notes)
     if not len(triangles):
         return None, notes
-    used, triangles = used_numbers(triangles, len(raw.positions))
+    name, material, count = raw.name, raw.material, len(raw.positions)
+    used, triangles = used_numbers(triangles, count)
     positions = raw.positions[used]
-    uvs = raw.uvs[used] if raw.uvs is not None and raw.uvs.shape == (len(raw.positions), 2) else None
-    normals = _given_normals(raw, used)
+    uvs = raw.uvs[used] if raw.uvs is not None and raw.uvs.shape == (count, 2) else None
+    normals: Reals | None = _given_normals(raw, used)
+    del raw, used  # the arrays of the file, where the caller does not hold them
     if normals is None:
         welded = weld(positions)
         if is_inside_out(positions, triangles, welded):
             triangles = triangles[:, ::-1]
-            notes.append(f"{raw.name}: turned inside out, its triangles faced inwards")
+            notes.append(f"{name}: turned inside out, its triangles faced inwards")
         corners = corner_normals(positions, triangles, welded, CREASE_DEG)
-        positions, triangles, normals, kept = split_corners(positions, triangles, corners)
+        del welded
+        triangles, first, kept = _split(triangles, corners, len(positions))
+        normals = corners.reshape(-1, 3)[first].astype(np.float32)
+        del corners, first
+        positions = positions[kept]
         uvs = None if uvs is None else uvs[kept]
-        notes.append(f"{raw.name}: had no normals; made smooth, with edges above {CREASE_DEG:g}°")
+        del kept
+        notes.append(f"{name}: had no normals; made smooth, with edges above {CREASE_DEG:g}°")
     else:
-        normals = _mended_normals(raw.name, positions, triangles, normals, notes)
+        normals = _mended_normals(name, positions, triangles, normals, notes)
 
     scaled = None if uvs is None else uvs_in_millimetres(positions, triangles, uvs)
     if scaled is None:
         why = (
             "had no texture coordinates" if uvs is None else "texture coordinates were too uneven for flakes"
         )
-        notes.append(f"{raw.name}: {why}; projected from the sides of a box, in millimetres")
+        del uvs
+        notes.append(f"{name}: {why}; projected from the sides of a box, in millimetres")
         scaled, kept, triangles = box_uvs(positions, triangles)
-        positions, normals = positions[kept], normals[kept]
-    part = PartGeometry(raw.name, raw.material, positions, normals, scaled, triangles)
-    return part, notes
+        positions, normals = positions.astype(np.float32)[kept], normals[kept]
+    return PartGeometry(name, material, positions, normals, scaled, triangles), notes
 
 
-def _drawable(raw: RawPart, notes: list[str]) -> Integers:
+def _drawable(raw: RawPart, notes: list[str]) -> AnyIntegers:
     """Return the triangles that exist, are finite and have an area."""
-    triangles = np.asarray(raw.triangles, dtype=np.int64).reshape(-1, 3)
-    if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(raw.positions):
-        present: Bools = np.all((triangles >= 0) & (triangles < len(raw.positions)), axis=1)
+    triangles = np.asarray(raw.triangles).reshape(-1, 3)
+    positions = raw.positions
+    if len(triangles) and not 0 <= triangles.min() <= triangles.max() < len(positions):
+        present: Bools = np.all((triangles >= 0) & (triangles < len(positions)), axis=1)
         notes.append(f"{raw.name}: left out {_count(~present)} with corners that are not in the file")
         triangles = triangles[present]
     # Beyond 1e12 m single precision has nothing left to draw with.
-    extent = np.abs(raw.positions)
-    if not (extent < 1e12).all() and not (sound := np.all(extent < 1e12, axis=1))[triangles].all():
-        finite: Bools = np.all(sound[triangles], axis=1)
-        notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
-        triangles = triangles[finite]
-    one, other = edge_columns(raw.positions, triangles)
-    longest = np.maximum.reduce([np.einsum("jk,jk->k", edge, edge) for edge in (one, other, other - one)])
-    normal = cross_columns(one, other)
-    flat = np.sqrt(np.einsum("jk,jk->k", normal, normal)) <= 1e-10 * longest
+    if len(positions) and not -1e12 < positions.min() <= positions.max() < 1e12:
+        sound = np.all(np.abs(positions) < 1e12, axis=1)
+        if not sound[triangles].all():
+            finite: Bools = np.all(sound[triangles], axis=1)
+            notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
+            triangles = triangles[finite]
+    flat = np.empty(len(triangles), np.bool_)
+    for block in blocks(len(triangles)):
+        one, other = edge_columns(positions, triangles[block])
+        longest = np.maximum.reduce([np.einsum("jk,jk->k", edge, edge) for edge in (one, other, other - one)])
+        normal = cross_columns(one, other)
+        flat[block] = np.sqrt(np.einsum("jk,jk->k", normal, normal)) <= 1e-10 * longest
     if flat.any():
         notes.append(f"{raw.name}: left out {_count(flat)} without area")
         triangles = triangles[~flat]
@@ -205,17 +232,21 @@ def _given_normals(raw: RawPart, used: Integers) -> Floats | None:
     """Return the file's normals of the ``used`` vertices, unit or zero; ``None`` where most are no use."""
     if raw.normals is None or raw.normals.shape != raw.positions.shape:
         return None
-    normals = np.where(np.isfinite(raw.normals[used]), raw.normals[used], 0.0)
-    length = np.sqrt(np.einsum("ij,ij->i", normals, normals))[:, None]
-    good = (length > 1e-6) & (length < 1e12)
-    if good.mean() < 0.5:
-        return None
-    return np.where(good, normals / np.where(good, length, 1.0), 0.0)
+    normals = np.empty((len(used), 3))
+    usable = 0
+    for block in blocks(len(used)):
+        given = raw.normals[used[block]]
+        given[~np.isfinite(given)] = 0.0
+        length = np.sqrt(np.einsum("ij,ij->i", given, given))[:, None]
+        good = (length > 1e-6) & (length < 1e12)
+        usable += int(good.sum())
+        normals[block] = np.where(good, given / np.where(good, length, 1.0), 0.0)
+    return normals if usable >= 0.5 * len(used) else None
 
 
 def _mended_normals(
-    name: str, positions: Floats, triangles: Integers, normals: Floats, notes: list[str]
-) -> Floats:
+    name: str, positions: Floats, triangles: AnyIntegers, normals: Reals, notes: list[str]
+) -> Reals:
     """Fill the zero normals with the mean of the faces around them."""
     missing = ~normals.any(axis=1)
     if not missing.any():
@@ -234,37 +265,59 @@ def _mended_normals(
 
 
 def split_corners(
-    positions: Floats, triangles: Integers, corners: Floats
-) -> tuple[Floats, Integers, Floats, Integers]:
+    positions: Floats, triangles: AnyIntegers, corners: Floats
+) -> tuple[Floats, AnyIntegers, Floats, AnyIntegers]:
     """Give each vertex one normal by splitting it where ``corners`` (k, 3, 3) has several.
 
     Returns positions, triangles, normals and, for each new vertex, the old one.
     """
+    made, first, kept = _split(triangles, corners, len(positions))
+    return positions[kept], made, corners.reshape(-1, 3)[first], kept
+
+
+def _split(
+    triangles: AnyIntegers, corners: Floats, count: int
+) -> tuple[AnyIntegers, AnyIntegers, AnyIntegers]:
+    """Return the triangles of :func:`split_corners`; for each new vertex, its first corner and the old vertex."""
     vertices, normals = triangles.reshape(-1), corners.reshape(-1, 3)
-    facing = packed(np.round(normals * 1e6).astype(np.int64) + 1_000_000)
+    number = index_type(len(vertices))
+    facing = np.empty(len(vertices), np.int64)
+    for block in blocks(len(vertices)):
+        facing[block] = packed(np.round(normals[block] * 1e6).astype(np.int64) + 1_000_000)
     # Most vertices have one normal, and are not sorted: in reverse, the first corner of each is written last.
-    first_of = np.full(len(positions), -1, np.int64)
-    first_of[vertices[::-1]] = np.arange(len(vertices) - 1, -1, -1)
-    several = np.zeros(len(positions), np.bool_)
-    several[vertices[facing != facing[first_of[vertices]]]] = True
-    corner = np.flatnonzero(several[vertices])
-    order = corner[np.lexsort((facing[corner], vertices[corner]))]
+    first_of = np.full(count, -1, number)
+    first_of[vertices[::-1]] = np.arange(len(vertices) - 1, -1, -1, dtype=number)
+    several = np.zeros(count, np.bool_)
+    for block in blocks(len(vertices)):
+        here = vertices[block]
+        several[here[facing[block] != facing[first_of[here]]]] = True
+    corner = np.flatnonzero(several[vertices]).astype(number)
+    facing = facing[corner]
+    sorting = np.lexsort((facing, vertices[corner]))
+    order, facing = corner[sorting], facing[sorting]
+    del corner, sorting
     starts = np.ones(len(order), np.bool_)
-    starts[1:] = (np.diff(vertices[order]) != 0) | (np.diff(facing[order]) != 0)
-    counts = (first_of >= 0).astype(np.int64)
-    counts[several] = np.bincount(vertices[order[starts]], minlength=len(positions))[several]
-    begins = np.cumsum(counts) - counts
+    at = vertices[order]
+    starts[1:] = (at[1:] != at[:-1]) | (facing[1:] != facing[:-1])
+    del facing
+    counts = (first_of >= 0).astype(number)
+    counts[several] = np.bincount(at[starts], minlength=count)[several]
+    begins = np.cumsum(counts, dtype=number) - counts
+    total = int(counts.sum())
+    del counts
     flat = begins[vertices]
     # Those of one vertex are numbered from its first.
-    among = np.cumsum(starts) - 1
-    new = np.flatnonzero(np.diff(vertices[order], prepend=-1))
-    flat[order] += among - np.repeat(among[new], np.diff(np.append(new, len(order))))
-    first = np.empty(int(counts.sum()), np.int64)
+    among = np.cumsum(starts, dtype=number) - number.type(1)
+    new = np.flatnonzero(np.diff(at, prepend=-1))
+    among -= np.repeat(among[new], np.diff(np.append(new, len(order))))
+    flat[order] += among
+    del among, new, at
+    first = np.empty(total, number)
     plain = np.flatnonzero((first_of >= 0) & ~several)
     first[begins[plain]] = first_of[plain]
-    first[flat[order[starts]]] = order[starts]
-    kept = vertices[first]
-    return positions[kept], flat.reshape(-1, 3), normals[first], kept
+    starting = order[starts]
+    first[flat[starting]] = starting
+    return flat.reshape(-1, 3), first, vertices[first]
 
 
 def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
