@@ -83,12 +83,22 @@ def most_made_bytes() -> int:
     return max(MOST_MADE_BYTES, int(text[:9]) * 1_000_000 if text.isdecimal() else 0)
 
 
-def check_made(path: PathLike, size: int, what: str, place: str | None = None) -> None:
+MADE_OF_HELD = 32
+"""Bytes that may be made of each byte that a file holds, where that is more than the limit for small files.
+
+An indexed triangle with its half a vertex takes 12 bytes of a compact file, and at most 32 times as much while it is
+read and repaired, so that a mesh is read whose triangles are all in its file. What goes beyond is made of few bytes, as
+instances are.
+"""
+
+
+def check_made(path: PathLike, size: int, what: str, place: str | None = None, held: int = 0) -> None:
     """Raise :class:`FileError` where ``what``, to be made of the file ``path``, takes more than the limit.
 
-    ``size`` is in bytes; ``place`` says where in the file it is announced.
+    ``size`` is in bytes; ``place`` says where in the file it is announced. The limit is :func:`most_made_bytes`, or
+    :data:`MADE_OF_HELD` times the bytes ``held`` in the file, if that is more.
     """
-    allowed = most_made_bytes()
+    allowed = max(most_made_bytes(), MADE_OF_HELD * held)
     if size > allowed:
         taken = f"{size / 2**30:,.1f} GiB" if size < 1 << 60 else "more memory than there is"
         most = f"{allowed / 2**30:,.3g}"

@@ -152,6 +152,19 @@ class RawPart:
     look: ForeignLook = ForeignLook()
 
 
+_TRIANGLE_BYTES, _VERTEX_BYTES = 352, 96
+"""What reading and repairing take at most: the file's arrays, those of the part, and what is made on the way."""
+
+
+def repair_bytes(vertices: int, triangles: int) -> int:
+    """Return a bound on the memory, bytes, that a part of a file takes until it can be drawn.
+
+    It is reached by triangles without normals and texture coordinates that share no edge, since each of their corners
+    becomes a vertex of its own. A test measures that no part takes more.
+    """
+    return _VERTEX_BYTES * vertices + _TRIANGLE_BYTES * triangles
+
+
 def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
     """Return a part that can be drawn and notes on what was changed.
 
@@ -175,9 +188,11 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
         corners = corner_normals(positions, triangles, welded, CREASE_DEG)
         del welded
         triangles, first, kept = _split(triangles, corners, len(positions))
-        normals = corners.reshape(-1, 3)[first].astype(np.float32)
+        normals = np.empty((len(first), 3), np.float32)
+        for block in blocks(len(first)):
+            normals[block] = corners.reshape(-1, 3).take(first[block], axis=0)
         del corners, first
-        positions = positions[kept]
+        positions = positions.take(kept, axis=0)
         uvs = None if uvs is None else uvs[kept]
         del kept
         notes.append(f"{name}: had no normals; made smooth, with edges above {CREASE_DEG:g}°")
@@ -192,7 +207,8 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
         del uvs
         notes.append(f"{name}: {why}; projected from the sides of a box, in millimetres")
         scaled, kept, triangles = box_uvs(positions, triangles)
-        positions, normals = positions.astype(np.float32)[kept], normals[kept]
+        positions = positions.astype(np.float32).take(kept, axis=0)
+        normals = normals.take(kept, axis=0)
     return PartGeometry(name, material, positions, normals, scaled, triangles), notes
 
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.documents.view_settings import TRANSMITTANCE
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import check_made
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 _MARK = {"brdf_suite_mesh": 1, "uv_unit": "mm"}
@@ -168,11 +169,14 @@ def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, n
     Raises :class:`FileError`: the file was damaged or changed by hand.
     """
     try:
-        parts = []
+        parts, made = [], 0
         for node in document["nodes"]:
             mesh = document["meshes"][node["mesh"]]
             (primitive,) = mesh["primitives"]
             attributes = primitive["attributes"]
+            named = (*(attributes[key] for key in ("POSITION", "NORMAL", "TEXCOORD_0")), primitive["indices"])
+            made += sum(_array_bytes(document, index) for index in named)  # several nodes may show a mesh
+            check_made(path, made, "the triangles of all nodes", "nodes", len(binary))
             part = PartGeometry(
                 name=str(node["name"]),
                 material=document["materials"][primitive["material"]]["name"],
@@ -185,6 +189,12 @@ def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, n
         return Mesh(name, tuple(parts))
     except (LookupError, TypeError, AttributeError, OverflowError, ValueError) as error:
         raise FileError(path, f"damaged mesh file ({error})") from error
+
+
+def _array_bytes(document: dict[str, Any], index: int) -> int:
+    """Return what an accessor takes in a part, which has four bytes a number."""
+    accessor = document["accessors"][index]
+    return 4 * int(accessor["count"]) * {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
 
 
 def _array(document: dict[str, Any], binary: memoryview, index: int, width: int) -> NDArray[Any]:

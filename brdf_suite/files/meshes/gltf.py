@@ -23,7 +23,8 @@ from brdf_suite.files.bounded_reading import check_made, most_made_bytes
 from brdf_suite.files.meshes.meshopt import decode_view
 from brdf_suite.files.meshes.outside.child import OutsidePart, decode_draco
 from brdf_suite.regular_files import read_bytes
-from brdf_suite.surface.repair import ForeignLook, RawPart
+from brdf_suite.surface.normals import index_type
+from brdf_suite.surface.repair import ForeignLook, RawPart, repair_bytes
 
 _MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _DRACO = "KHR_draco_mesh_compression"
@@ -70,15 +71,21 @@ _USED = ("POSITION", "NORMAL", "TEXCOORD_0")
 
 _MOST_UNSTORED = 1 << 24
 """Bytes of values that are zero because the file does not hold them; repair makes many times as much of triangles."""
-_SEPARATE, _MOST_TOGETHER = 64, 1 << 16
-"""Instances of one primitive, and vertices of instances that are joined to one part where there are more."""
+_SEPARATE, _MOST_TOGETHER, _MOST_TRIANGLES = 64, 1 << 16, 1 << 17
+"""Instances of one primitive; vertices and triangles of instances that are joined to one part where there are more."""
+_MOST_PACKED = 8
+"""Times that compressed values count as bytes held by a file; zeros are compressed to much less."""
 
 
 def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
     """Return the parts of a glTF document with triangles, in world axes and the unit of the file, unchecked.
 
     ``binary`` is the binary chunk of a ``.glb``. One part for each primitive of each node; a primitive that has more
-    than 64 instances is joined to parts of up to 65,536 vertices.
+    than 64 instances is joined to parts of up to 65,536 vertices and 131,072 triangles.
+
+    What all nodes make is counted before it is made, by :func:`brdf_suite.surface.repair.repair_bytes`, against the
+    limit of :func:`brdf_suite.files.bounded_reading.check_made`. A file holds its buffers and what its compressed
+    values decode to, at most 8 times their size.
 
     Raises
     ------
@@ -98,13 +105,13 @@ def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | Non
     parts: list[RawPart] = []
     total = 0
     for key, matrices in places.items():
+        total += len(matrices) * repair_bytes(*primitives.sizes(*key))
+        check_made(path, total, "the triangles of all nodes", "nodes", primitives.held_bytes)
         part = primitives.read(*key)
         if not len(part.triangles):
             continue
-        arrays = (part.positions, part.triangles, part.normals, part.uvs)
-        total += len(matrices) * sum(array.nbytes for array in arrays if array is not None)
-        check_made(path, total, "the triangles of all nodes", "nodes")
-        together = 1 if len(matrices) <= _SEPARATE else max(1, _MOST_TOGETHER // len(part.positions))
+        most = min(_MOST_TOGETHER // len(part.positions), _MOST_TRIANGLES // len(part.triangles))
+        together = 1 if len(matrices) <= _SEPARATE else max(1, most)
         for first in range(0, len(matrices), together):
             parts.append(_placed(part, np.array(matrices[first : first + together])))
     return parts
@@ -204,11 +211,12 @@ def _placed(part: RawPart, matrices: Floats) -> RawPart:
         normals = None
         if part.normals is not None and (turned != 0.0).all():
             normals = (part.normals @ np.linalg.inv(turns)).reshape(-1, 3)
-    triangles = np.repeat(part.triangles[None], len(matrices), axis=0)
-    triangles[turned < 0.0] = triangles[turned < 0.0][..., ::-1]
-    missing = triangles < 0
-    triangles += (np.arange(len(matrices)) * count)[:, None, None]
-    triangles[missing] = -1
+    total = len(matrices) * count
+    triangles = np.empty((len(matrices), *part.triangles.shape), index_type(total))
+    for place, rows in enumerate(triangles):
+        rows[:] = part.triangles[:, ::-1] if turned[place] < 0.0 else part.triangles
+        if place:
+            np.add(rows, place * count, out=rows, where=rows >= 0)
     uvs = None if part.uvs is None else np.tile(part.uvs, (len(matrices), 1))
     return replace(
         part,
@@ -228,6 +236,8 @@ class _Primitives:
     def __init__(self, path: PathLike, document: dict[str, Any], binary: memoryview | None) -> None:
         self._path, self._document, self._binary = path, document, binary
         self._buffers: dict[int, memoryview] = {}
+        self._files: dict[Path, memoryview] = {}
+        self.held_bytes = 0
         self._decoded: dict[int, memoryview] = {}
         self._decoded_bytes = 0
         self._draco: dict[tuple[int, int], OutsidePart] = {}
@@ -242,8 +252,43 @@ class _Primitives:
         if not wanted:
             return
         chunks = [bytes(self._view(view)) for view in wanted]
-        for found, those in zip(decode_draco(self._path, chunks), wanted.values(), strict=True):
+        for found, chunk, those in zip(
+            decode_draco(self._path, chunks), chunks, wanted.values(), strict=True
+        ):
+            self._count_packed(sum(array.nbytes for array in found.arrays.values()), len(chunk))
             self._draco.update(dict.fromkeys(those, found))
+
+    def sizes(self, mesh: int, number: int) -> tuple[int, int]:
+        """Return how many vertices and triangles a primitive announces; its buffers are read."""
+        primitive = self._document["meshes"][mesh]["primitives"][number]
+        draco = self._draco.get((mesh, number))
+        if draco is not None:
+            vertices = max((len(array) for name, array in draco.arrays.items() if name != "faces"), default=0)
+            return vertices, len(draco.arrays["faces"])
+        indices = [primitive["indices"]] if "indices" in primitive else []
+        named = [primitive["attributes"][key] for key in _USED if key in primitive["attributes"]]
+        counts = {index: self._announced(index) for index in named + indices}
+        vertices = max((counts[index] for index in named), default=0)
+        corners = counts[indices[0]] if indices else vertices
+        return vertices, corners // 3 if primitive.get("mode", _TRIANGLES) == _TRIANGLES else corners
+
+    def _announced(self, index: int) -> int:
+        """Return how many values an accessor announces; its buffer is read, and too many refused."""
+        accessor, place = _at(self._document["accessors"], index), f"accessors[{index}]"
+        width = _WIDTHS[accessor["type"]]
+        count = self._whole(accessor, "count", place)
+        if "bufferView" in accessor:
+            self._stored(accessor, _COMPONENTS[accessor["componentType"]], count, width, place)
+            check_made(self._path, 8 * count * width, f"its {count:,} values", place, self.held_bytes)
+        else:
+            check_made(self._path, 8 * count * width, f"its {count:,} values", place)
+            if 8 * count * width > _MOST_UNSTORED:
+                reason = f"its {count:,} values are not in the file; {_MOST_UNSTORED // (8 * width):,} may be left out"
+                raise FileError(self._path, reason, place)
+        return count
+
+    def _count_packed(self, decoded: int, stored: int) -> None:
+        self.held_bytes += min(decoded, _MOST_PACKED * stored)
 
     def read(self, mesh: int, number: int) -> RawPart:
         """Return a primitive in its own axes; its normals and texture coordinates where it has as many as positions."""
@@ -267,6 +312,7 @@ class _Primitives:
         triangles = _triangles(corners, mode)
         # The repair leaves these out and reports them; moved by the number of vertices, they would hit other instances.
         triangles[((triangles < 0) | (triangles >= len(positions))).any(axis=1)] = -1
+        triangles = triangles.astype(index_type(len(positions)))
         return RawPart(name, "", positions, triangles, normals, uvs, look)
 
     def _attributes(self, primitive: dict[str, Any], draco: OutsidePart | None) -> dict[str, Floats]:
@@ -290,15 +336,11 @@ class _Primitives:
         """Return the values (count, width) of an accessor, normalized integers as the fractions that they represent."""
         accessor, place = _at(self._document["accessors"], index), f"accessors[{index}]"
         kind, width = _COMPONENTS[accessor["componentType"]], _WIDTHS[accessor["type"]]
-        count = self._whole(accessor, "count", place)
-        check_made(self._path, 8 * count * width, f"its {count:,} values", place)
+        count = self._announced(index)
         if "bufferView" in accessor:
             with np.errstate(invalid="ignore"):  # of numbers that are none
                 values = self._stored(accessor, kind, count, width, place).astype(np.float64)
         else:
-            if 8 * count * width > _MOST_UNSTORED:
-                reason = f"its {count:,} values are not in the file; {_MOST_UNSTORED // (8 * width):,} may be left out"
-                raise FileError(self._path, reason, place)
             values = np.zeros((count, width))
         if "sparse" in accessor:
             sparse = accessor["sparse"]
@@ -341,6 +383,7 @@ class _Primitives:
             except (ValueError, LookupError) as error:
                 raise FileError(self._path, f"its meshopt compression is damaged ({error})", place) from error
             self._decoded[index] = memoryview(content)
+            self._count_packed(len(content), len(stored))
         return self._decoded[index]
 
     def _slice(self, fields: dict[str, Any], place: str) -> memoryview:
@@ -368,9 +411,12 @@ class _Primitives:
         if uri is None:
             if index != 0 or self._binary is None:
                 raise IndexError(index)
+            self.held_bytes += len(self._binary)
             return self._binary
         if uri.startswith("data:"):
-            return memoryview(base64.b64decode(uri.partition(",")[2]))
+            content = memoryview(base64.b64decode(uri.partition(",")[2]))
+            self.held_bytes += len(content)
+            return content
         folder = Path(self._path).resolve().parent
         # Looked at as text first: on Windows even the question whether a file of a share exists reaches its server.
         named = PureWindowsPath(unquote(uri))
@@ -379,12 +425,16 @@ class _Primitives:
         file = (folder / unquote(uri)).resolve()
         if not file.is_relative_to(folder):
             raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
-        try:
-            return memoryview(read_bytes(file, most_made_bytes()))
-        except FileError as error:
-            raise FileError(
-                self._path, f"needs {file.name} beside it, which {error.reason}", place
-            ) from error
+        if file not in self._files:  # several buffers may name it
+            taken = sum(len(content) for content in self._files.values())
+            try:
+                self._files[file] = memoryview(read_bytes(file, most_made_bytes() - taken))
+            except FileError as error:
+                raise FileError(
+                    self._path, f"needs {file.name} beside it, which {error.reason}", place
+                ) from error
+            self.held_bytes += len(self._files[file])
+        return self._files[file]
 
 
 def _fractions(values: Floats, kind: np.dtype[Any], accessor: dict[str, Any]) -> Floats:

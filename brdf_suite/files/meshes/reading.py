@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import os
 import struct
+from collections import deque
 from dataclasses import replace
 from pathlib import Path, PureWindowsPath
 from typing import Any
@@ -21,14 +22,16 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view_settings import PARAMETERS
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import check_made
 from brdf_suite.files.meshes.glb import is_own, parse_json, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.kinds import MESH_ENDINGS, OUTSIDE, kind_of
 from brdf_suite.files.meshes.outside.child import OutsideMesh, read_outside
 from brdf_suite.regular_files import check_regular, read_bytes, within_memory
 from brdf_suite.surface.mesh import Mesh, PartGeometry
+from brdf_suite.surface.normals import index_type
 from brdf_suite.surface.part_materials import guess_materials
-from brdf_suite.surface.repair import ForeignLook, RawPart, raised, repair
+from brdf_suite.surface.repair import ForeignLook, RawPart, raised, repair, repair_bytes
 from brdf_suite.surface.standing import guess_up
 
 _STL_HEADER, _STL_TRIANGLE = 84, 50
@@ -149,7 +152,9 @@ def _raw_part(path: PathLike, scene: Any, node: str) -> RawPart:
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise FileError(path, "its points do not have three coordinates each", f"mesh {name}")
     positions = positions @ turn.T + matrix[:3, 3]
-    triangles = np.asarray(mesh.faces, dtype=np.int64)
+    triangles = np.asarray(mesh.faces)
+    if len(triangles) and 0 <= triangles.min() <= triangles.max() < len(positions):
+        triangles = triangles.astype(index_type(len(positions)))
     normals = None
     # trimesh computes normals on demand; only those that came from the file are in its cache by now.
     if "vertex_normals" in mesh._cache and abs(np.linalg.det(turn)) > 0.0:
@@ -235,23 +240,31 @@ def read_mesh(
     FileError
         No such file, not a mesh, damaged, without triangles, or of a kind whose library is not installed.
     """
+    found = _read(path, tessellation_mm)
+    return _in_unit(found, unit, up) if isinstance(found, Mesh) else _repaired(path, *found, unit, up)
+
+
+def _read(path: PathLike, tessellation_mm: float) -> Mesh | tuple[OutsideMesh, str]:
+    """Return the mesh in a file of ours, or that of another program and its kind; the file's content is released."""
     file = Path(path)
     data = _content(file)
     kind = kind_of(path, data)
     if kind == "glb":
         document, binary = split_glb(path, data)
         if is_own(document):
-            return _in_unit(read_own_glb(path, document, binary, file.stem), unit, up)
-        found = OutsideMesh(gltf_parts(path, document, binary), "y", None)
-    elif kind == "gltf":
-        found = OutsideMesh(gltf_parts(path, parse_json(path, data, "not glTF: "), None), "y", None)
-    elif kind in OUTSIDE:
+            return read_own_glb(path, document, binary, file.stem)
+        return OutsideMesh(gltf_parts(path, document, binary), "y", None), kind
+    if kind == "gltf":
+        return OutsideMesh(gltf_parts(path, parse_json(path, data, "not glTF: "), None), "y", None), kind
+    if kind in OUTSIDE:
         found = read_outside(path, OUTSIDE[kind], kind, tessellation_mm)
     else:
         if kind == "stl":
             check_stl(path, data)
         found = OutsideMesh(read_parts(path, kind, data), None, None)
-    return _repaired(path, found, kind, unit, up)
+    made = sum(repair_bytes(len(part.positions), len(part.triangles)) for part in found.parts)
+    check_made(path, made, "its triangles", held=len(data))
+    return found, kind
 
 
 def _content(file: Path) -> bytes:
@@ -262,34 +275,43 @@ def _content(file: Path) -> bytes:
 
 
 def _repaired(path: PathLike, found: OutsideMesh, kind: str, unit: str, up: str) -> Mesh:
-    raw = found.parts
-    if not raw:
+    if not found.parts:
         raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
+    corners = _corners(found.parts)
     if unit == "file":
-        factor, note = _scale(raw, found.metres or 1.0)
+        factor, note = _scale(corners, found.metres or 1.0)
     else:
         factor, note = METRES[unit], f"taken as {_UNIT_NAMES[unit]}"
     notes = [note] if note else []
     is_told = note is None and found.metres is not None
     turned = False
     if up == "file" and found.up is None:
-        up = guess_up(_points(raw), _NO_UP[kind])
+        up = guess_up(corners, _NO_UP[kind])
         turned = up == "z"
         if turned:
             notes.append("taken as z up, which the file does not say")
     turns = (up if up != "file" else found.up) == "z"
     parts: list[PartGeometry] = []
-    for one in guess_materials(raw):
-        positions, normals = one.positions * factor, one.normals
-        if turns:
-            positions, normals = raised(positions), None if normals is None else raised(normals)
-        part, said = repair(replace(one, positions=positions, normals=normals))
+    waiting = deque(guess_materials(found.parts))
+    found.parts.clear()
+    while waiting:  # each is released as it is repaired
+        part, said = repair(_standing(waiting.popleft(), factor, turns))
         notes += said
         if part is not None:
             parts.append(part)
     if not parts:
         raise FileError(path, f"no triangle that can be drawn ({'; '.join(notes)})")
     return Mesh(Path(path).stem, tuple(parts), tuple(notes), None if is_told else factor, turned)
+
+
+def _standing(part: RawPart, factor: float, turns: bool) -> RawPart:
+    """Return a part in metres and y up."""
+    positions, normals = part.positions, part.normals
+    if factor != 1.0:
+        positions = positions * factor
+    if turns:
+        positions, normals = raised(positions), None if normals is None else raised(normals)
+    return replace(part, positions=positions, normals=normals)
 
 
 def _in_unit(mesh: Mesh, unit: str, up: str) -> Mesh:
@@ -307,17 +329,25 @@ def _in_unit(mesh: Mesh, unit: str, up: str) -> Mesh:
     return mesh if parts is mesh.parts else Mesh(mesh.name, parts, notes)
 
 
-def _points(raw: list[RawPart]) -> NDArray[np.float64]:
-    points = np.concatenate([one.positions for one in raw])
-    return np.asarray(points[(np.abs(points) < 1e12).all(axis=1)])
+def _corners(raw: list[RawPart]) -> NDArray[np.float64]:
+    """Return the lowest and the highest corner (2, 3) of all points that can be drawn; (0, 3) where none can."""
+    found = []
+    for part in raw:
+        points = part.positions
+        if len(points) and not -1e12 < points.min() <= points.max() < 1e12:
+            points = points[(np.abs(points) < 1e12).all(axis=1)]
+        if len(points):
+            found += [points.min(axis=0), points.max(axis=0)]
+    if not found:
+        return np.empty((0, 3))
+    return np.stack([np.min(found, axis=0), np.max(found, axis=0)])
 
 
-def _scale(raw: list[RawPart], metres: float) -> tuple[float, str | None]:
+def _scale(corners: NDArray[np.float64], metres: float) -> tuple[float, str | None]:
     """Return the factor to metres, and a note where the size in the file cannot be one in units of ``metres``."""
-    points = _points(raw)
-    if not len(points):
+    if not len(corners):
         return metres, None
-    size = float(np.ptp(points, axis=0).max()) * metres
+    size = float(np.ptp(corners, axis=0).max()) * metres
     if size == 0.0 or _SMALLEST_M <= size <= _LARGEST_M:
         return metres, None
     written = f"{size:.3g} m across as written, which no object is"
