@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.bounded_reading import most_made_bytes
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.library.subjects import Subject, material_for
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.lobe_maps import LobeMaps
@@ -77,7 +78,7 @@ class Rendering:
         """The picture (h, w, 3), top row first: uint8, sRGB; of an EXR float32, radiance, linear Rec. 2020."""
         if self.ending == _PNG:
             return read_rgb(
-                self.path or "the picture", ("PNG",), content=self.content, most_bytes=MOST_OWN_BYTES
+                self.path or "the picture", ("PNG",), content=self.content, most_bytes=most_made_bytes()
             )
         with TemporaryDirectory() as folder:
             file = Path(folder, "picture.exr")

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from brdf_suite.files.bounded_reading import most_made_bytes
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material
@@ -54,4 +55,4 @@ def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:
     """
     if Path(path).suffix.lower() == LIGHT_ENDING:
         return ComparedPicture(read_environment_image(path).pixels, is_light=True)
-    return ComparedPicture(read_rgb(path, ("PNG",), most_bytes=MOST_OWN_BYTES), is_light=False)
+    return ComparedPicture(read_rgb(path, ("PNG",), most_bytes=most_made_bytes()), is_light=False)

@@ -112,9 +112,7 @@ def corner_angles(positions: Floats, triangles: AnyIntegers) -> Floats:
     return angles
 
 
-def smooth_edges(
-    triangles: AnyIntegers, faces: Floats, crease_deg: float
-) -> tuple[AnyIntegers, AnyIntegers]:
+def smooth_edges(triangles: AnyIntegers, faces: Floats, crease_deg: float) -> tuple[AnyIntegers, AnyIntegers]:
     """Return the pairs of corners that are joined across edges below the crease angle.
 
     A corner's number is 3·face + corner; ``triangles`` index welded places. An edge of more than two faces

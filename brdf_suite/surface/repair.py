@@ -138,9 +138,9 @@ class ForeignLook:
 class RawPart:
     """Unchecked data of one part from a file.
 
-    ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices, of any integer type; ``normals`` (n, 3) or ``None``;
-    ``uvs`` (n, 2) in any unit, or ``None``. ``look`` is the file's material, ``material`` ours, to be guessed by
-    :func:`brdf_suite.surface.part_materials.guess_materials`.
+    ``positions`` (n, 3) metres, world axes; ``triangles`` (k, 3) indices, of any integer type; ``normals`` (n, 3) or
+    ``None``; ``uvs`` (n, 2) in any unit, or ``None``. ``look`` is the file's material, ``material`` ours, to
+    be guessed by :func:`brdf_suite.surface.part_materials.guess_materials`.
     """
 
     name: str

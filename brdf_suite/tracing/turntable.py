@@ -17,7 +17,8 @@ from brdf_suite.documents.atomic import replacing, sync_folder
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
-from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.files.bounded_reading import most_made_bytes
+from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.files.images.png import write_png
 from brdf_suite.output.exposures import focused
 from brdf_suite.output.picture_file import check_target
@@ -128,7 +129,7 @@ def write_traced_turntable(
         with writing_video(path, size, turn.frames_per_second, {"Title": name}) as feed:
             for number in range(turn.frames):
                 report(progress, 0.9 + 0.1 * number / turn.frames, "writing the video")
-                frame = read_rgb(_frame(folder, number), ("PNG",), most_bytes=MOST_OWN_BYTES)
+                frame = read_rgb(_frame(folder, number), ("PNG",), most_bytes=most_made_bytes())
                 feed(frame)
         shutil.rmtree(folder, ignore_errors=True)  # the video is there: what remains is no fault of it
     else:

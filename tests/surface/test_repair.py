@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -13,6 +15,7 @@ from brdf_suite.surface.repair import (
     RawPart,
     box_uvs,
     repair,
+    repair_bytes,
     split_corners,
     stretch,
     uvs_in_millimetres,
@@ -150,6 +153,33 @@ def test_a_fan_of_a_hundred_thousand_triangles_is_no_trouble() -> None:
     assert part is not None
     tip = np.flatnonzero(part.positions[:, 1] > 0.09)
     np.testing.assert_allclose(part.normals[tip], [[0.0, 1.0, 0.0]] * len(tip), atol=1e-4)
+
+
+@pytest.mark.parametrize("shared", [0.01, 0.1, 0.5, 3.0, 8.0])
+@pytest.mark.parametrize("given", ["", "n", "u", "nu", "zu"])
+def test_no_part_takes_more_memory_than_is_counted(shared: float, given: str) -> None:
+    """``shared`` vertices a triangle, at random places; normals, coordinates, or normals of which many are zero."""
+    rng, count = np.random.default_rng(1), 100_000
+    number = int(shared * count)
+    corners = rng.integers(0, number, 3 * count) if shared < 3.0 else np.arange(3 * count)
+    repair(RawPart("cube", "paint", CUBE, CUBE_TRIANGLES))  # imports what it needs
+    tracemalloc.start()
+    try:
+        normals = None
+        if set(given) & set("nz"):
+            normals = rng.normal(size=(number, 3)) * (
+                rng.random((number, 1)) < (0.7 if "z" in given else 1.0)
+            )
+        uvs = rng.random((number, 2)) if "u" in given else None
+        waiting = [RawPart("a", "paint", rng.normal(size=(number, 3)), corners.reshape(-1, 3), normals, uvs)]
+        del normals, uvs
+        tracemalloc.reset_peak()
+        part, _ = repair(waiting.pop())
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert part is not None
+    assert peak <= repair_bytes(number, count)
 
 
 def test_vertices_are_split_by_their_normals_in_their_order() -> None:

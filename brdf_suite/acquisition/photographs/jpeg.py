@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
+from brdf_suite.files.bounded_reading import most_made_bytes
+from brdf_suite.files.images.pictures import read_rgb
 
 _EXIF = b"Exif\0\0"
 _SCAN, _APP1 = 0xDA, 0xE1
@@ -66,4 +67,4 @@ def jpeg_pixels(content: bytes, path: PathLike) -> NDArray[np.uint8]:
     if parts.exif_at:
         # Pillow would warn of a damaged block, which does not matter to the pixels.
         content = content[: parts.exif_at] + b"Left\0\0" + content[parts.exif_at + len(_EXIF) :]
-    return read_rgb(path, ("JPEG",), content=content, most_bytes=MOST_OWN_BYTES)
+    return read_rgb(path, ("JPEG",), content=content, most_bytes=most_made_bytes())

@@ -9,6 +9,7 @@ import os
 import struct
 import sys
 import zlib
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import IO, Any
 
@@ -22,6 +23,7 @@ from brdf_suite.files.bounded_reading import check_made
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 MOST_PIXELS = 1 << 28
+_PIECE_BYTES = 1 << 20
 
 
 @compiled
@@ -131,8 +133,16 @@ def png_parts(content: Content, path: PathLike) -> PngParts:
         raise FileError(path, reason, "IHDR")
     if not 0 < width * height <= MOST_PIXELS:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read", "IHDR")
-    check_made(path, width * height * _CHANNELS[colour] * bits // 8, "its pixels", "IHDR")
-    return PngParts(width, height, _CHANNELS[colour], bits, bool(interlace), tuple(packed), exif)
+    parts = PngParts(width, height, _CHANNELS[colour], bits, bool(interlace), tuple(packed), exif)
+    check_made(path, _made_bytes(parts), "its pixels", "IHDR")
+    return parts
+
+
+def _made_bytes(parts: PngParts) -> int:
+    """Return what reading takes: the rows, and beside them three channels where there are more or fewer."""
+    item = parts.bits // 8
+    copied = 0 if parts.channels == 3 else 3 * item
+    return parts.height * (1 + parts.width * (parts.channels * item + copied))
 
 
 def png_pixels(content: Content, path: PathLike) -> NDArray[Any]:
@@ -141,24 +151,60 @@ def png_pixels(content: Content, path: PathLike) -> NDArray[Any]:
     if parts.interlaced:
         raise FileError(path, "is interlaced; write it without", "IHDR")
     step = parts.channels * parts.bits // 8
-    length = parts.height * (1 + parts.width * step)
-    unpacker = zlib.decompressobj()
-    try:
-        raw = unpacker.decompress(b"".join(content[part] for part in parts.packed), length)
-    except zlib.error as error:
-        raise FileError(path, f"cannot be unpacked ({error}); it is damaged", "IDAT") from error
-    if len(raw) != length:
-        raise FileError(path, "holds fewer pixels than its header says; it is damaged", "IDAT")
-    rows = np.frombuffer(raw, np.uint8).reshape(parts.height, -1)
-    filters = rows[:, 0]
+    plain, filters = _unpacked(content, parts, path)
     if filters.max() > 4:
         raise FileError(path, f"uses a filter {filters.max()} that there is not; it is damaged", "IDAT")
-    plain = rows[:, 1:].copy()  # a single row is contiguous as it is, and read-only
     if filters.any():
-        unfilter(plain, np.ascontiguousarray(filters), step)
+        unfilter(plain, filters, step)
     shape = (parts.height, parts.width, parts.channels)
     if parts.bits == 8:
         return plain.reshape(shape)
     pixels = plain.view(">u2").reshape(shape)
     # In place: a photograph fills much of the memory once already.
     return pixels.byteswap(inplace=True).view("<u2") if sys.byteorder == "little" else pixels.view("=u2")
+
+
+def _unpacked(
+    content: Content, parts: PngParts, path: PathLike
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Return the filtered rows (h, bytes) of a PNG and the filter (h,) of each, unpacked piece by piece."""
+    rows = np.empty((parts.height, parts.width * parts.channels * parts.bits // 8), np.uint8)
+    filters = np.empty(parts.height, np.uint8)
+    unpacker, at, length = zlib.decompressobj(), 0, rows.size + filters.size
+    try:
+        for piece in _pieces(content, parts.packed):
+            while at < length:
+                made = unpacker.decompress(piece, min(_PIECE_BYTES, length - at))
+                _store(rows, filters, at, np.frombuffer(made, np.uint8))
+                at += len(made)
+                piece = unpacker.unconsumed_tail
+                if len(made) < _PIECE_BYTES:
+                    break  # all of the piece is unpacked
+    except zlib.error as error:
+        raise FileError(path, f"cannot be unpacked ({error}); it is damaged", "IDAT") from error
+    if at < length:
+        raise FileError(path, "holds fewer pixels than its header says; it is damaged", "IDAT")
+    return rows, filters
+
+
+def _pieces(content: Content, packed: tuple[slice, ...]) -> Iterator[bytes]:
+    """Yield packed bytes in pieces of at most a megabyte."""
+    for part in packed:
+        for first in range(part.start, part.stop, _PIECE_BYTES):
+            yield content[first : min(first + _PIECE_BYTES, part.stop)]
+
+
+def _store(rows: NDArray[np.uint8], filters: NDArray[np.uint8], at: int, values: NDArray[np.uint8]) -> None:
+    """Put unpacked ``values``, which follow the first ``at`` of all, into rows and filters."""
+    length = rows.shape[1] + 1
+    y, x = divmod(at, length)
+    if x:  # the rest of a row that was begun
+        rest = values[: length - x]
+        rows[y, x - 1 : x - 1 + len(rest)] = rest
+        values, y = values[len(rest) :], y + 1
+    whole = len(values) // length
+    block = values[: whole * length].reshape(whole, length)
+    filters[y : y + whole], rows[y : y + whole] = block[:, 0], block[:, 1:]
+    begun = values[whole * length :]
+    if len(begun):
+        filters[y + whole], rows[y + whole, : len(begun) - 1] = begun[0], begun[1:]

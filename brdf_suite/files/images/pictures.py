@@ -25,14 +25,15 @@ PICTURE_FORMATS = ("PNG", "JPEG", "TIFF", "BMP", "TGA", "WEBP")
 """Pillow's names of the formats that maps and masks may have."""
 MOST_BYTES = 1 << 29
 """Of memory for a picture: Pillow's and ours. 8,192 × 8,192 pixels in colour; Pillow refuses more than 179 million."""
-MOST_OWN_BYTES = 5 << 28
-"""The same for what the suite or a camera made: 179 million pixels in colour, Pillow's limit."""
 
 _PIXEL_BYTES = {"1": 1, "L": 1, "P": 1, "I;16": 2, "I;16L": 2, "I;16B": 2, "I;16N": 2}
 """Bytes a pixel of Pillow's modes; all others take 4."""
 _COLOUR_BYTES = 7
 """The same in colour, with our copy. Others count as much, since they take as long."""
-_STRIP_BYTES = 1 << 24
+_WEBP_BYTES = 17
+"""The same of a WebP picture: libwebp's two canvases, its answer, Pillow's copy of it and the pixels."""
+_STRIP_BYTES = 1 << 22
+"""Of a strip that is converted, which is there three times meanwhile."""
 
 
 @within_memory
@@ -58,7 +59,9 @@ def read_rgb(
 ) -> NDArray[np.uint8]:
     """Return pixels (h, w, 3) uint8, the first row at the top; errors as :func:`read_picture`.
 
-    With ``content`` the file's bytes are taken from there, and ``path`` only names it in messages.
+    With ``content`` the file's bytes are taken from there, and ``path`` only names it in messages. For what the suite
+    or a camera made, ``most_bytes`` is :func:`brdf_suite.files.bounded_reading.most_made_bytes`: 151 million pixels in
+    colour, and more where the setting allows it.
     """
     return np.asarray(_read(path, content, formats, "RGB", most_bytes), np.uint8)
 
@@ -97,7 +100,8 @@ def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: in
     channels = 3 if mode == "RGB" else 1
     stored = _PIXEL_BYTES.get(image.mode, 4)
     item = 1 if mode is not None else stored
-    most = most_bytes // max(_COLOUR_BYTES, stored + channels * item)
+    each = max(_COLOUR_BYTES, stored + channels * item, _decoding_bytes(image, stored))
+    most = max(0, most_bytes - 3 * _STRIP_BYTES) // each
     if image.width * image.height > most:
         raise FileError(
             path,
@@ -116,3 +120,11 @@ def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: in
         pixels[top : top + rows] = part.reshape(*part.shape[:2], channels)
     assert pixels is not None  # Pillow refuses a picture without rows
     return pixels
+
+
+def _decoding_bytes(image: PillowImage, stored: int) -> int:
+    """Return the bytes a pixel that decoding takes with Pillow's own ``stored`` ones."""
+    if image.format == "WEBP":
+        return _WEBP_BYTES
+    # A progressive JPEG is decoded from all of its coefficients, two bytes each.
+    return stored + (2 * len(image.getbands()) if image.info.get("progressive") else 0)

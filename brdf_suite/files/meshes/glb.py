@@ -169,14 +169,13 @@ def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, n
     Raises :class:`FileError`: the file was damaged or changed by hand.
     """
     try:
-        parts, made = [], 0
-        for node in document["nodes"]:
-            mesh = document["meshes"][node["mesh"]]
-            (primitive,) = mesh["primitives"]
+        primitives = [_only_primitive(document, node) for node in document["nodes"]]
+        # Several nodes may show one mesh, of which each is a part.
+        made = sum(_part_bytes(document, primitive) for primitive in primitives)
+        check_made(path, made, "the triangles of all nodes", "nodes", len(binary))
+        parts = []
+        for node, primitive in zip(document["nodes"], primitives, strict=True):
             attributes = primitive["attributes"]
-            named = (*(attributes[key] for key in ("POSITION", "NORMAL", "TEXCOORD_0")), primitive["indices"])
-            made += sum(_array_bytes(document, index) for index in named)  # several nodes may show a mesh
-            check_made(path, made, "the triangles of all nodes", "nodes", len(binary))
             part = PartGeometry(
                 name=str(node["name"]),
                 material=document["materials"][primitive["material"]]["name"],
@@ -191,10 +190,16 @@ def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, n
         raise FileError(path, f"damaged mesh file ({error})") from error
 
 
-def _array_bytes(document: dict[str, Any], index: int) -> int:
-    """Return what an accessor takes in a part, which has four bytes a number."""
-    accessor = document["accessors"][index]
-    return 4 * int(accessor["count"]) * {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
+def _only_primitive(document: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
+    (primitive,) = document["meshes"][node["mesh"]]["primitives"]
+    return dict(primitive)
+
+
+def _part_bytes(document: dict[str, Any], primitive: dict[str, Any]) -> int:
+    """Return what a part takes, which has four bytes a number."""
+    named = primitive["attributes"]
+    widths = {named["POSITION"]: 3, named["NORMAL"]: 3, named["TEXCOORD_0"]: 2, primitive["indices"]: 1}
+    return sum(4 * width * int(document["accessors"][index]["count"]) for index, width in widths.items())
 
 
 def _array(document: dict[str, Any], binary: memoryview, index: int, width: int) -> NDArray[Any]:
