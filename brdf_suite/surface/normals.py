@@ -240,7 +240,6 @@ def _is_closed(places: AnyIntegers) -> bool:
         surplus += int((one * one).sum()) - int((other * other).sum())
     if surplus % (1 << 64):
         return False
-    there, back = there.reshape(-1), back.reshape(-1)
-    there.sort()
-    back.sort()
+    for edges in (there, back):
+        edges.reshape(-1).sort()  # in place
     return np.array_equal(there, back)

@@ -207,9 +207,12 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
         del uvs
         notes.append(f"{name}: {why}; projected from the sides of a box, in millimetres")
         scaled, kept, triangles = box_uvs(positions, triangles)
-        positions = positions.astype(np.float32).take(kept, axis=0)
-        normals = normals.take(kept, axis=0)
-    return PartGeometry(name, material, positions, normals, scaled, triangles), notes
+        drawn: Reals = positions.astype(np.float32)
+        del positions
+        drawn, normals = drawn.take(kept, axis=0), normals.take(kept, axis=0)
+    else:
+        drawn = positions
+    return PartGeometry(name, material, drawn, normals, scaled, triangles), notes
 
 
 def _drawable(raw: RawPart, notes: list[str]) -> AnyIntegers:
