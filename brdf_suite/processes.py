@@ -10,6 +10,7 @@ from __future__ import annotations
 import io
 import os
 import runpy
+import shlex
 import signal
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -69,6 +70,15 @@ def child_command(module: str, *arguments: str) -> list[str]:
     if getattr(sys, "frozen", False):  # set by the tools that freeze programs, and by nothing else
         return [sys.executable, MODULE_OPTION, module, *arguments]
     return [sys.executable, *_interpreter_options(), "-m", module, *arguments]
+
+
+def shell_interpreter(executable: str | None = None) -> str:
+    """Return the beginning of a shell's command line that runs Python with the options of :func:`child_command`.
+
+    Job systems add ``-m`` and a module of their own. ``executable`` is a command that starts Python elsewhere, as it
+    stands in a configuration file; default: this interpreter.
+    """
+    return " ".join([executable or shlex.quote(sys.executable), *map(shlex.quote, _interpreter_options())])
 
 
 def run_named_module(words: Sequence[str]) -> int | None:

@@ -17,7 +17,7 @@ from typing import Any
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
-from brdf_suite.processes import interrupts_held_back, variables_inherited
+from brdf_suite.processes import interrupts_held_back, shell_interpreter, variables_inherited
 
 _WORKER_VARIABLES = {
     # One worker is one thread, also of Mesa's software renderer.
@@ -129,16 +129,31 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
     """
     distributed, dask = _dask()
     import_extra("dask_jobqueue", purpose="a batch on a job system")
-    kind = vars(import_module(f"dask_jobqueue.{system}"))[f"{_JOB_CLUSTERS[system]}Cluster"]
+    kind = job_cluster_class(system)
     with dask.config.set(_settings()), _quiet(distributed):
         try:
-            cluster = kind(n_workers=count)
+            cluster = kind(n_workers=count, python=job_interpreter(system))
         except (ValueError, OSError, RuntimeError) as error:
             reason = " ".join(str(error).splitlines())
             raise SuiteError(f"{system}: {reason}; see dask-jobqueue's configuration file.") from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:
             _wait_for_workers(client, system)
             yield _workers_of(client)
+
+
+def job_cluster_class(system: str) -> Any:
+    """Return the class of ``dask-jobqueue`` for one of :data:`JOB_SYSTEMS`."""
+    return vars(import_module(f"dask_jobqueue.{system}"))[f"{_JOB_CLUSTERS[system]}Cluster"]
+
+
+def job_interpreter(system: str) -> str:
+    """Return how a job starts Python: as configured for the job system, and with the options of all our processes.
+
+    The job runs ``-m distributed.cli.dask_worker`` in a folder of the job system's choice, most often the one that the
+    batch was started in. The processes that it starts in turn get the same options from :mod:`multiprocessing`.
+    """
+    _, dask = _dask()
+    return shell_interpreter(dask.config.get(f"jobqueue.{system}.python", None))
 
 
 @contextmanager

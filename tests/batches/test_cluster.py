@@ -19,7 +19,13 @@ import pytest
 from brdf_suite.batches.items import BatchItem, list_paints
 from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
-from brdf_suite.batches.workers import JOB_SYSTEMS, local_workers, scheduler_workers
+from brdf_suite.batches.workers import (
+    JOB_SYSTEMS,
+    job_cluster_class,
+    job_interpreter,
+    local_workers,
+    scheduler_workers,
+)
 from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.processes import child_command
@@ -232,17 +238,87 @@ def test_an_item_that_kills_its_worker_is_reported_and_the_rest_done(tmp_path: P
     assert "the process that worked on it ended" in problem
 
 
-def test_planted_modules_are_not_imported_by_workers(tmp_path: Path) -> None:
-    planted = tmp_path / "distributed.py"
-    planted.write_text(f"open({str(tmp_path / 'ran')!r}, 'w').close()", encoding="utf-8")
-    words = ("batch", "measure", "blue", "-o", "out", "--workers", "1")
-    done = subprocess.run(
-        child_command("brdf_suite.cli.main", *words),
-        cwd=tmp_path,
+@pytest.fixture
+def planted(tmp_path: Path) -> Path:
+    """Return a folder of Python files that Python, Dask or the suite import by these names; each leaves ``ran``."""
+    folder = tmp_path / "planted"
+    folder.mkdir()
+    for name in (
+        "random",
+        "json",
+        "multiprocessing",
+        "dask",
+        "distributed",
+        "numpy",
+        "brdf_suite",
+        "sitecustomize",
+    ):
+        (folder / f"{name}.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w').close()", encoding="utf-8")
+    return folder
+
+
+def measure_blue(folder: Path, variables: dict[str, str], *words: str) -> subprocess.CompletedProcess[str]:
+    """Run a batch of one paint in a folder, without the variable that alone would keep its files out."""
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
+    return subprocess.run(
+        child_command("brdf_suite.cli.main", "batch", "measure", "blue", "-o", "out", *words),
+        cwd=folder,
+        env=kept | variables,
         capture_output=True,
         text=True,
         check=False,
+        timeout=120,
     )
+
+
+def test_planted_modules_are_not_imported_by_workers(planted: Path) -> None:
+    done = measure_blue(planted, {}, "--workers", "1")
     assert done.returncode == 0, done.stderr
-    assert not (tmp_path / "ran").exists()
-    assert (tmp_path / "out" / "results.csv").is_file()
+    assert not (planted.parent / "ran").exists()
+    assert (planted / "out" / "results.csv").is_file()
+
+
+SUBMIT = """#!/bin/bash
+cp "$1" "{folder}/job.sh"
+bash "{folder}/job.sh" >"{folder}/job.log" 2>&1 &
+echo "Submitted batch job $!"
+"""
+
+
+def test_planted_modules_are_not_imported_by_jobs(planted: Path) -> None:
+    commands = planted.parent / "commands"
+    commands.mkdir()
+    for name, text in (
+        ("sbatch", SUBMIT.format(folder=commands)),
+        ("scancel", '#!/bin/bash\nkill "$1"\nexit 0\n'),
+    ):
+        (commands / name).write_text(text, encoding="utf-8")
+        (commands / name).chmod(0o755)
+    variables = {
+        "PATH": f"{commands}{os.pathsep}{os.environ['PATH']}",
+        "DASK_JOBQUEUE__SLURM__CORES": "1",
+        "DASK_JOBQUEUE__SLURM__MEMORY": "4GB",
+        "DASK_JOBQUEUE__SLURM__INTERFACE": "lo",
+    }
+    done = measure_blue(planted, variables, "--jobs", "slurm", "--workers", "1")
+    assert done.returncode == 0, done.stderr + (commands / "job.log").read_text(encoding="utf-8")
+    assert "-m distributed.cli.dask_worker" in (commands / "job.sh").read_text(encoding="utf-8")
+    assert not (planted.parent / "ran").exists()
+    assert (planted / "out" / "results.csv").is_file()
+
+
+@pytest.mark.parametrize("configured", [None, "container run python3"])
+@pytest.mark.parametrize("system", JOB_SYSTEMS)
+def test_every_job_script_starts_python_without_the_working_folder(
+    system: str, configured: str | None
+) -> None:
+    dask = pytest.importorskip("dask")
+    job = job_cluster_class(system).job_cls
+    with dask.config.set({f"jobqueue.{system}.python": configured}):
+        needed = {"htcondor": {"disk": "1GB"}, "oar": {"memory_per_core_property_name": "not_applicable"}}
+        more = needed.get(system, {})
+        made = job("tcp://host:1", "name", cores=1, memory="1GB", python=job_interpreter(system), **more)
+    (line,) = [line for line in made.job_script().splitlines() if "distributed.cli.dask_worker" in line]
+    start = configured or sys.executable
+    assert f"{start} " in line
+    assert " -P" in line.partition(start)[2].partition(" -m distributed.cli.dask_worker")[0]
