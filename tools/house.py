@@ -133,6 +133,26 @@ DIRECT_ACCESS: dict[str, str] = {
     "brdf_suite/reflectance/facet_albedo.py": _SHIPPED,
     "brdf_suite/regular_files.py": "the function for reading",
     "brdf_suite/screen.py": "asks whether there is an X server",
+    "brdf_suite/acquisition/photographs/reading.py": "LibRaw takes a name; the file was checked",
+    "brdf_suite/acquisition/photographs/tiff.py": "tifffile takes a name; the file was checked",
+    "brdf_suite/acquisition/reconstruction/work_file.py": "the work file, to which records are appended",
+    "brdf_suite/batches/worker.py": "begins a step of a batch, and no file",
+    "brdf_suite/batches/workers.py": "workers of this machine, which inherit PYTHONSAFEPATH",
+    "brdf_suite/cli/tools/shading_table.py": "an array in memory",
+    "brdf_suite/files/cache/disk_cache.py": "the function for writing into a cache",
+    "brdf_suite/files/images/exr/image.py": "OpenEXR takes a name; the file was checked",
+    "brdf_suite/files/meshes/outside/values.py": "a copy, in a folder that its parent made",
+    "brdf_suite/fitting/basis_search/search.py": "a pool, which inherits PYTHONSAFEPATH",
+    "brdf_suite/palettes/swatches/process.py": "its own standard output",
+    "brdf_suite/palettes/swatches/store.py": "the database of pictures, which SQLite opens",
+    "brdf_suite/realtime/model_shader.py": "its own standard output",
+    "brdf_suite/reference/state_file.py": "OpenEXR takes a name; the file was checked",
+    "apps/brdf_color_swatch/panels/palette.py": "shows a dialog",
+    "apps/brdf_lobe_visualizer/legend/control.py": "shows a dialog",
+    "apps/brdf_qt/choosing/thumbnails.py": _SHIPPED,
+    "apps/brdf_qt/program/run.py": "the picture of the window, for --screenshot",
+    "apps/brdf_qt/program/translation.py": _SHIPPED,
+    "apps/brdf_viewer/tracing/worker.py": "its own standard output",
 }
 
 # Words that are not used in docstrings, interface texts and documents. This file has to name them. The method
@@ -456,41 +476,136 @@ def check_attributes_by_name(house: House) -> list[Breach]:
     return found
 
 
-_OUTSIDE = {
+# Functions, of which a mention is enough: as an argument or under another name they are called elsewhere.
+_FUNCTIONS = {
+    *("open", "io.open", "io.open_code", "os.open", "os.fdopen", "os.popen", "os.system", "os.startfile"),
+    *("os.fork", "os.forkpty", "os.posix_spawn", "os.posix_spawnp", "pty.spawn"),
     *(
-        "os.open",
-        "os.system",
-        "os.popen",
-        "np.load",
-        "np.fromfile",
-        "np.memmap",
-        "mmap.mmap",
-        "Image.open",
-        "open",
+        f"os.{kind}{how}"
+        for kind in ("exec", "spawn")
+        for how in ("l", "le", "lp", "lpe", "v", "ve", "vp", "vpe")
     ),
-    *("zipfile.ZipFile", "io.open", "socket.socket", "socket.socketpair", "socket.create_connection"),
-    *("ctypes.CDLL", "ctypes.WinDLL", "QProcess", "QProcess.startDetached", "QLocalServer", "QLocalSocket"),
-    *("QTcpSocket", "QUdpSocket", "QNetworkAccessManager", "urllib.request.urlopen", "subprocess.Popen"),
-    *("subprocess.run", "subprocess.call", "subprocess.check_call", "subprocess.check_output"),
+    *(f"subprocess.{name}" for name in ("run", "call", "check_call", "check_output", "getoutput")),
+    *("subprocess.getstatusoutput", "asyncio.create_subprocess_exec", "asyncio.create_subprocess_shell"),
+    *(f"numpy.{name}" for name in ("load", "save", "savez", "savez_compressed", "fromfile", "memmap")),
+    *(f"numpy.{name}" for name in ("loadtxt", "savetxt", "genfromtxt")),
+    *(
+        "mmap.mmap",
+        "sqlite3.connect",
+        "PIL.Image.open",
+        "OpenEXR.File",
+        "OpenEXR.InputFile",
+        "OpenEXR.OutputFile",
+    ),
+    *("rawpy.imread", "tifffile.imread", "tifffile.imwrite", "tifffile.memmap"),
+    *("shutil.copy", "shutil.copy2", "shutil.copyfile", "shutil.copytree", "shutil.move"),
+    *("gzip.open", "bz2.open", "lzma.open", "tarfile.open", "fileinput.input", "codecs.open"),
+    *("tempfile.mkstemp", "tempfile.NamedTemporaryFile", "tempfile.TemporaryFile", "runpy.run_path"),
+    *("socket.socketpair", "socket.create_connection", "socket.create_server", "urllib.request.urlopen"),
+    *("QProcess.startDetached", "QFontDatabase.addApplicationFont"),
 }
-_OF_A_PATH = {"read_bytes", "read_text", "write_bytes", "write_text"}
+_LAST_NAMES = {name.rpartition(".")[2] for name in _FUNCTIONS}
+# Classes, of which an object must be made: their names stand in annotations, too.
+_CLASSES = {
+    *(
+        "subprocess.Popen",
+        "socket.socket",
+        "ctypes.CDLL",
+        "ctypes.WinDLL",
+        "zipfile.ZipFile",
+        "tarfile.TarFile",
+    ),
+    *(
+        "tifffile.TiffFile",
+        "tifffile.TiffWriter",
+        "gzip.GzipFile",
+        "bz2.BZ2File",
+        "lzma.LZMAFile",
+        "io.FileIO",
+    ),
+    *("multiprocessing.Process", "multiprocessing.Pool", "concurrent.futures.ProcessPoolExecutor"),
+    *("distributed.LocalCluster", "distributed.SSHCluster", "distributed.SubprocessCluster"),
+    *("http.client.HTTPConnection", "http.client.HTTPSConnection", "socketserver.TCPServer"),
+    *("http.server.HTTPServer", "http.server.ThreadingHTTPServer", "logging.FileHandler"),
+    *("QProcess", "QLocalServer", "QLocalSocket", "QTcpServer", "QTcpSocket", "QUdpSocket", "QWebSocket"),
+    *(
+        "QNetworkAccessManager",
+        "QFile",
+        "QSaveFile",
+        "QTemporaryFile",
+        "QImageReader",
+        "QImageWriter",
+        "QMovie",
+    ),
+}
+_PICTURES = {"QImage", "QPixmap", "QIcon", "QBitmap", "QPicture"}
+"""Classes of Qt that read a file where they are made of its name, and no file where of a size or of pixels."""
+_OF_A_PATH = {"read_bytes", "read_text", "write_bytes", "write_text", "tofile"}
+
+
+def imported_as(tree: ast.Module) -> dict[str, str]:
+    """What each name of a module's imports stands for, dotted: ``o`` for ``os.open``."""
+    names = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            # ``import a.b`` binds ``a``.
+            names.update({a.asname: a.name for a in node.names if a.asname})
+        elif isinstance(node, ast.ImportFrom):
+            names.update({a.asname or a.name: f"{node.module}.{a.name}" for a in node.names})
+    return names
+
+
+def full_name(node: ast.expr, imported: dict[str, str]) -> str:
+    """Return the dotted name of an expression as the module that defines it has it; Qt's without its package."""
+    name = ast.unparse(node)
+    first, dot, rest = name.partition(".")
+    name = imported.get(first, first) + dot + rest
+    return re.sub(r"^PySide6\.\w+\.", "", name.removeprefix("builtins."))
+
+
+def is_path_like(node: ast.expr | None) -> bool:
+    """Whether an argument is the name of a file by what is written: a text, a text made of a path, a name for one."""
+    match node:
+        case ast.JoinedStr() | ast.Constant(value=str()):
+            return True
+        case ast.Call(func=ast.Name(id="str" | "fspath" | "resource") | ast.Attribute(attr="fspath")):
+            return True
+        case ast.Name(id=name) | ast.Attribute(attr=name):
+            return re.search("path|file", name) is not None
+    return False
+
+
+def is_direct_call(call: ast.Call, name: str) -> bool:
+    """Whether a call opens a file by a method or a class that does other things, too."""
+    method = call.func.attr if isinstance(call.func, ast.Attribute) else ""
+    first = call.args[0] if call.args else None
+    keywords = {keyword.arg for keyword in call.keywords}
+    if method == "open":
+        mode = isinstance(first, ast.Constant) and re.fullmatch(r"[rwxa][bt+]*", str(first.value))
+        # Without arguments, a path is opened, or what a class has of that name.
+        bare = first is None and not name.startswith("self.")
+        return bool(mode) or bare or "mode" in keywords
+    if method in ("load", "save"):  # our own take paths, and Qt's take texts
+        return isinstance(first, ast.Call) and is_path_like(first) and ast.unparse(first.func) != "resource"
+    return name in _CLASSES or method in _OF_A_PATH or (name in _PICTURES and is_path_like(first))
 
 
 def find_direct_accesses(modules: list[Module]) -> list[Breach]:
     """Calls that open files, start processes or open sockets, but for the functions that the suite has for it."""
     found = []
     for module in modules:
+        imported = imported_as(module.tree)
         for node in ast.walk(module.tree):
-            if not isinstance(node, ast.Call):
-                continue
-            name = ast.unparse(node.func)
-            if name.startswith("temporary."):  # what replacing() gives its block
-                continue
-            method = node.func.attr if isinstance(node.func, ast.Attribute) else ""
-            first = node.args[0] if node.args else None
-            mode = isinstance(first, ast.Constant) and re.fullmatch(r"[rwxa][bt+]*", str(first.value))
-            if name in _OUTSIDE or method in _OF_A_PATH or (method == "open" and mode):
-                found.append(Breach(f"{module.file}:{node.lineno}", f"calls {name}"))
+            if isinstance(node, ast.Call):
+                name = full_name(node.func, imported)
+                if not name.startswith("temporary.") and is_direct_call(node, name):  # what replacing() gives
+                    found.append(Breach(f"{module.file}:{node.lineno}", f"calls {ast.unparse(node.func)}"))
+            elif isinstance(node, ast.Attribute) or (
+                isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+            ):
+                last = node.attr if isinstance(node, ast.Attribute) else imported.get(node.id, node.id)
+                if last.rpartition(".")[2] in _LAST_NAMES and full_name(node, imported) in _FUNCTIONS:
+                    found.append(Breach(f"{module.file}:{node.lineno}", f"calls {ast.unparse(node)}"))
     return found
 
 
