@@ -87,8 +87,12 @@ def keep(path: Path, record: Record | None) -> None:
         return
     draft = file.with_suffix(".tmp")
     content = {"file": str(path), **record.to_json()}
-    draft.write_text(json.dumps(content), encoding="utf-8")
-    draft.replace(file)
+    try:
+        draft.write_text(json.dumps(content), encoding="utf-8")
+        draft.replace(file)
+    except OSError:
+        draft.unlink(missing_ok=True)
+        raise
     records = sorted(file.parent.glob("*.json"), key=lambda one: one.stat().st_mtime, reverse=True)
     for old in records[MOST_RECORDS:]:
         old.unlink(missing_ok=True)

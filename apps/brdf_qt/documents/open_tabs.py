@@ -23,6 +23,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.regular_files import read_bytes
 
 _ENDING = ".tabs.json"
+_LOCK = ".tabs.lock"
 _SOON_MS = 300
 _MOST_TABS = 200
 
@@ -94,6 +95,7 @@ class TabsRecord(QObject):
 
         One that cannot be read is removed: it holds no work.
         """
+        self._remove_unfinished()
         found: list[tuple[float, Path]] = []
         for file in self._folder.glob(f"*{_ENDING}"):
             lock = lock_of(file)
@@ -109,6 +111,19 @@ class TabsRecord(QObject):
             else:
                 newest = read
         return newest
+
+    def _remove_unfinished(self) -> None:
+        """Remove what a kill left of a record that was being written, and locks of runs that have ended."""
+        for left in self._folder.glob(f"*{_LOCK}"):
+            file = left.with_suffix(".json")
+            lock = lock_of(file)
+            if file == self.file:
+                continue
+            if not any(lock.getLockInfo()):  # its run was killed while it made it; Qt takes it for held
+                left.unlink(missing_ok=True)
+            if lock.tryLock(0):
+                file.with_suffix(".tmp").unlink(missing_ok=True)
+                lock.unlock()
 
     def drop(self, left: TabsLeft) -> None:
         """Give a record up."""

@@ -249,8 +249,10 @@ class Recovery(QObject, Generic[T]):
             ):  # its run was killed while it made it; Qt takes it for held
                 lock.unlink(missing_ok=True)
             if self._has_ended(autosave):
-                autosave.with_suffix(".tmp").unlink(missing_ok=True)
-                _saved_file(autosave).with_suffix(".tmp").unlink(missing_ok=True)
+                for content in (autosave, _saved_file(autosave)):
+                    # Also the numbered drafts of palettes, which a thread writes.
+                    for draft in self.folder.glob(f"{content.stem}*.tmp"):
+                        draft.unlink(missing_ok=True)
         for link in self.folder.glob(f"*{_LINK}"):
             if self._has_ended(link.with_suffix(".json")):
                 link.unlink(missing_ok=True)
