@@ -70,3 +70,11 @@ def test_cases_are_chosen_by_the_beginnings_of_their_names(tmp_path: Path) -> No
     names = [case.name for case in CASES]
     assert len(set(names)) == len(names)
     assert {"closed streams", "links", "no home"} <= set(names)
+
+
+@pytest.mark.parametrize("name", [case.name for case in CASES if case.in_slices])
+def test_a_slice_of_hostile_surroundings(name: str, tmp_path: Path) -> None:
+    tmp_path.chmod(0o755)
+    found = run_cases(tmp_path, [name], print, brief=True)
+    assert (found.faults, found.executions, found.local_files_shown) == ({}, 0, 0)
+    assert found.processes >= 2

@@ -9,10 +9,11 @@ import select
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TypeVar
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
@@ -22,6 +23,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.processes import child_command
 from tools.attack.command_lines import home
 
+T = TypeVar("T")
 WINDOWS = {"brdf_designer": "p.brdfpaint", "brdf_viewer": "p.brdfpaint", "brdf_color_swatch": "p.brdfpalette",
            "brdf_lobe_visualizer": "p.brdfpaint"}  # fmt: skip
 """The programs, and the document that each is opened with."""
@@ -44,20 +46,26 @@ class Surroundings:
 
 @dataclass(frozen=True)
 class Case:
-    """One kind of surroundings; ``run(scene)`` starts processes and reports through it."""
+    """One kind of surroundings; ``run(scene)`` starts processes and reports through it; ``in_slices``: so do slices."""
 
     name: str
     run: Callable[[Scene], object]
+    in_slices: bool = False
 
 
 class Scene:
     """The folder, the environment and the figures of one case."""
 
-    def __init__(self, name: str, folder: Path, found: Surroundings) -> None:
+    def __init__(self, name: str, folder: Path, found: Surroundings, *, brief: bool = False) -> None:
         self.name, self.folder, self.found = name, folder, found
+        self._brief = brief
         self.work = folder / "work"
         self.work.mkdir()
         self.environment = home(folder)
+
+    def some(self, every: Iterable[T], count: int = 1) -> list[T]:
+        """Return what a case goes through; in a slice the last ``count`` of it."""
+        return list(every)[-count:] if self._brief else list(every)
 
     def start(
         self,
