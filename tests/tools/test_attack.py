@@ -33,7 +33,9 @@ from tools.attack.readers import READERS, chosen, coverage
 from tools.attack.readers.reader import Reader, WrongValueError, text_files
 from tools.attack.replay import replay
 from tools.attack.seeds import CrossedSeed, Seed, SplicedSeed, contents_of, crossing_seeds, seeds_of
-from tools.attack.writers import WRITERS, Writer
+from tools.attack.writing import WRITERS
+from tools.attack.writing import coverage as writing_coverage
+from tools.attack.writing.writer import Writer
 
 INPUTS = 40
 """Of each reader; a limit of time would depend on what else the machine does."""
@@ -102,6 +104,22 @@ def test_a_reader_without_a_seed_is_named(monkeypatch: pytest.MonkeyPatch, tmp_p
     assert any(text.startswith("palette:broken: the undamaged a.txt is not read") for text in found)
     assert (
         "read_mesh in brdf_suite/files/meshes/reading.py is reached by no seed of tools/attack/readers."
+        in found
+    )
+
+
+def test_every_function_that_writes_is_reached_by_a_writer() -> None:
+    assert writing_coverage.missing() == []
+
+
+def test_a_function_that_no_writer_reaches_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(writing_coverage, "_PLACES", ("brdf_suite/files/meshes",))
+    monkeypatch.setattr(writing_coverage, "WRITERS", ())
+    monkeypatch.setattr(writing_coverage, "NOT_WRITERS", {"apps": "nothing"})
+    found = writing_coverage.missing()
+    assert found[0] == "apps of NOT_WRITERS names no function that writes."
+    assert (
+        "write_obj in brdf_suite/files/meshes/writing.py is reached by no writer of tools/attack/writing."
         in found
     )
 
@@ -311,7 +329,7 @@ def test_what_was_found_stays_mended() -> None:
     assert replay(FOUND) == []
 
 
-@pytest.mark.parametrize("writer", WRITERS, ids=lambda writer: writer.name)
+@pytest.mark.parametrize("writer", [one for one in WRITERS if one.in_slices], ids=lambda writer: writer.name)
 def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: Writer, tmp_path: Path) -> None:
     found = kills.Trial(writer, tmp_path, 1).run(10)
     assert (found.damaged, found.lost, found.leftovers, found.full_disk_faults) == (0, 0, 0, 0), (
@@ -321,7 +339,7 @@ def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: Writer, tmp_
     assert found.in_a_write > 3
 
 
-DOCUMENTS = [one for one in WRITERS if not one.optional]
+DOCUMENTS = [one for one in WRITERS if one.in_slices and not one.optional]
 
 
 @pytest.mark.parametrize("writer", DOCUMENTS, ids=lambda writer: writer.name)
@@ -422,6 +440,36 @@ def test_signals_and_closed_pipes_during_the_start_give_no_traceback() -> None:
     said: list[str] = []
     found = signals(4, 5, said.append)
     assert (found.lines, found.faults) == (4, {}), said
+
+
+READER = {"inputs": 19_999, "faults": {}, "longest_s": 0.0, "died": 0}
+KILLED = {"kills": 999, "in_a_write": 9, "damaged": 0, "lost": 0, "leftovers": 0, "full_disks": 6}
+
+
+@pytest.mark.parametrize(
+    ("part", "short", "enough"),
+    [
+        (
+            "readers",
+            {str(n): READER for n in range(60)},
+            {str(n): {**READER, "inputs": 20_000} for n in range(60)},
+        ),
+        ("readers", {"a": {**READER, "inputs": 999_999}}, {"a": {**READER, "inputs": 1_000_000}}),
+        (
+            "kills",
+            {"a": {**KILLED, "full_disk_faults": 0}},
+            {"a": {**KILLED, "full_disk_faults": 0, "kills": 1000}},
+        ),
+        ("lines", {"lines": 239, "faults": {}}, {"lines": 240, "faults": {}}),
+    ],
+)
+def test_too_few_pass_in_a_slice_and_not_in_the_long_run(
+    part: str, short: dict[str, object], enough: dict[str, object]
+) -> None:
+    signals = {"signals": {"lines": 60, "faults": {}}} if part == "lines" else {}
+    assert report.passed({part: short, **signals})
+    assert not report.passed({part: short, **signals, "whole": True})
+    assert report.passed({part: enough, **signals, "whole": True})
 
 
 def test_the_table_is_written_between_the_markers(tmp_path: Path) -> None:

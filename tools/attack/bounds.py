@@ -1,4 +1,4 @@
-"""What the figures of a run may be at most."""
+"""What the figures of a run may be at most, and at least."""
 
 from __future__ import annotations
 
@@ -12,3 +12,5 @@ SHORTEST_VERDICT = 0.2
 """From this scale on histories and pools of threads are full in the middle, and memory and threads count."""
 OLDEST_S, STALL_MS = 0.5, 50.0
 """In a flood on the link: the age of values at their delivery, and turns of the event loop."""
+LEAST_INPUTS, LEAST_OF_A_READER, LEAST_KILLS, LEAST_LINES = 1_000_000, 20_000, 1_000, 300
+"""What a long run has at least: damaged inputs in all and of each reader, kills of writers, command lines."""

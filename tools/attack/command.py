@@ -5,7 +5,7 @@ hostile surroundings, random events in the programs, a flood on the live link, a
     python tools/attack/run.py --inputs 20000 --results long.json      the long run; the same line goes on with it
     python tools/attack/run.py --parts readers --only mesh:glb --keep FOLDER     one reader, faulty files kept
     python tools/attack/run.py --replay FOLDER                         files that were kept, once more
-    python tools/attack/run.py --check                                 every reader reads its seeds, and none is missing
+    python tools/attack/run.py --check                                 every reader and every writer is reached
     python tools/attack/run.py --table long.json                       write the table of a run into the documents
 
 Progress and faults go to standard error as they are met. Status 1 where a figure is over its bound.
@@ -36,6 +36,7 @@ from tools.attack.readers import READERS, chosen
 from tools.attack.readers.coverage import missing
 from tools.attack.replay import replay
 from tools.attack.seeds import Seed, contents_of, crossing_seeds, seeds_of
+from tools.attack.writing.coverage import missing as missing_writers
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = (
@@ -135,25 +136,30 @@ def run(options: argparse.Namespace) -> dict[str, object]:
     if store is not None and store.exists():
         figures = json.loads(store.read_text())
     figures["seed"] = options.seed
+    if whole and not options.only:
+        figures["whole"] = True
 
     def keep() -> None:
         if store is not None:
             write_atomically(store, encode(figures))
 
     share = min(1.0, minutes / 30.0)
-    long_enough = minutes >= 10.0 or len(options.parts) == 1
+    brief = minutes < 10.0
+    long_enough = not brief or len(options.parts) == 1
     with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as scratch:
         folder = Path(scratch)
         folder.chmod(0o755)
         if "kills" in options.parts:
             say("kills")
-            found = kill_writers(max(60, round(options.kills * share)), options.seed, options.only, say)
+            kills = max(60, round(options.kills * share))
+            found = kill_writers(kills, options.seed, options.only, say, in_slices=brief)
             figures["kills"] = {name: asdict(one) for name, one in found.items()}
             keep()
         if "power" in options.parts:
             say("power losses")
             figures["power"] = {
-                name: asdict(one) for name, one in lose_power_in_writers(options.only, say).items()
+                name: asdict(one)
+                for name, one in lose_power_in_writers(options.only, say, in_slices=brief).items()
             }
             keep()
         if "lines" in options.parts:
@@ -162,10 +168,12 @@ def run(options: argparse.Namespace) -> dict[str, object]:
             figures["lines"] = asdict(wrong(count - count // 5, options.seed, say))
             figures["signals"] = asdict(signals(count // 5, options.seed, say))
             keep()
-        if "surroundings" in options.parts and (minutes >= 10.0 or options.only):
+        if "surroundings" in options.parts:
             say("surroundings")
             (folder / "cases").mkdir()
-            figures["surroundings"] = asdict(run_cases(folder / "cases", options.only, say))
+            figures["surroundings"] = asdict(
+                run_cases(folder / "cases", options.only, say, brief=not (long_enough or options.only))
+            )
             keep()
         if "monkey" in options.parts and long_enough:
             say("monkey")
@@ -175,9 +183,9 @@ def run(options: argparse.Namespace) -> dict[str, object]:
                 for name in monkeys.PROGRAMS
             }
             keep()
-        if "link" in options.parts and long_enough:
+        if "link" in options.parts:
             say("link")
-            (figures["link"],) = script("link_flood.py", "--seconds", "6")
+            (figures["link"],) = script("link_flood.py", "--seconds", "6" if long_enough else "1")
             keep()
         if "session" in options.parts and long_enough:
             scale = options.scale or (1.0 if whole else 0.01)
@@ -211,8 +219,8 @@ def main(arguments: list[str] | None = None) -> int:
     """Do what the options ask for."""
     options = parse(arguments)
     if options.check:
-        faults = missing(say)
-        print("\n".join(faults) or "Every reader has seeds, and reads them.")
+        faults = [*missing(say), *missing_writers(say)]
+        print("\n".join(faults) or "Every reader has seeds, and reads them; every writer is reached.")
         return 1 if faults else 0
     if options.replay is not None:
         faults = replay(options.replay)

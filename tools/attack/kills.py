@@ -32,7 +32,8 @@ from pathlib import Path
 
 from brdf_suite.errors import SuiteError
 from tools.attack.children import be_quiet, in_child, wait_for_threads
-from tools.attack.writers import VERSIONS, WRITERS, Writer
+from tools.attack.writing import chosen
+from tools.attack.writing.writer import VERSIONS, Writer
 
 _STEPS = frozenset(
     (
@@ -288,14 +289,19 @@ def _kill_at_size(size: int) -> None:
 
 
 def kill_writers(
-    kills: int, seed: int, words: Iterable[str] = (), report: Callable[[str], None] = print
+    kills: int,
+    seed: int,
+    words: Iterable[str] = (),
+    report: Callable[[str], None] = print,
+    *,
+    in_slices: bool = False,
 ) -> dict[str, Figures]:
-    """Return the figures of each writer whose name begins with one of ``words``, with ``kills`` in all."""
-    chosen = [one for one in WRITERS if not words or any(one.name.startswith(word) for word in words)]
+    """Return the figures of the writers (:func:`tools.attack.writing.chosen`), with ``kills`` in all."""
+    writers = chosen(words, in_slices=in_slices)
     found: dict[str, Figures] = {}
-    for writer in chosen:
+    for writer in writers:
         with tempfile.TemporaryDirectory(prefix="attack-") as folder:
-            found[writer.name] = Trial(writer, Path(folder), seed).run(-(-kills // len(chosen)))
+            found[writer.name] = Trial(writer, Path(folder), seed).run(-(-kills // len(writers)))
         for text in found[writer.name].examples:
             report(text)
     return found

@@ -21,7 +21,8 @@ from pathlib import Path
 from typing import Any
 
 from tools.attack.children import be_quiet, in_child, wait_for_threads
-from tools.attack.writers import WRITERS, Writer
+from tools.attack.writing import chosen
+from tools.attack.writing.writer import Writer
 
 Names = dict[str, tuple[int, bool]]
 """Of a folder: the number of the file or folder behind each name, and whether it is a folder."""
@@ -140,12 +141,12 @@ def _judge(writer: Writer, disk: Disk, allowed: tuple[int, ...], when: str, foun
 
 
 def lose_power_in_writers(
-    words: Iterable[str] = (), report: Callable[[str], None] = print
+    words: Iterable[str] = (), report: Callable[[str], None] = print, *, in_slices: bool = False
 ) -> dict[str, Losses]:
-    """Return the figures of each writer of documents whose name begins with one of ``words``; caches may lose all."""
+    """Return the figures of the writers of documents (:func:`tools.attack.writing.chosen`); caches may lose all."""
     found: dict[str, Losses] = {}
-    for writer in WRITERS:
-        if writer.optional or (words and not any(writer.name.startswith(word) for word in words)):
+    for writer in chosen(words, in_slices=in_slices):
+        if writer.optional:
             continue
         with tempfile.TemporaryDirectory(prefix="attack-") as folder:
             found[writer.name] = lose_power(writer, Path(folder))

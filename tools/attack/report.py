@@ -7,7 +7,17 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from tools.attack.bounds import HANG_S, MOST_GROWTH, OLDEST_S, SHORTEST_VERDICT, STALL_MS
+from tools.attack.bounds import (
+    HANG_S,
+    LEAST_INPUTS,
+    LEAST_KILLS,
+    LEAST_LINES,
+    LEAST_OF_A_READER,
+    MOST_GROWTH,
+    OLDEST_S,
+    SHORTEST_VERDICT,
+    STALL_MS,
+)
 
 _BEGIN, _END = "<!-- attack: begin -->", "<!-- attack: end -->"
 _LOOPS = {
@@ -21,8 +31,12 @@ Row = tuple[str, str, str, bool]
 
 
 def rows(figures: Figures) -> list[Row]:
-    """Return the rows: figure, value, bound, and whether the value is within it."""
+    """Return the rows: figure, value, bound, and whether the value is within it.
+
+    Bounds from below count for a long run alone, whose figures have a true ``whole``.
+    """
     found: list[Row] = []
+    whole = bool(figures.get("whole"))
     for part, title in _LOOPS.items():
         readers = figures.get(part, {})
         if not readers:
@@ -33,8 +47,12 @@ def rows(figures: Figures) -> list[Row]:
         slowest = max(one["longest_s"] for one in readers.values())
         died = sum(one["died"] for one in readers.values())
         found += [
-            (title.format(len(readers)), f"{total:,}", "", True),
-            ("the same: of each reader, at least", f"{least:,}", "", True),
+            _count(title.format(len(readers)), total, LEAST_INPUTS if part == "readers" and whole else 0),
+            _count(
+                "the same: of each reader, at least",
+                least,
+                LEAST_OF_A_READER if part == "readers" and whole else 0,
+            ),
             ("crashes, uncaught exceptions, hangs, over the memory bound", f"{faults:,}", "0", faults == 0),
             ("slowest input, s of processor time", f"{slowest:.2f}", f"≤ {HANG_S:g}", slowest <= HANG_S),
             ("deaths of libraries that have a process of their own", f"{died:,}", "", True),
@@ -47,7 +65,7 @@ def rows(figures: Figures) -> list[Row]:
             if name != "examples"
         }
         found += [
-            (f"kills of {len(kills)} writers", f"{total_of['kills']:,}", "", True),
+            _count(f"kills of {len(kills)} writers", total_of["kills"], LEAST_KILLS if whole else 0),
             ("kills in the middle of a write", f"{total_of['in_a_write']:,}", "", True),
             *(
                 (title, f"{total_of[name]:,}", "0", total_of[name] == 0)
@@ -74,6 +92,9 @@ def rows(figures: Figures) -> list[Row]:
                 (title, f"{count:,}", "", True),
                 (f"{title}: tracebacks", f"{faults}", "0", faults == 0),
             ]
+    if whole and "lines" in figures and "signals" in figures:
+        lines = sum(figures[name]["lines"] for name in ("lines", "signals"))
+        found.append(_count("wrong command lines, signals and closed pipes together", lines, LEAST_LINES))
     if "surroundings" in figures:
         one = figures["surroundings"]
         bad = len(one["faults"])
@@ -125,6 +146,11 @@ def rows(figures: Figures) -> list[Row]:
             ("the same: growing counts of threads, files, timers, objects", f"{grown}", "0", grown == 0),
         ]
     return found
+
+
+def _count(title: str, value: int, least: int) -> Row:
+    """Return the row of a count, with a bound from below where ``least`` is not 0."""
+    return (title, f"{value:,}", f"≥ {least:,}" if least else "", value >= least)
 
 
 def _monkey_rows(programs: Mapping[str, Any]) -> list[Row]:

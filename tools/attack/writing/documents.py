@@ -1,83 +1,29 @@
-"""The writers of the suite as the harness calls them: each writes one version after another to the same place."""
+"""Documents, files of the acquisition and of batches, and caches as the harness writes them."""
 
 from __future__ import annotations
 
-import importlib
-import os
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from brdf_suite import variables
 from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.batches.journal import Finished, journal_of
 from brdf_suite.documents.factor_textures import read_textures, write_textures
 from brdf_suite.documents.factored import FactoredPaint
-from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.documents.project import Project, load_project, save_project
 from brdf_suite.documents.store import load_any_paint, save_paint
-from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.files.exports.format import ExportItem
+from brdf_suite.errors import FileError
 from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.files.images.png import write_png
-from brdf_suite.files.measured import read_measured, write_measured
-from brdf_suite.files.palettes import FORMATS as PALETTES
-from brdf_suite.files.palettes import read_palette, write_palette
 from brdf_suite.lighting import lobe_map_cache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.palettes.swatches.store import SwatchStore
-from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.models.lambertian import Lambertian
-from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.reports.handover import formats, read_paints
 from tools.attack.readers.documents import maps_of
-from tools.attack.readers.programs import _form, application
-
-VERSIONS = 200
-_FILL = "x" * 60_000
-"""Notes that make a document long enough for kills to hit its writing."""
-
-
-@dataclass(frozen=True)
-class Writer:
-    """What writes one kind of file.
-
-    ``write(folder, number)`` writes version ``number``, below :data:`VERSIONS`; ``read(folder)`` returns the version
-    that is there and raises where it is damaged. ``optional``: a cache, which may lose anything and serves no wrong
-    value; ``read`` then returns -1, and ``write`` may report with a ValueError that it cannot keep anything.
-    """
-
-    name: str
-    write: Callable[[Path, int], object]
-    read: Callable[[Path], int]
-    optional: bool = False
-
-
-def _paint(number: int) -> Any:
-    return replace(load_shipped_paint("blue"), name=f"v{number}", notes=_FILL)
-
-
-def _version(name: str) -> int:
-    return int(name.removeprefix("v"))
-
-
-def _palette(number: int) -> Palette:
-    entries = tuple(Entry(FlatColour(f"v{number}", "RGB", (0.2, 0.4, 0.6))) for _ in range(300))
-    return Palette(f"v{number}", entries)
-
-
-def _read_one(names: Iterable[str]) -> int:
-    found = set(names)
-    if len(found) != 1:
-        raise ValueError(f"versions are mixed: {sorted(found)[:4]}")
-    return _version(found.pop())
+from tools.attack.writing.writer import FILL, Writer, paint, palette, version_of
 
 
 def _textures(folder: Path, number: int) -> None:
@@ -91,52 +37,9 @@ def _textures(folder: Path, number: int) -> None:
 def _read_textures(folder: Path) -> int:
     paint = load_any_paint(folder / "f.brdfpaint")
     assert isinstance(paint, FactoredPaint)
-    number = _version(paint.name)
+    number = version_of(paint.name)
     if not np.allclose(read_textures(paint)["p"], 0.1 + number % 2):
         raise ValueError("the maps are of another version")
-    return number
-
-
-def _export_writer(name: str) -> Writer:
-    known = next(one for one in formats() if one.name == name)
-
-    def write(folder: Path, number: int) -> None:
-        known.write([ExportItem(_paint(number))], folder / f"e{known.ending}", None)
-
-    return Writer(
-        f"export:{name}",
-        write,
-        lambda folder: _read_one(p.name for p in read_paints(folder / f"e{known.ending}").paints),
-    )
-
-
-def _palette_writer(name: str) -> Writer:
-    known = next(one for one in PALETTES if one.name == name)
-    path = f"p{known.endings[0]}"
-
-    def read(folder: Path) -> int:
-        return _read_one(
-            entry.content.name.split(" (")[0] for entry in read_palette(folder / path).palette.entries
-        )
-
-    return Writer(
-        f"palette:{name}", lambda folder, number: write_palette(_palette(number), folder / path, known), read
-    )
-
-
-def _table(folder: Path, number: int) -> None:
-    write_measured(
-        IsotropicTable.from_reflectance(Lambertian((number % 1000) / 1000.0), HalfAngleGrid(8, 8, 16)),
-        folder / "t.brdftable",
-    )
-
-
-def _read_table(folder: Path) -> int:
-    up = [[0.0, 0.0, 1.0]]
-    value = float(read_measured(folder / "t.brdftable").eval(up, up)[0, 0]) * np.pi
-    number = round(1000.0 * value)
-    if abs(1000.0 * value - number) > 0.01:
-        raise ValueError(f"no version has the value {value}")
     return number
 
 
@@ -175,12 +78,12 @@ def _read_work(folder: Path) -> int:
 
 def _journal(folder: Path, number: int) -> None:
     with journal_of(folder / "results", "step") as journal:
-        journal.append([Finished("key", f"v{number}", _FILL, {})])
+        journal.append([Finished("key", f"v{number}", FILL, {})])
 
 
 def _read_journal(folder: Path) -> int:
     with journal_of(folder / "results", "step") as journal:
-        return _version(journal.finished["key"].label)
+        return version_of(journal.finished["key"].label)
 
 
 _CACHED = 4
@@ -252,66 +155,37 @@ def _read_swatches(folder: Path) -> int:
         store.close()
 
 
-def _recovery(folder: Path) -> Any:
-    application()
-    os.environ[variables.SETTINGS] = str(folder / "settings")
-    documents = importlib.import_module("brdf_qt.documents.open_document")
-    recovery = importlib.import_module("brdf_qt.documents.recovery")
-    store = documents.DocumentStore(_form().new())
-    return store, recovery.Recovery(
-        store, _form(), lambda error: (_ for _ in ()).throw(error), keeps_history=True
-    )
-
-
-def _write_autosave(folder: Path, number: int) -> None:
-    """Do what a start and an edit do: earlier work is taken up, and the new version saved by itself."""
-    store, recovery = _recovery(folder)
-    try:
-        for item in recovery.found():
-            recovery.take(item)
-        store.replace(_paint(number), None, clean=False)
-        recovery.close(keep=True)
-    except SuiteError:
-        recovery.close(keep=False)  # as the program does where nothing can be written: its lock goes with it
-        raise
-
-
-def _read_autosave(folder: Path) -> int:
-    _, recovery = _recovery(folder)
-    try:
-        return _version(recovery.found()[0].value.name)
-    finally:
-        recovery.close(keep=False)
-
-
 WRITERS: tuple[Writer, ...] = (
     Writer(
         "document:paint",
-        lambda folder, number: save_paint(_paint(number), folder / "p.brdfpaint"),
-        lambda folder: _version(load_any_paint(folder / "p.brdfpaint").name),
+        lambda folder, number: save_paint(paint(number), folder / "p.brdfpaint"),
+        lambda folder: version_of(load_any_paint(folder / "p.brdfpaint").name),
+    ),
+    Writer(
+        "document:palette",
+        lambda folder, number: save_palette(palette(number), folder / "p.brdfpalette"),
+        lambda folder: version_of(load_palette(folder / "p.brdfpalette").name),
     ),
     Writer("document:factored", _textures, _read_textures),
     Writer(
         "document:project",
         lambda folder, number: save_project(
-            Project(f"v{number}", (_paint(number),)), folder / "p.brdfproject"
+            Project(f"v{number}", (paint(number),)), folder / "p.brdfproject"
         ),
-        lambda folder: _version(load_project(folder / "p.brdfproject").name),
+        lambda folder: version_of(load_project(folder / "p.brdfproject").name),
     ),
     Writer(
         "document:project_folder",
         lambda folder, number: save_project(
-            Project(f"v{number}", (_paint(number),)), folder / "p.brdfproject", folder=True
+            Project(f"v{number}", (paint(number),)), folder / "p.brdfproject", folder=True
         ),
-        lambda folder: _version(load_project(folder / "p.brdfproject").name),
+        lambda folder: version_of(load_project(folder / "p.brdfproject").name),
     ),
-    Writer("document:session", _session, lambda folder: _version(read_session(folder / "photographs").notes)),
+    Writer(
+        "document:session", _session, lambda folder: version_of(read_session(folder / "photographs").notes)
+    ),
     Writer("document:work", _work, _read_work),
     Writer("document:journal", _journal, _read_journal),
-    Writer("document:autosave", _write_autosave, _read_autosave),
-    *(_palette_writer(name) for name in ("brdfpalette", "ase", "sbz")),
-    *(_export_writer(name) for name in ("json", "csv", "cxf")),
-    Writer("export:table", _table, _read_table),
     Writer("export:picture", _picture, _read_picture),
     Writer("cache:maps", _write_maps, _read_maps, optional=True),
     Writer("cache:swatches", _write_swatches, _read_swatches, optional=True),
