@@ -34,7 +34,7 @@ from brdf_suite.reports.contact_sheet.document import write_sheet_of
 from brdf_suite.reports.contact_sheet.pictures import SheetItem
 from brdf_suite.resources import resource
 from tools.attack.readers.documents import baked_mesh, tetrahedron
-from tools.attack.writing.writer import Writer, paint, read_one, version_of
+from tools.attack.writing.writer import VERSIONS, Writer, paint, read_one, version_of
 
 _SIZE = (48, 32)
 _COPIES = 500
@@ -151,7 +151,7 @@ def _occlusion_cache(folder: Path) -> DiskCache:
 def _occlusion(folder: Path, number: int) -> None:
     cache, mesh = _occlusion_cache(folder), tetrahedron()
     cache.get_or_make(
-        f"{number % _CACHED:064x}",
+        f"{number:064x}",
         lambda path: read_baked(path, mesh),
         lambda _progress: baked_mesh(),
         lambda baked: encode_baked(mesh, baked),
@@ -163,7 +163,7 @@ def _occlusion(folder: Path, number: int) -> None:
 
 def _read_occlusion(folder: Path) -> int:
     cache = _occlusion_cache(folder)
-    for number in range(_CACHED):
+    for number in range(VERSIONS):
         try:
             read_baked(cache.path(f"{number:064x}"), tetrahedron())
         except FileError as error:

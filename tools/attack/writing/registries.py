@@ -104,12 +104,16 @@ def _measured_writer(known: Any) -> Writer:
     )
 
 
+def _page(item: Any) -> tuple[bytes, tuple[str, ...]]:
+    return f"{item.name} {FILL} {item.name}".encode(), ()
+
+
 def _write_report(folder: Path, number: int) -> None:
     # Drawing is not what is killed.
     document.__dict__["build_report"] = lambda item, *_: item
     document.write_report(
         document.ReportOptions(),
-        lambda item: (f"{item.name} {FILL} {item.name}".encode(), ()),
+        _page,
         [ExportItem(paint(number))],
         folder / "r.html",
     )
