@@ -126,7 +126,7 @@ class ProjectFiles(Feature, QObject):
             self._window.show_message(message_of(error, KEY))
             return
         path = self._target(project.name)
-        if path is None or not self._may_replace(path):
+        if path is None:
             return
         if opened is None:
             # A project takes the name of its file, where that can be the name of a project.
@@ -160,22 +160,29 @@ class ProjectFiles(Feature, QObject):
         self._tasks.cancel(KEY)
 
     def _target(self, name: str) -> Path | None:
-        if self.opened is not None and self.opened.path.is_dir():
-            return self.opened.path
+        """Return where to write, None: nowhere; asks again about what another program has changed meanwhile."""
+        opened = self.opened
+        path = opened.path if opened is not None and opened.path.is_dir() else self._ask_target(name)
+        while path is not None and self._is_changed(path):
+            answer = self._dialogs.changed_file(path)
+            if answer is Overwrite.OVERWRITE:
+                break
+            path = self._ask_target(name) if answer is Overwrite.SAVE_AS else None
+        return path
+
+    def _ask_target(self, name: str) -> Path | None:
         suggested = self._folder() / f"{name}{PROJECT_ENDING}" if self.opened is None else self.opened.path
         path = self._dialogs.save_path(suggested, _filters())
         if path is not None and path.suffix.lower() != PROJECT_ENDING:
             path = path.with_name(path.name + PROJECT_ENDING)
         return None if path is None else path.absolute()
 
-    def _may_replace(self, path: Path) -> bool:
-        """Ask where another program has changed the project since it was read or written here."""
+    def _is_changed(self, path: Path) -> bool:
+        """Return whether another program has changed the project since it was read or written here."""
         if self.opened is None or path != self.opened.path or self._stamp is None:
-            return True
+            return False
         present = _stamp(path)
-        if present is None or present.same_content(self._stamp):
-            return True
-        return self._dialogs.changed_file(path) is Overwrite.OVERWRITE
+        return present is not None and not present.same_content(self._stamp)
 
     def _folder(self) -> Path:
         present = None if self.opened is None else self.opened.path

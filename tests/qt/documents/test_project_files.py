@@ -200,6 +200,18 @@ def test_what_another_program_has_written_meanwhile_is_asked_about(files, dialog
     assert load_project(path).notes == "Kept"
 
 
+def test_a_folder_that_another_program_has_changed_is_saved_elsewhere(
+    files, dialogs, project, tmp_path, qtbot
+):
+    folder = tmp_path / "spring"
+    save_project(project, folder)
+    open_and_wait(files, qtbot, folder)
+    save_project(replace(project, notes="Theirs"), folder)
+    dialogs.path, dialogs.overwrite = tmp_path / "mine.brdfproject", Overwrite.SAVE_AS
+    write(files, qtbot, "save_project")
+    assert (load_project(folder).notes, load_project(dialogs.path).notes) == ("Theirs", "Kept")
+
+
 def test_a_damaged_project_is_named_with_its_place(files, part, tmp_path, qtbot):
     path = tmp_path / "broken.brdfproject"
     path.mkdir()
