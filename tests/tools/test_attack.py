@@ -339,7 +339,7 @@ def test_a_writer_that_is_killed_damages_and_leaves_nothing(writer: Writer, tmp_
     assert found.in_a_write > 3
 
 
-DOCUMENTS = [one for one in WRITERS if one.in_slices and not one.optional]
+DOCUMENTS = [one for one in WRITERS if one.in_slices and one.is_forced and not one.optional]
 
 
 @pytest.mark.parametrize("writer", DOCUMENTS, ids=lambda writer: writer.name)

@@ -146,7 +146,7 @@ def lose_power_in_writers(
     """Return the figures of the writers of documents (:func:`tools.attack.writing.chosen`); caches may lose all."""
     found: dict[str, Losses] = {}
     for writer in chosen(words, in_slices=in_slices):
-        if writer.optional:
+        if writer.optional or not writer.is_forced:
             continue
         with tempfile.TemporaryDirectory(prefix="attack-") as folder:
             found[writer.name] = lose_power(writer, Path(folder))

@@ -293,8 +293,8 @@ class StandardControl(Feature, QObject):
             return
         try:
             records.keep(path, self._record(document.key))
-        except OSError as error:
-            reason = f"its standard cannot be kept for the next start ({error.strerror})"
+        except FileError as error:
+            reason = f"its standard cannot be kept for the next start ({error.reason})"
             self._session.show_message(message_of(FileError(path, reason), _KEPT))
         else:
             self._session.dismiss_message(_KEPT)

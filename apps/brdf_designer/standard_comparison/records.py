@@ -15,6 +15,7 @@ from typing import Any
 
 from brdf_qt.program.settings import state_folder
 
+from brdf_suite.documents.atomic import documents_in, write_atomically
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.store import paint_from_json, paint_to_json
 from brdf_suite.errors import FileError, SuiteError
@@ -80,20 +81,16 @@ def _reading(row: Any) -> Measurement:
 
 
 def keep(path: Path, record: Record | None) -> None:
-    """Keep the record of the paint in file ``path``; ``None``: it has no standard. OSError where that fails."""
+    """Keep the record of the paint in file ``path``; ``None``: it has no standard. FileError where that fails."""
     file = _file(path)
     if record is None:
-        file.unlink(missing_ok=True)
+        try:
+            file.unlink(missing_ok=True)
+        except OSError as error:
+            raise FileError(file, f"cannot be removed: {error.strerror or error}") from error
         return
-    draft = file.with_suffix(".tmp")
-    content = {"file": str(path), **record.to_json()}
-    try:
-        draft.write_text(json.dumps(content), encoding="utf-8")
-        draft.replace(file)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    records = sorted(file.parent.glob("*.json"), key=lambda one: one.stat().st_mtime, reverse=True)
+    write_atomically(file, json.dumps({"file": str(path), **record.to_json()}).encode())
+    records = sorted(documents_in(file.parent, ".json"), key=lambda one: one.stat().st_mtime, reverse=True)
     for old in records[MOST_RECORDS:]:
         old.unlink(missing_ok=True)
 

@@ -119,10 +119,7 @@ def _write_record(folder: Path, number: int) -> None:
     records = importlib.import_module("brdf_designer.standard_comparison.records")
     standard = importlib.import_module("brdf_suite.paint_design.standard")
     made = standard.standard_of(paint(number), "blue.brdfpaint")
-    try:
-        records.keep(Path("/x.brdfpaint"), records.Record(made))
-    except OSError as error:
-        raise SuiteError(str(error)) from error  # as its caller does
+    records.keep(Path("/x.brdfpaint"), records.Record(made))
 
 
 def _read_record(folder: Path) -> int:
@@ -137,6 +134,6 @@ def _read_record(folder: Path) -> int:
 WRITERS = (
     Writer("document:autosave", _write_autosave, _read_autosave),
     Writer("settings:swatch_autosave", _write_swatch_autosave, _read_swatch_autosave),
-    Writer("settings:tabs", _write_tabs, _read_tabs),
+    Writer("settings:tabs", _write_tabs, _read_tabs, is_forced=False),
     Writer("settings:record", _write_record, _read_record),
 )

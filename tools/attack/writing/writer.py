@@ -23,6 +23,7 @@ class Writer:
     ``write(folder, number)`` writes version ``number``, below :data:`VERSIONS`; ``read(folder)`` returns the version
     that is there and raises where it is damaged. ``optional``: a cache, which may lose anything and serves no wrong
     value; ``read`` then returns -1, and ``write`` may report with a ValueError that it cannot keep anything.
+    ``is_forced``: it promises to outlive a power loss; the list of open tabs does not, but the work in them.
     ``in_slices``: killed in the tests and short runs, too, and not in the long run alone.
     """
 
@@ -30,6 +31,7 @@ class Writer:
     write: Callable[[Path, int], object]
     read: Callable[[Path], int]
     optional: bool = False
+    is_forced: bool = True
     in_slices: bool = True
 
 
