@@ -13,9 +13,13 @@ from tools.attack.readers.programs import _form, application
 from tools.attack.writing.writer import Writer, paint, palette, version_of
 
 
-def _recovery(folder: Path) -> Any:
+def _settings_in(folder: Path) -> None:
     application()
     os.environ[variables.SETTINGS] = str(folder / "settings")
+
+
+def _recovery(folder: Path) -> Any:
+    _settings_in(folder)
     documents = importlib.import_module("brdf_qt.documents.open_document")
     recovery = importlib.import_module("brdf_qt.documents.recovery")
     store = documents.DocumentStore(_form().new())
@@ -43,11 +47,6 @@ def _read_autosave(folder: Path) -> int:
         return version_of(recovery.found()[0].value.name)
     finally:
         recovery.close(keep=False)
-
-
-def _settings_in(folder: Path) -> None:
-    application()
-    os.environ[variables.SETTINGS] = str(folder / "settings")
 
 
 def _swatch_recovery(folder: Path) -> Any:
