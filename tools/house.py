@@ -80,7 +80,6 @@ _OWN_COPY = "a file that this process or its child has just written"
 _CHILD = "starts what child_command names"
 DIRECT_ACCESS: dict[str, str] = {
     "apps/brdf_color_swatch/library/autosave.py": "a draft that is renamed; it has no name before",
-    "apps/brdf_designer/standard_comparison/records.py": "a draft that is renamed; it has no name before",
     "apps/brdf_qt/documents/open_tabs.py": "a draft that is renamed; it has no name before",
     "apps/brdf_qt/documents/recovery.py": "a draft that is renamed; it has no name before",
     "apps/brdf_qt/gl/items.py": _SHIPPED,
