@@ -128,12 +128,18 @@ def load_start(
     return measured_start(item, geometry_set, subrange(progress, 0.5, 1.0))
 
 
-def load_paint_or_start(name_or_path: str | os.PathLike[str], progress: Progress | None = None) -> AnyPaint:
+def load_paint_or_start(
+    name_or_path: str | os.PathLike[str],
+    progress: Progress | None = None,
+    *,
+    cmyk_profile: str | os.PathLike[str] | None = None,
+) -> AnyPaint:
     """Return the document of a paint of any kind; of measured data and models the design that is started from them.
 
-    Errors as :func:`load_start`, but for paints that cannot be built.
+    ``cmyk_profile`` as in :func:`~brdf_suite.pipeline.material.load_material`; errors as :func:`load_start`, but for
+    paints that cannot be built.
     """
-    document = load_document(name_or_path)
+    document = load_document(name_or_path, cmyk_profile=cmyk_profile)
     return load_start(name_or_path, progress=progress).paint if document is None else document
 
 

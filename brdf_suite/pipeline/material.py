@@ -118,7 +118,11 @@ def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] |
 
 @within_memory
 def load_material(
-    name_or_path: str | os.PathLike[str], *, observer_deg: int = 10, solved_through: Aperture | None = None
+    name_or_path: str | os.PathLike[str],
+    *,
+    observer_deg: int = 10,
+    solved_through: Aperture | None = None,
+    cmyk_profile: str | os.PathLike[str] | None = None,
 ) -> Material:
     """Return what a name or a file of any kind stands for.
 
@@ -131,6 +135,8 @@ def load_material(
         2 or 10: the observer through which the spectra of a measured file become colour.
     solved_through
         The aperture with which a designed paint's own colours were read; None for none.
+    cmyk_profile
+        An ICC profile through which an entry in CMYK is seen whose palette brings none of its own.
 
     Raises
     ------
@@ -140,9 +146,10 @@ def load_material(
         No such paint can have the gloss or colours that the document asks for.
     """
     text = os.fspath(name_or_path)
-    found = _find(text)
+    found = _find(text, cmyk_profile)
     if isinstance(found, Entry):
-        known = load_palette_file(text if is_file(text) else text.rpartition(ENTRY_MARK)[0])
+        palette = text if is_file(text) else text.rpartition(ENTRY_MARK)[0]
+        known = load_palette_file(palette, cmyk_profile=cmyk_profile)
         entry = material_of_entry(found, text)
         return replace(entry, notices=(*entry.notices, *known.notes))
     if found is None:
@@ -156,12 +163,14 @@ def load_material(
     return material_of(found, text)
 
 
-def load_document(name_or_path: str | os.PathLike[str]) -> AnyPaint | None:
+def load_document(
+    name_or_path: str | os.PathLike[str], *, cmyk_profile: str | os.PathLike[str] | None = None
+) -> AnyPaint | None:
     """Return the paint document that a name or a file stands for, not built; None for measured data and models.
 
-    Errors as :func:`load_material`, but for paints that cannot be built.
+    ``cmyk_profile`` and errors as in :func:`load_material`, but for paints that cannot be built.
     """
-    found = _find(os.fspath(name_or_path))
+    found = _find(os.fspath(name_or_path), cmyk_profile)
     return to_paint(found.content) if isinstance(found, Entry) else found
 
 
@@ -280,7 +289,7 @@ def _designed(paint: Paint, origin: str, reflectance: Reflectance, notices: tupl
     return Material(paint.name, reflectance, origin, paint, paint.flakes, paint.orange_peel, notices)
 
 
-def _find(text: str) -> AnyPaint | Entry | None:
+def _find(text: str, cmyk_profile: str | os.PathLike[str] | None) -> AnyPaint | Entry | None:
     """Return the document of a name or a file, or the entry of a palette; None for models and measured files."""
     names = paint_names()
     if text in names:  # without Table 1, which most starts do not need
@@ -291,7 +300,7 @@ def _find(text: str) -> AnyPaint | Entry | None:
     if is_file(text):
         kind = file_kind(text)
         if kind == "palette":
-            entries = load_palette_file(text).palette.entries
+            entries = load_palette_file(text, cmyk_profile=cmyk_profile).palette.entries
             if not entries:
                 raise FileError(text, "is a palette without a paint")
             if len(entries) > 1:
@@ -303,7 +312,7 @@ def _find(text: str) -> AnyPaint | Entry | None:
         return load_any_paint(text) if kind == "paint" else None
     path, _, entry_id = text.rpartition(ENTRY_MARK)
     if path and is_file(path):
-        palette = load_palette_file(path).palette
+        palette = load_palette_file(path, cmyk_profile=cmyk_profile).palette
         if entry_id not in palette.by_id:
             raise FileError(path, f"has no entry {entry_id!r}")
         return palette.entry(entry_id)

@@ -41,7 +41,6 @@ from brdf_suite.paint_design.measured_start import load_paint_or_start
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, labs_of
 from brdf_suite.palettes.nearest_entries import colours_of_material, nearest_entries
 from brdf_suite.pipeline.material import (
-    ENTRY_MARK,
     document_kind,
     is_file,
     load_document,
@@ -151,13 +150,7 @@ def run_find(options: argparse.Namespace) -> int:
 
 def _labs(name_or_path: str, profile: Path | None) -> tuple[str, Floats]:
     """Return the name and L*a*b* (3, 3) of what is looked for; an entry of a palette is seen through the profile."""
-    path, _, entry_id = name_or_path.rpartition(ENTRY_MARK)
-    if profile is not None and path and is_file(path):
-        palette = read_palette(path, cmyk_profile=profile).palette
-        if entry_id in palette.by_id:
-            entry = palette.entry(entry_id)
-            return entry.name, labs_of(entry.content)
-    document = load_document(name_or_path)
+    document = load_document(name_or_path, cmyk_profile=profile)
     if document is not None:
         return document.name, labs_of(document)
     material = load_material(name_or_path)

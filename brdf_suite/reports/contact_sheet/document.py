@@ -56,7 +56,7 @@ def sheet_items(source: Path, cmyk_profile: Path | None = None) -> tuple[str, li
         if len(items) > MOST_PAINTS:
             raise FileError(source, f"holds {len(items):,} paints; a sheet takes {MOST_PAINTS:,}")
         return palette.name, items
-    paint = load_paint_or_start(source)
+    paint = load_paint_or_start(source, cmyk_profile=cmyk_profile)
     return paint.name, [SheetItem(paint.name, "", paint)]
 
 

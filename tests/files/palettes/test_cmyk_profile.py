@@ -95,15 +95,21 @@ def test_find_and_sheet_take_a_profile(
     assert main(["palette", "find", entry, "--in", str(file), *words]) == 0
     assert json.loads(capsys.readouterr().out)["found"][0]["delta_e_2000"] < 1e-6
     sheets = []
-    for name, more in (("plain.png", []), ("seen.png", ["--cmyk-profile", str(profile)])):
+    through = ["--cmyk-profile", str(profile)]
+    for name, source, more in (
+        ("plain.png", str(file), []),
+        ("seen.png", str(file), through),
+        ("plain_entry.png", entry, []),
+        ("seen_entry.png", entry, through),
+    ):
         out = tmp_path / name
         words = ["--form", "chips", "--columns", "1", "--size", "60x40"]
-        assert main(["sheet", str(file), "-o", str(out), *words, *more]) == 0
+        assert main(["sheet", source, "-o", str(out), *words, *more]) == 0
         with Image.open(out) as sheet:
             sheets.append(np.asarray(sheet.convert("RGB")).astype(int))
     seen = display_rgb(lab)
     rows = [np.abs(sheet - seen).max(axis=-1).min(axis=1) for sheet in sheets]
-    assert [bool((row <= 2).any()) for row in rows] == [False, True]
+    assert [bool((row <= 2).any()) for row in rows] == [False, True, False, True]
     with pytest.raises(FileError, match=r"no ICC profile"):
         sheet_items(file, cmyk_profile=file)
 
