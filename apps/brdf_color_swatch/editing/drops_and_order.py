@@ -11,12 +11,11 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
-from brdf_color_swatch.editing.entry_edits import OWNER, count_words, what_words, with_date
+from brdf_color_swatch.editing.entry_edits import OWNER, as_added, count_words, what_words, with_date
 from brdf_color_swatch.editing.paint_files import take_data
 from brdf_color_swatch.editing.transfer import Carried, source_of
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.panels.swatch import today
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
@@ -155,9 +154,7 @@ class DropsAndOrder(SwatchFeature):
         known = set(session.library.palette(target).by_id)  # type: ignore[union-attr]  # it is there
         if before not in known:
             before = None  # it was removed while files were read
-        entries = [entry if entry.date else replace(entry, date=today()) for entry in carried.entries]
-        if scope.tag:
-            entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, scope.tag)))) for e in entries]
+        entries = as_added(carried.entries, scope.tag)
         fall = () if group is None else group
         changes: dict[str, Callable[[Palette], Palette]] = {
             target: lambda palette: edits.add_entries(palette, entries, fall, before)

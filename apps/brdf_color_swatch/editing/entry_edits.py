@@ -32,14 +32,21 @@ def add_entries(
         return False
     if group is None:
         group = scope.group
-    tag = scope.tag
-    if tag:
-        # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
-        entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
-    with_dates = [entry if entry.date else replace(entry, date=today()) for entry in entries]
+    added = as_added(entries, scope.tag)
     return edit_and_reveal(
-        session, name, lambda old: edits.add_entries(old, with_dates, group, before), scope.palette
+        session, name, lambda old: edits.add_entries(old, added, group, before), scope.palette
     )
+
+
+def as_added(entries: Sequence[Entry], tag: str) -> list[Entry]:
+    """Return entries as they are put where a tag is shown ("" for none): with the tag, and today where not dated.
+
+    Without the tag they would vanish as they come.
+    """
+    dated = [entry if entry.date else replace(entry, date=today()) for entry in entries]
+    if not tag:
+        return dated
+    return [replace(entry, tags=tuple(dict.fromkeys((*entry.tags, tag)))) for entry in dated]
 
 
 def edit_and_reveal(
