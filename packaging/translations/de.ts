@@ -4653,7 +4653,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Lobe Fit…</source>
-        <translation>Keulenanpassung…</translation>
+        <translation>Keulenanpassung …</translation>
     </message>
     <message>
         <source>Show the Basis</source>
@@ -7187,7 +7187,7 @@ Unten: {second}</translation>
     </message>
     <message>
         <source>Choose CMYK Profile…</source>
-        <translation>CMYK-Profil wählen…</translation>
+        <translation>CMYK-Profil wählen …</translation>
     </message>
     <message>
         <source>The palette stays in the library; nothing else has changed.</source>
@@ -20109,7 +20109,7 @@ h {hue}°</translation>
     </message>
     <message>
         <source>Choose CM&amp;YK Profile…</source>
-        <translation>CM&amp;YK-Profil wählen…</translation>
+        <translation>CM&amp;YK-Profil wählen …</translation>
     </message>
     <message>
         <source>Show the CMYK colours of this palette, and of those opened later, through an ICC profile</source>
