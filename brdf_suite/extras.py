@@ -76,7 +76,9 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
         return loaded
     check_extra(name, purpose=purpose, instead=instead)
     try:
-        return import_module(name)
+        module = import_module(name)
+        _leave_working_folder(module)
+        return module
     except Exception as error:  # libraries fail to load with errors of many kinds
         library = _SYSTEM_LIBRARY.search(str(error))
         if library is not None:
@@ -87,6 +89,22 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
         raise ExtraError(
             f"{purpose} needs {PACKAGES[name].title}, which is installed but cannot be loaded ({reason}); {way}"
         ) from error
+
+
+def _leave_working_folder(module: ModuleType) -> None:
+    """Let a library load nothing of the working folder.
+
+    Mitsuba looks for the libraries of its plug-ins there first, and numba for settings, which may name a folder of
+    compiled code.
+    """
+    if module.__name__ == "mitsuba":
+        places = module.file_resolver()
+        places.clear()
+        places.append(str(Path(str(module.__file__)).parent))
+    elif module.__name__ == "numba":
+        settings = import_module("numba.core.config")
+        settings._config_fname = os.devnull  # type: ignore[attr-defined]  # there is no public way
+        settings.reload_config()
 
 
 def check_extra(name: str, *, purpose: str, instead: str = "") -> None:

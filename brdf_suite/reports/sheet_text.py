@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PIL import ImageFont
@@ -35,7 +36,7 @@ def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
     missing = ""
     for name in (*_FONTS, None):
         try:
-            font = ImageFont.load_default(size) if name is None else ImageFont.truetype(name, size)
+            font = ImageFont.load_default(size) if name is None else _system_font(name, size)
         except OSError:
             continue  # this system has not got it
         if not isinstance(font, ImageFont.FreeTypeFont):
@@ -49,6 +50,15 @@ def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
     if best is None:
         raise RuntimeError("the picture library was built without fonts")
     return best, missing
+
+
+def _system_font(name: str, size: int) -> FreeTypeFont:
+    """Return a font of the system; :class:`OSError` where there is none of that name.
+
+    Pillow opens a bare name in the working folder first. Of a path that is not there it looks for the last part where
+    the system keeps fonts.
+    """
+    return ImageFont.truetype(str(Path(__file__).with_name(name)), size)
 
 
 def shortened(text: str, font: FreeTypeFont, width: int) -> str:

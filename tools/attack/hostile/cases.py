@@ -12,7 +12,8 @@ import re
 import shutil
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,6 +25,9 @@ from tools.attack.hostile.scene import COMMAND, WINDOWS, Case, Scene, Surroundin
 _UNGUARDED = re.compile(r"(?:^|,)\"?=", re.MULTILINE)
 """Cells that a spreadsheet takes for formulas. What a pipe gets is data, and keeps its invisible characters."""
 _TRAPS = ("random", "json", "numpy", "PySide6", "struct", "logging", "brdf_suite", "PIL", "encodings", "site")
+_PLUGINS = ("path", "hdrfilm", "perspective", "scene", "roughconductor", "sphere", "constant", "diffuse")
+"""Of Mitsuba."""
+_FONTS = ("DejaVuSans.ttf", "NotoSans-Regular.ttf", "Arial.ttf")
 _TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 _POSTSCRIPT = "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 8 8\n(ran) (w) file closefile showpage\n"
 
@@ -68,41 +72,79 @@ def hostile_names(pipe: Path) -> list[str]:
     ]
 
 
-def _hostile_names(scene: Scene) -> None:
-    pipe = scene.folder / "pipe"
-    os.mkfifo(pipe)
-    ended = threading.Event()
+@contextmanager
+def _pipes_watched(*pipes: Path) -> Iterator[Callable[[], int]]:
+    """Make pipes, and count how often another program has one open, which it is let out of."""
     opened = 0
+    ended = threading.Event()
 
     def watch() -> None:
         nonlocal opened
         while not ended.wait(0.05):
-            try:
-                os.close(os.open(pipe, os.O_WRONLY | os.O_NONBLOCK))
-                opened += 1
-            except OSError:
-                continue  # no other process has it open
+            for pipe in pipes:
+                try:
+                    os.close(os.open(pipe, os.O_WRONLY | os.O_NONBLOCK))
+                    opened += 1
+                except OSError:
+                    continue  # no other process has it open
 
+    for pipe in pipes:
+        os.mkfifo(pipe)
     watcher = threading.Thread(target=watch, daemon=True)
     watcher.start()
     try:
+        yield lambda: opened
+    finally:
+        ended.set()
+        watcher.join()
+
+
+def _planted_files(scene: Scene) -> None:
+    """Libraries, settings and fonts that the libraries of the suite look for in the working folder."""
+    scene.documents("plain")
+    (scene.work / "plugins").mkdir()
+    (scene.work / ".numba_config.yaml").write_text("cache_dir: compiled\n")
+    plugins = [scene.work / "plugins" / f"{name}.so" for name in _PLUGINS]
+    with _pipes_watched(*plugins, *(scene.work / name for name in _FONTS)) as opened:
+        for line in (
+            (
+                "render",
+                "p.brdfpaint",
+                "-o",
+                "x.png",
+                "--size",
+                "16x16",
+                "--renderer",
+                "reference",
+                "--spp",
+                "1",
+            ),
+            ("sheet", "p.brdfpaint", "-o", "x.pdf", "--form", "chips"),
+            ("prefilter", "overcast"),
+        ):
+            scene.start(COMMAND, *line, fails=False)
+            if opened() or (scene.work / "compiled").exists():
+                scene.found.executions += 1
+                scene.fault("a file of the working folder was loaded", line)
+
+
+def _hostile_names(scene: Scene) -> None:
+    pipe = scene.folder / "pipe"
+    with _pipes_watched(pipe) as opened:
         for number, name in enumerate(hostile_names(pipe)):
             scene.documents(name)
             for module in WINDOWS if number == 0 else [list(WINDOWS)[number % len(WINDOWS)]]:
                 scene.window(module)
             for line in (["measure", "p.brdfpaint", "--csv"], ["palette", "info", "p.gpl"]):
-                if re.search(r"(?m)(?:^|,)\"?=", scene.start(COMMAND, *line)):
+                if _UNGUARDED.search(scene.start(COMMAND, *line)):
                     scene.fault("an unguarded formula", line)
                 # Another program is given a name as it is.
                 said = scene.show(COMMAND, *line)
                 if re.search(r"[\x00-\x08\x0b-\x1f\x7f\u202e\u200b\u2066]", said):
                     scene.fault(f"an unguarded name on the terminal: {said[:200]!r}", line)
-        if opened:
+        if opened():
             scene.found.local_files_shown += 1
             scene.fault("a window opened the file that a name points to")
-    finally:
-        ended.set()
-        watcher.join()
 
 
 def _no_home(scene: Scene) -> None:
@@ -221,6 +263,7 @@ def _tampered_cache(scene: Scene) -> None:
 
 CASES = (
     Case("planted Python", _planted_python, in_slices=True),
+    Case("planted files", _planted_files, in_slices=True),
     Case("planted PostScript", _planted_postscript),
     Case("hostile names", _hostile_names),
     Case("no home", _no_home, in_slices=True),
