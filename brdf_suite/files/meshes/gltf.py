@@ -108,7 +108,7 @@ def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | Non
         total += len(matrices) * repair_bytes(*primitives.sizes(*key))
         check_made(path, total, "the triangles of all nodes", "nodes", primitives.held_bytes)
         part = primitives.read(*key)
-        if not len(part.triangles):
+        if not len(part.triangles) or not len(part.positions):
             continue
         most = min(_MOST_TOGETHER // len(part.positions), _MOST_TRIANGLES // len(part.triangles))
         together = 1 if len(matrices) <= _SEPARATE else max(1, most)

@@ -26,13 +26,16 @@ _ANGLE = 0.35
 
 def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the parts; ``tessellation_mm`` is the largest distance of a triangle from its surface."""
-    converted = cascadio.load(
-        read_bytes(file),
-        file_type=options["kind"],
-        tol_linear=options["tessellation_mm"],
-        tol_angular=_ANGLE,
-        use_parallel=False,
-    )
+    try:
+        converted = cascadio.load(
+            read_bytes(file),
+            file_type=options["kind"],
+            tol_linear=options["tessellation_mm"],
+            tol_angular=_ANGLE,
+            use_parallel=False,
+        )
+    except RuntimeError as error:  # what Open CASCADE throws
+        raise Refused(f"damaged ({' '.join(str(error).split())[:80]})") from error
     if not converted:
         raise Refused("damaged, or without a surface or a body that triangles can be made of")
     try:
