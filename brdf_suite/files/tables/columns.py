@@ -110,6 +110,20 @@ _SPECTRAL = (
     "rnm",
 )
 _DATA = re.compile(r"[-+]?\d*[.,]\d+(?:[eE][-+]?\d+)?")
+_STATISTICS: dict[str, str] = {
+    word: what
+    for what, words in {
+        "deviation": "delta deltas δ δe diff difference differences differenz differenzen abweichung abweichungen"
+        " tolerance tolerances toleranz toleranzen limit limits grenze grenzen grenzwert grenzwerte sd sigma dev"
+        " deviation deviations stddev stdev standarddeviation standardabweichung stabw variance varianz spread range",
+        "mean": "mean means average averages avg mittelwert mittelwerte durchschnitt min max minimum maximum statistic"
+        " statistics statistik",
+        "beside": "upper lower plus minus positive negative pos neg obere oberer untere unterer oben unten std standard"
+        " value values wert werte of e lab cielab reading readings measurement measurements data list set",
+    }.items()
+    for word in words.split()
+}
+"""Words of which the names of differences, tolerances and statistics are made, and what they are."""
 _LONGEST_HEADING = 80
 _LEAST_BANDS = 3
 
@@ -191,6 +205,20 @@ def angle_text(geometry: Geometry | None) -> str:
 def plain_word(text: str) -> str:
     """Return a heading without case, spaces and marks."""
     return re.sub(r"[\W_]+", "", unicodedata.normalize("NFKC", text).casefold())
+
+
+def is_statistic(text: str, *, means: bool = True) -> bool:
+    """Return whether a name says no measurement: a difference, a tolerance or a deviation; with ``means`` a mean, too.
+
+    Every word must belong to it, so that a paint may be called as one with another word.
+
+    >>> is_statistic("Tolerance +"), is_statistic("Delta Blue"), is_statistic("Mean value", means=False)
+    (True, False, False)
+    """
+    plain = unicodedata.normalize("NFKC", text[:_LONGEST_HEADING]).replace("∆", "δ")
+    words = re.findall(r"[^\W\d_]+", re.sub(r"(?<=[^\W\d_A-Z]{2})(?=[A-Z])", " ", plain).casefold())
+    kinds = {_STATISTICS.get(word, "") for word in words}
+    return "" not in kinds and ("deviation" in kinds or (means and "mean" in kinds))
 
 
 @lru_cache(maxsize=1 << 14)

@@ -33,16 +33,12 @@ from brdf_suite.files.tables.columns import (
     USUAL_LIGHT_DEG,
     Geometry,
     angle_text,
+    is_statistic,
     parse_geometry,
-    plain_word,
 )
 from brdf_suite.files.tables.finding import Table
 from brdf_suite.files.tables.grid import TableRow, parse_number
 
-_STATISTICS = {
-    "mean", "average", "avg", "stddev", "stdev", "standarddeviation", "min", "max", "minimum", "maximum", "range",
-    "mittelwert", "standardabweichung", "stabw",
-}  # fmt: skip
 _OTHER_LIGHT = "it is of {light}, and without a spectrum it cannot become that of D65 and 10°"
 _MOST_FACTOR, _LEAST_PERCENT = 1.5, 12.0
 _MOST_REFUSED = 50
@@ -85,7 +81,7 @@ def collect(
     groups: dict[tuple[str, str], list[Measured]] = {}
     for number, one in enumerate(measured):
         if one.readings:
-            groups.setdefault((one.name, one.kind) if one.name else ("", str(number)), []).append(one)
+            _join(groups.setdefault((one.name, one.kind) if one.name else ("", str(number)), []), one)
     if not groups:
         why = f" ({refused[0]})" if refused else ""
         raise FileError(path, f"holds no sample read at several angles that can be used{why}", "the table")
@@ -114,6 +110,17 @@ def collect(
         said.append("Sparkle and graininess are on the instrument's own scale; they are kept as notes.")
     left_out = [] if len(refused) <= _MOST_REFUSED else [f"{len(refused) - _MOST_REFUSED} more are left out"]
     return SampleFile(tuple(samples), tuple(said), (*refused[:_MOST_REFUSED], *left_out))
+
+
+def _join(group: list[Measured], one: Measured) -> None:
+    """Add readings to the first measurement of a sample that lacks their angles: rows may be ordered by angle."""
+    first = next((found for found in group if found.readings.keys().isdisjoint(one.readings)), None)
+    if first is None:
+        group.append(one)
+        return
+    first.readings |= one.readings
+    first.effects = one.effects | first.effects
+    first.gloss = one.gloss | first.gloss
 
 
 def _spread(sample: AngleSample) -> str:
@@ -278,7 +285,12 @@ class _Reader:
         open_: Measured | None = None
         models = self._by_place.get(None, {})
         before = ""
+        passed = False
         for row in self._table.rows:
+            label = self._table.text(row, "name") or self._table.text(row, "code")
+            passed = is_statistic(label) if label else passed
+            if passed and not label:
+                continue  # a further angle of what has its name in the first row only
             text = self._table.text(row, "geometry")
             light = parse_number(self._table.text(row, "light"))
             geometry = parse_geometry(text, USUAL_LIGHT_DEG if light is None else light)
@@ -325,13 +337,14 @@ class _Reader:
     def _begin(self, row: TableRow) -> Measured | None:
         table = self._table
         name = table.text(row, "name") or table.text(row, "code") or table.about.get("name", "")
-        if plain_word(name) in _STATISTICS:
-            self._refuse(row, f"{name[:40]!r} is a statistic of the instrument, no measurement")
+        kind = table.text(row, "type")
+        # A measurement may be of the type mean.
+        said = name if is_statistic(name) else kind if is_statistic(kind, means=False) else ""
+        if said:
+            self._refuse(row, f"{said[:40]!r} is a difference, tolerance or statistic, no measurement")
             return None
         texts = [table.text(row, what) for what in ("notes", "date", "instrument")]
-        one = Measured(
-            name, table.text(row, "type"), row.line, notes=", ".join(text for text in texts if text)
-        )
+        one = Measured(name, kind, row.line, notes=", ".join(text for text in texts if text))
         for angle in ("20", "60"):
             value = parse_number(table.text(row, f"gloss {angle}"))
             if value is not None and PARAMETERS["gloss.gu_20"].low <= value <= PARAMETERS["gloss.gu_20"].high:

@@ -64,8 +64,78 @@ def test_statistics_and_damaged_readings_are_left_out_with_their_line(tmp_path: 
     assert [len(sample.readings) for sample in found.samples] == [3, 2]
     assert found.refused == (
         "line 3: the colour at 45as15 is left out: 'x' stands in the place of a number",
-        "line 4: 'Std. dev.' is a statistic of the instrument, no measurement",
+        "line 4: 'Std. dev.' is a difference, tolerance or statistic, no measurement",
     )
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["Delta", "ΔE", "Difference", "Differenz", "Tolerance +", "Toleranz -", "Upper limit", "Grenze oben", "SD", "Sigma",
+     "Mittelwert", "Mean value", "Average 2"],
+)  # fmt: skip
+def test_differences_tolerances_and_statistics_are_no_samples(tmp_path: Path, word: str) -> None:
+    found = samples(tmp_path, "\n".join((HEAD, f"{word};1;1;1;1;1;1;1;1;1", SILVER)))
+    assert [sample.name for sample in found.samples] == ["Silver"]
+    assert found.refused == (f"line 2: {word!r} is a difference, tolerance or statistic, no measurement",)
+
+
+@pytest.mark.parametrize("name", ["Delta Blue", "Limit Red", "Range Rover", "Standard", "Maximal Orange"])
+def test_a_paint_may_be_called_as_a_statistic_with_another_word(tmp_path: Path, name: str) -> None:
+    found = samples(tmp_path, f"{HEAD}\n{SILVER.replace('Silver', name)}")
+    assert [sample.name for sample in found.samples] == [name]
+
+
+def by_angle(*rows: tuple[str, str, float]) -> str:
+    """A row per angle: name, type and lightness."""
+    lines = [f"{name};{kind};{angle};{value};0;0" for name, kind, value in rows for angle in (15, 45, 110)]
+    return "\n".join(("Sample;Type;Angle;L*;a*;b*", *lines))
+
+
+def test_a_type_or_a_name_once_says_that_rows_are_no_measurement(tmp_path: Path) -> None:
+    found = samples(
+        tmp_path, by_angle(("Blue", "Trial", 50.0), ("Blue", "Delta", 1.0), ("Red", "Mean", 40.0))
+    )
+    assert [(one.name, one.kind) for one in found.samples] == [("Blue", "Trial"), ("Red", "Mean")]
+    rows = by_angle(("Blue", "", 50.0), ("Tolerance", "", 1.0), ("Red", "", 40.0)).splitlines()
+    text = "\n".join(
+        row if row.split(";")[2] in ("15", "Angle") else f";{row.partition(';')[2]}" for row in rows
+    )
+    found = samples(tmp_path, text)
+    assert [(one.name, one.readings[2].lab[0]) for one in found.samples] == [("Blue", 50.0), ("Red", 40.0)]
+
+
+@pytest.mark.parametrize("around", ["Tolerance", "Deltas", "UpperLimit", "StdDev", "Mean"])
+def test_elements_of_tolerances_and_differences_are_left_out(tmp_path: Path, around: str) -> None:
+    def tree(value: float) -> str:
+        return "".join(
+            f'<Reading Geometry="45as{at}"><L>{value}</L><a>0</a><b>0</b></Reading>' for at in (15, 45, 110)
+        )
+
+    text = f'<Export><Sample Name="Blue"><{around}>{tree(1.0)}</{around}>{tree(50.0)}</Sample></Export>'
+    found = samples(tmp_path, text)
+    assert [[reading.lab[0] for reading in sample.readings] for sample in found.samples] == [[50.0] * 3]
+    note = "Elements of differences, tolerances or statistics are left out: 1."
+    assert note in found.notes
+    assert note in read_content(text.encode(), "a.xml").notes
+
+
+def test_means_are_read_where_there_is_nothing_else(tmp_path: Path) -> None:
+    tree = "".join(f'<R Geometry="45as{at}"><L>50</L><a>0</a><b>0</b></R>' for at in (15, 45, 110))
+    found = samples(tmp_path, f'<Export><Sample Name="Blue"><Mean>{tree}</Mean></Sample></Export>')
+    assert len(found.samples[0].readings) == 3
+
+
+def test_rows_may_be_ordered_by_angle(tmp_path: Path) -> None:
+    rows = [(name, at, lightness) for at in (15, 45, 110) for name, lightness in (("Blue", 50), ("Red", 40))]
+    text = "\n".join(("Sample;Angle;L*;a*;b*", *(f"{name};{at};{l_star};0;0" for name, at, l_star in rows)))
+    found = samples(tmp_path, text)
+    assert [(one.name, one.measurements, len(one.readings)) for one in found.samples] == [
+        ("Blue", 1, 3), ("Red", 1, 3),
+    ]  # fmt: skip
+    assert not any("mean of" in note for note in found.notes)
+    again = [f"{name};{at};{l_star + 0.5};0;0" for name, at, l_star in rows]
+    found = samples(tmp_path, "\n".join((text, *again)))
+    assert [one.measurements for one in found.samples] == [2, 2]
 
 
 def test_other_lights_and_other_planes_are_left_out(tmp_path: Path) -> None:
