@@ -40,7 +40,8 @@ TEXTS: dict[str, str] = {
         "index": "measurement measurementno measurementnumber reading readingno messung messungnr repeat repetition",
         "type": "type typ recordtype sampletype datatype",
         "instrument": "instrument instrumentname device gerät model instrumentmodel 测试设备",
-        "hex": "hex hexcode hexvalue html htmlcode web webcolor rgbhex css hexadecimal srgbhex colorhex hexrgb #",
+        "hex": "hex hexcode hexvalue html htmlcode web webcolor rgbhex css hexadecimal srgbhex colorhex hexrgb rgba"
+        " argb rgbahex argbhex hexrgba hexargb rrggbbaa aarrggbb #",
         "colour": "color colour farbe colore couleur value",
     }.items()
     for word in words.split()

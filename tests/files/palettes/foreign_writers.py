@@ -117,6 +117,14 @@ def flat_tables() -> Iterator[Variant]:
     yield Variant("rgb and hex", delimited([["R", "G", "B", "name", "HEX"], *both], ",").encode(), rgb_flat())
     bare = [["{:02x}{:02x}{:02x}".format(*row), name] for name, row in zip(NAMES, RGB, strict=True)]
     yield Variant("bare hex", delimited([["Hex code", "Colour"], *bare], ",").encode(), rgb_flat())
+    for heading, form in (
+        ("hex", "#FF{:02x}{:02x}{:02x}"),
+        ("Hex", "#{:02x}{:02x}{:02x}ff"),
+        ("ARGB", "80{:02x}{:02x}{:02x}"),
+        ("RGBA", "#{:02x}{:02x}{:02x}80"),
+    ):
+        rows = [[name, form.format(*row)] for name, row in zip(NAMES, RGB, strict=True)]
+        yield Variant(form, delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
     lch = [[name, "50", "20", "120.5"] for name in NAMES]
     flat = tuple((name, "LCh", (50.0, 20.0, 120.5)) for name in NAMES)
     yield Variant("lch", delimited([["name", "L", "C", "h"], *lch], ",").encode(), flat)
@@ -632,6 +640,15 @@ def sketch() -> Iterator[Variant]:
         for ascii_ in (True, False):
             text = json.dumps(document, indent=indent, ensure_ascii=ascii_)
             yield Variant(f"{named} {alpha} {indent} {extra} {ascii_}", text.encode(), flat)
+    nameless = rgb_flat(("", "", "", ""))
+    texts = [dict(zip(("red", "green", "blue"), (repr(v / 255) for v in row), strict=True)) for row in RGB]
+    for version, old in (
+        ("1.0", ["#{:02X}{:02x}{:02x}".format(*row) for row in RGB]),
+        ("1.3", ["#{:02x}{:02x}{:02x}FF".format(*row) for row in RGB]),
+        ("1.4", [{**item, "alpha": "1"} for item in texts]),
+    ):
+        document = {"compatibleVersion": version, "pluginVersion": version, "colors": old}
+        yield Variant(f"old {version}", json.dumps(document).encode(), nameless)
 
 
 def apple() -> Iterator[Variant]:
@@ -698,6 +715,30 @@ def scss() -> Iterator[Variant]:
         inner = ",\n  ".join(f"{quote}{n}{quote}: {v}" for n, v in zip(names, values["hex"], strict=True))
         text = f"$map: (\n  {inner}{',' if trailing else ''}\n);\n"
         yield Variant(f"map {quote} {trailing}", text.encode(), rgb_flat(names))
+    numbered = rgb_flat(("1", "2", "3", "4"))
+    for kind, shown in values.items():
+        pairs = list(zip(names, shown, strict=True))
+        for newline in ("\n", "\r\n"):
+            lines = newline.join(f"${name}: {value}" for name, value in pairs) + newline
+            yield Variant(f"indented {kind} {newline!r}", lines.encode(), rgb_flat(names))
+            body = newline.join(f"  {name}: {value};" for name, value in pairs)
+            text = f"@colors: {{{newline}{body}{newline}}}{newline}"
+            yield Variant(f"LESS map {kind} {newline!r}", text.encode(), rgb_flat(names))
+        for separator, (before, after) in itertools.product((", ", " "), (("", ""), ("(", ")"))):
+            text = f"$palette: {before}{separator.join(shown)}{after};\n"
+            yield Variant(f"list {kind} {separator!r} {before}", text.encode(), numbered)
+    again = "".join(f"$x: {value};\n${name}: $x;\n" for name, value in zip(names, values["hex"], strict=True))
+    flat = tuple(one for name, *rest in rgb_flat(names) for one in (("x", *rest), (name, *rest)))
+    yield Variant("SCSS set again", again.encode(), flat)
+    unset = "".join(f"${name}: {value};\n${name}: red !default;\n" for name, value in pairs)
+    yield Variant("SCSS default", unset.encode(), rgb_flat(names))
+    later = "".join(f"@{name}: @x-{name};\n@x-{name}: red;\n" for name in names)
+    later += "".join(f"@x-{name}: {value};\n" for name, value in pairs)
+    flat = (*rgb_flat(names), *rgb_flat(tuple(f"x-{name}" for name in names)))
+    yield Variant("LESS set again", later.encode(), flat)
+    block = "\n".join(f".a {{ $other: red; color: red; ${name}: {value}; }}" for name, value in pairs)
+    flat = tuple(one for entry in rgb_flat(names) for one in (("other", "RGB", (1.0, 0.0, 0.0)), entry))
+    yield Variant("within rules", f"{block}\n".encode(), flat)
 
 
 def scribus() -> Iterator[Variant]:

@@ -202,6 +202,8 @@ def test_a_table_names_what_it_has_and_what_is_wanted(tmp_path: Path) -> None:
         ("name,R,G,B\na,1,2,3\nb,1,2,999\n", "line 3", "from 0 to 255"),
         ("name,R,G,B\na,1,two,3\n", "line 2", "expected 3 numbers of RGB"),
         ("name,hex\na,#12345\n", "line 2", "expected a hex code"),
+        ("name,hex\na,#d4000080\nb,#80d400ff\n", "the codes", "nothing says whether the first or the last"),
+        ("name,hex\na,#ffd400ff\n", "the codes", "nothing says whether the first or the last"),
         ("name,C,M,Y,K\na,0,0,0,150\n", "line 2", "from 0 to 100"),
         ("name,L,a,b\na,43,25,66,5,54,75\n", "line 2", "7 cells under 4 headings"),
         ("name,L1,a1,b1,L2,a2,b2\na,1,2,3,4,5,6\n", "the header", "number readings 1, 2"),

@@ -21,7 +21,8 @@ from brdf_suite.files.palettes.collecting import MOST_COLOURS, Collector, decode
 from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.sample_entries import add_samples
 from brdf_suite.files.palettes.text.css import parse_colour
-from brdf_suite.files.tables.columns import WHOLE
+from brdf_suite.files.palettes.text.hex_list import find_opacity
+from brdf_suite.files.tables.columns import WHOLE, plain_word
 from brdf_suite.files.tables.finding import WANTED, Table, check_cells, find_table
 from brdf_suite.files.tables.grid import TableRow, decode_head, parse_number, read_rows
 from brdf_suite.files.tables.readings import read_samples
@@ -85,7 +86,7 @@ class _FlatRows:
     def __init__(self, table: Table, collector: Collector) -> None:
         self._table, self._collector = table, collector
         self._parts = self._find_parts()
-        self._hex = table.of("hex")
+        self._hex = {index: self._opacity(index) for index in table.of("hex")}
         if not table.headed:
             collector.note("The table has no headings; its columns were recognised by what is in them.")
         for column in table.columns:
@@ -245,8 +246,16 @@ class _FlatRows:
             return "", 0
         return light[:50], observer
 
+    def _opacity(self, index: int) -> str:
+        """Return where the codes of a column have their opacity, ``first`` or ``last``."""
+        heading = plain_word(self._table.columns[index].heading)
+        if "argb" in heading or "rgba" in heading:
+            return "first" if "argb" in heading else "last"
+        codes = (_BARE_HEX.fullmatch(_code(row, index).removeprefix("#")) for row in self._table.rows)
+        return find_opacity((code[1] for code in codes if code), self._collector)
+
     def _from_hex(self, row: TableRow, index: int) -> FlatColour | None:
-        text = row.cell(index).strip("\"' ")
+        text = _code(row, index)
         if not text:
             return None
         bare = _BARE_HEX.fullmatch(text)
@@ -257,6 +266,8 @@ class _FlatRows:
             text = f"#{text:0>6}"
         elif bare:
             text = f"#{bare[1]}"
+        if len(text) == 9 and self._hex[index] == "first":
+            text = f"#{text[3:]}{text[1:3]}"
         found = parse_colour(text)
         if found is None:
             raise self._collector.fail(
@@ -265,6 +276,10 @@ class _FlatRows:
         if found[1] != 1.0:
             self._collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
         return found[0]
+
+
+def _code(row: TableRow, index: int) -> str:
+    return row.cell(index).strip("\"' ")
 
 
 def _close(one: Sequence[float], other: Sequence[float]) -> bool:
