@@ -125,12 +125,30 @@ def flat_tables() -> Iterator[Variant]:
     ):
         rows = [[name, form.format(*row)] for name, row in zip(NAMES, RGB, strict=True)]
         yield Variant(form, delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    hexes = ["#{:02x}{:02x}{:02x}".format(*row) for row in RGB]
+    for heading in ("Hex Color", "Hex Triplet", "Color code", "Colour code", "HTML hex", "Farbcode"):
+        rows = [[name, code] for name, code in zip(NAMES, hexes, strict=True)]
+        yield Variant(heading, delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    for heading in ("Color", "CSS"):
+        rows = [[name, "rgb({}, {}, {})".format(*row)] for name, row in zip(NAMES, RGB, strict=True)]
+        yield Variant(f"functions {heading}", delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    for channels in (
+        "Red (RGB),Green (RGB),Blue (RGB)", "R value,G value,B value", "r-value,g-value,b-value", "Rouge,Vert,Bleu",
+        "color_r,color_g,color_b", "Rosso,Verde,Blu", "Rojo,Verde,Azul",
+    ):  # fmt: skip
+        yield Variant(channels, delimited([["Name", *channels.split(",")], *plain], ",").encode(), rgb_flat())
     lch = [[name, "50", "20", "120.5"] for name in NAMES]
     flat = tuple((name, "LCh", (50.0, 20.0, 120.5)) for name in NAMES)
     yield Variant("lch", delimited([["name", "L", "C", "h"], *lch], ",").encode(), flat)
     hsl = [[name, "210", "50", "25"] for name in NAMES]
     flat = tuple((name, "HSL", (210.0, 0.5, 0.25)) for name in NAMES)
     yield Variant("hsl", delimited([["name", "Hue", "Saturation", "Lightness"], *hsl], ",").encode(), flat)
+    shares = [[name, f"{210 / 360!r}", "0.5", "0.25"] for name in NAMES]
+    flat = tuple((name, "HSL", (210.0, 0.5, 0.25)) for name in NAMES)
+    yield Variant("hsl in shares", delimited([["name", "H", "S", "L"], *shares], ",").encode(), flat)
+    red = [[name, "0.5°", "0.5", "0.25"] for name in NAMES]
+    flat = tuple((name, "HSB", (0.5, 0.5, 0.25)) for name in NAMES)
+    yield Variant("small hues in degrees", delimited([["name", "H", "S", "V"], *red], ",").encode(), flat)
     hsv = [[name, "210", "0.5", "0.25"] for name in NAMES]
     flat = tuple((name, "HSB", (210.0, 0.5, 0.25)) for name in NAMES)
     yield Variant("hsv", delimited([["name", "H", "S", "V"], *hsv], ",").encode(), flat)
@@ -249,6 +267,13 @@ def instrument_tables() -> Iterator[Variant]:
     for separator, comma in ((";", True), ("\t", False), (",", False)):
         text = delimited(blocks(comma), separator)
         yield Variant(f"blocks {separator!r}", text.encode(), samples=SAMPLES)
+    for line in (
+        ["Job", "Season 25", "45"],
+        ["D65", "10°"],
+        ["Illuminant/Observer", "D65", "10°"],
+        ["Day", "15", "25"],
+    ):
+        yield Variant(f"above: {line}", delimited([line, *long(True)], ";").encode(), samples=SAMPLES)
     upper = ["", *(x for a in ANGLES for x in (f"{a}°", "", ""))]
     lower = ["Name", *(letter for _ in ANGLES for letter in ("L*", "a*", "b*"))]
     rows = [upper, lower, *wide("L15", False)[1:]]
@@ -508,6 +533,10 @@ def hex_lists() -> Iterator[Variant]:
         yield Variant(form, text.encode("utf-8-sig"), rgb_flat())
     head = "; paint.net Palette File\n; Palette Name: Season\n; Colors: 4\n"
     yield Variant("paint.net", (head + "\n".join(f"FF{code.upper()}" for code in codes)).encode(), nameless)
+    numbers = ("100020", "100120", "100220", "100320")
+    for form in ("{0} {1}", "{0} #{1}", "{0} - {1}"):
+        text = "\n".join(form.format(number, code) for number, code in zip(numbers, codes, strict=True))
+        yield Variant(f"numbers {form}", text.encode(), rgb_flat(numbers))
     yield Variant("argb", "\n".join(f"ff{code}" for code in codes).encode(), nameless)
     yield Variant("rgba", "\n".join(f"#{code}ff" for code in codes).encode(), nameless)
     yield Variant("one line", ", ".join(f"#{code}" for code in codes).encode(), nameless)

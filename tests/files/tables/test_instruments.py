@@ -173,6 +173,16 @@ def test_spectra_are_fractions_or_per_cent(
         assert reading.lab == pytest.approx(spectrum_to_lab(np.full(31, value / factor), bands))
 
 
+@pytest.mark.parametrize("heading", ["Wavelength", "nm", "Wavelength (nm)", "λ [nm]", "Wellenlänge", ""])
+@pytest.mark.parametrize("notation", ["{}", "{}°", "45as{}"])
+def test_wavelengths_may_go_down_and_angles_across(tmp_path: Path, heading: str, notation: str) -> None:
+    rows = [";".join((heading, *(notation.format(angle) for angle in (15, 45, 110))))]
+    rows += [f"{nm};0,9;0,3;0,1" for nm in range(400, 701, 10)]
+    sample = samples(tmp_path, "\n".join(rows)).samples[0]
+    assert sample.name == "unnamed"
+    assert [reading.reflectance for reading in sample.readings] == [(0.9,) * 31, (0.3,) * 31, (0.1,) * 31]
+
+
 def test_spectra_that_may_be_either_are_refused_with_what_to_do(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"may be per cent or fractions.*write % into a heading"):
         read_instrument(written(tmp_path, spectral((5.0, 0.8, 0.4))))
@@ -221,6 +231,26 @@ def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
         (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
     ]  # fmt: skip
     assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+
+
+@pytest.mark.parametrize("heading", ["L,a,b", "L,C,h"])
+def test_lightness_of_at_most_1_is_pointed_out(heading: str) -> None:
+    read = read_content(f"name,{heading}\na,0.6,0.2,0.1\nb,0.4,0.1,0.3\n".encode(), "a.csv")
+    assert any("No L* is above 1" in note for note in read.notes)
+    read = read_content(f"name,{heading}\na,0.6,0.2,0.1\nb,40,0.1,0.3\n".encode(), "a.csv")
+    assert not any("No L* is above 1" in note for note in read.notes)
+
+
+def test_hues_in_shares_of_the_circle_are_pointed_out() -> None:
+    read = read_content(b"name,H,S,L\na,0.5,0.2,0.1\n", "a.csv")
+    assert any("shares of the circle" in note for note in read.notes)
+    assert read_content(b"name,H,S,L\na,0.5,20,10\n", "a.csv").palette.entries[0].content.values[0] == 0.5
+
+
+def test_numbers_of_colours_stay_names_beside_codes_alone() -> None:
+    read = read_content(b"100020,d40000\n100120,0000d4\n", "a.csv")
+    assert [entry.name for entry in read.palette] == ["100020", "100120"]
+    assert len(read_content(b"100020 300040\n100120 200020\n", "a.txt").palette.entries) == 4
 
 
 def test_marks_between_numbers_in_one_cell_and_small_tristimulus_values() -> None:

@@ -57,6 +57,9 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         collector.check_count(len(found), f"line {number}")
     if not found:
         raise collector.fail("holds no hex code", "line 1")
+    if named := _take_numbers(found):
+        found = named
+        collector.note("The numbers before the codes are taken for names.")
     codes = [code for _, code, _ in found]
     opacity = "first" if of_paint_net else find_opacity(codes, collector)
     for number, code, label in found:
@@ -81,6 +84,19 @@ def _find(line: str) -> list[tuple[str, str]] | None:
     code = codes[0]
     name = f"{line[: code.start()].strip(_AROUND)} {line[code.end() :].strip(_AROUND)}".strip()
     return [(code[1] or code[2], name)]
+
+
+def _take_numbers(found: list[tuple[int, str, str]]) -> list[tuple[int, str, str]]:
+    """Return two codes in each line as one with a name, where the first are all decimal and not all of the second."""
+    pairs = list(zip(found[::2], found[1::2], strict=False))
+    lines = {number for number, _, _ in found}
+    if len(found) < 4 or not len(found) == 2 * len(pairs) == 2 * len(lines):
+        return []
+    alone = all(one[0] == other[0] and not one[2] + other[2] for one, other in pairs)
+    numbered = all(one[1].isdecimal() for one, _ in pairs) and not all(
+        other[1].isdecimal() for _, other in pairs
+    )
+    return [(line, code, name) for (line, name, _), (_, code, _) in pairs] if alone and numbered else []
 
 
 def find_opacity(codes: Iterable[str], collector: Collector) -> str:

@@ -80,6 +80,7 @@ class _Part:
     whole: int | None = None
     white: tuple[str, int] = ("", 0)
     full: float = 1.0
+    turn: float = 1.0  # what a hue of 1 is in degrees
 
 
 class _FlatRows:
@@ -144,6 +145,7 @@ class _FlatRows:
         whole = [part for part in found.values() if self._is_whole(part)]
         for part in whole:
             part.full = self._full(part)
+            self._check_first(part)
         return whole
 
     @staticmethod
@@ -161,6 +163,25 @@ class _FlatRows:
         if part.model == "spectrum":
             return [row.cell(part.channels[name]) for name in sorted(part.channels, key=float)]
         return [row.cell(part.channels[name]) for name in _CHANNELS.get(part.model, part.model.lower())]
+
+    def _check_first(self, part: _Part) -> None:
+        """Take hues for shares of the circle, or say that lightness is nearly 0, where no number is above 1."""
+        texts = [found[0] for row in self._table.rows if (found := self._texts(part, row))]
+        numbers = [abs(value) for text in texts if (value := parse_number(text)) is not None]
+        if not 0.0 < max(numbers, default=0.0) <= 1.0:
+            return
+        if part.model in ("Lab", "LCh"):
+            self._collector.note(
+                "No L* is above 1, which is nearly black; Oklab, and L from 0 to 1, are not known from CIELAB here."
+            )
+        place = part.channels.get("h", part.whole)
+        heading = "" if place is None else self._table.columns[place].heading
+        degrees = "°" in "".join((heading, *texts)) or "deg" in heading.lower() or "360" in heading
+        if part.model in ("HSL", "HSB") and part.full == 1.0 and not degrees:
+            self._collector.note(
+                f"No number of {part.model} is above 1; hues are taken for shares of the circle."
+            )
+            part.turn = 360.0
 
     def _full(self, part: _Part) -> float:
         """Return what is full in a model's columns: 1, 100 or 255, by the whole table."""
@@ -221,7 +242,7 @@ class _FlatRows:
             return collector.colour(place, "", part.model, numbers, illuminant=light, observer_deg=observer)
         scaled = [n / part.full for n in numbers]
         if part.model in ("HSL", "HSB"):
-            scaled[0] = numbers[0]
+            scaled[0] = numbers[0] * part.turn
         shares = scaled[1:] if part.model in ("HSL", "HSB") else scaled
         if max(shares) > 1.0 + 1e-9 or min(shares) < 0.0:
             raise collector.fail(
