@@ -149,6 +149,19 @@ def _averaged(group: Sequence[Measured]) -> list[AngleSample]:
     return [_sample(group, [_mean_reading(group, key, lab) for key, lab in means.items()], spread)]
 
 
+def average(samples: Sequence[AngleSample]) -> AngleSample | None:
+    """Return the mean of samples that were measured once each; None where they differ by more than is usual."""
+    group = []
+    for sample in samples:
+        readings = {(one.illumination_deg, one.aspecular_deg): one for one in sample.readings}
+        gloss = {} if sample.gloss is None else {"20": sample.gloss.gu_20, "60": sample.gloss.gu_60}
+        notes = "\n".join(line for line in sample.notes.splitlines() if line != effect_notes(sample.effects))
+        known = {angle: value for angle, value in gloss.items() if value is not None}
+        group.append(Measured(sample.name, sample.kind, 0, readings, dict(sample.effects), known, notes))
+    found = _averaged(group)
+    return found[0] if len(found) == 1 else None
+
+
 def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab) -> SampleReading:
     own = [one.readings[key] for one in group if key in one.readings]
     rows = [one.reflectance for one in own if one.reflectance is not None]
