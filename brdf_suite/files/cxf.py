@@ -187,8 +187,9 @@ class SampleReader:
                 continue
             identity = value.attributes.get("ColorSpecification", "")
             if identity not in self._specifications:
-                why = f"the ColorSpecification {identity[:80]!r} is not in the file"
-                self._leave_out("reading", self._fail(value, why))
+                error = self._fail(value, f"the ColorSpecification {identity[:80]!r} is not in the file")
+                self.failed.append(error)
+                self.refused.append(f"a reading is left out: {error.reason} ({error.place})")
                 continue
             specification = self._specifications[identity]
             if not specification.angles or any(kind in specification.kind for kind in _OTHER_KINDS):
@@ -202,7 +203,8 @@ class SampleReader:
                     found = read_spectrum(value, specification, self._path)
                     self._check(value, _lab_of(found[1], found[0]))
                 except FileError as error:
-                    self._leave_out("spectrum", error)
+                    self.failed.append(error)
+                    self.refused.append(f"a spectrum is left out: {error.reason} ({error.place})")
                 else:
                     spectra.setdefault(key, []).append(found)
             elif not specification.is_d65_10:
@@ -211,7 +213,8 @@ class SampleReader:
                 try:
                     self._take(colours, repeated, key, value)
                 except FileError as error:
-                    self._leave_out("colour", error)
+                    self.failed.append(error)
+                    self.refused.append(f"a colour is left out: {error.reason} ({error.place})")
         averaged = {key: _mean_spectrum(found) for key, found in spectra.items()}
         for key, (bands, reflectance) in averaged.items():
             if key not in colours:
@@ -231,10 +234,6 @@ class SampleReader:
             for key, (lab, how) in colours.items()
         )
         return self._sample(readings)
-
-    def _leave_out(self, what: str, error: FileError) -> None:
-        self.failed.append(error)
-        self.refused.append(f"a {what} is left out: {error.reason} ({error.place})")
 
     def _fail(self, element: Element, reason: str) -> FileError:
         return FileError(self._path, reason, f"line {element.line}")

@@ -228,7 +228,7 @@ def test_a_sample_out_of_range_leaves_the_others(written, bad: str) -> None:
     assert all(reason.startswith("Bad: ") for reason in found.refused)
     read = read_palette(path)
     assert [entry.name for entry in read.palette] == ["Good"]
-    assert any(note.startswith("'Bad' is left out: ") for note in read.notes)
+    assert any(note.startswith("The sample 'Bad' is left out: ") for note in read.notes)
     alone = written(multi(("Bad", "Target", bad)))
     for reader in (read_cxf, read_palette):
         with pytest.raises(FileError, match=r"beyond any|outside the range"):

@@ -137,6 +137,15 @@ def flat_tables() -> Iterator[Variant]:
         "color_r,color_g,color_b", "Rosso,Verde,Blu", "Rojo,Verde,Azul",
     ):  # fmt: skip
         yield Variant(channels, delimited([["Name", *channels.split(",")], *plain], ",").encode(), rgb_flat())
+    rows = [[name, code] for name, code in zip(NAMES, ("d40", "04f", "123", "777"), strict=True)]
+    flat = tuple(
+        (name, "RGB", tuple(int(2 * digit, 16) / 255.0 for digit in code))
+        for name, (_, code) in zip(NAMES, rows, strict=True)
+    )
+    yield Variant("three digits", delimited([["name", "hex"], *rows], ",").encode(), flat)
+    quoted = ('Red "hot"', '"Hot" red', "a", "b")
+    rows = [[name, code] for name, code in zip(quoted, hexes, strict=True)]
+    yield Variant("quotes", delimited([["name", "hex"], *rows], ",").encode(), rgb_flat(quoted))
     lch = [[name, "50", "20", "120.5"] for name in NAMES]
     flat = tuple((name, "LCh", (50.0, 20.0, 120.5)) for name in NAMES)
     yield Variant("lch", delimited([["name", "L", "C", "h"], *lch], ",").encode(), flat)
@@ -580,6 +589,10 @@ def corel_xml() -> Iterator[Variant]:
         for i, (name, row) in enumerate(zip(NAMES, RGB, strict=True))
     )
     page = "".join(f'<color cs={quoteattr(name)} tints="1"/>' for name in NAMES)
+    rows = "".join(f'<color cs="HLS" tints="0.75,0.25,0.5" name={quoteattr(name)}/>' for name in NAMES)
+    text = f'<palette name="Season"><colorspaces/><colors><page>{rows}</page></colors></palette>'
+    flat = tuple((name, "HSL", (270.0, 0.5, 0.25)) for name in NAMES)
+    yield Variant("HLS", text.encode(), flat)
     text = f'<palette name="Inks"><colorspaces>{inks}</colorspaces><colors><page>{page}</page></colors></palette>'
     yield Variant("inks", text.encode(), rgb_flat())
 
@@ -799,6 +812,14 @@ def scribus() -> Iterator[Variant]:
         )
         text = f'{prefix}<SCRIBUSCOLORS Name="Season">\n{"".join(rows)}</SCRIBUSCOLORS>'
         yield Variant(f"{prefix[:5]} {kind} {flags}", text.encode(), flat)
+    unknown = '<COLOR NAME="n"/><COLOR NAME="m" SPACE="Munsell" H="1"/>'
+    for space in ("cmyk", "Cmyk"):
+        rows = [
+            f"<COLOR NAME={quoteattr(name)} {of_space(space, 'CMYK', row)}/>"
+            for name, row in zip(NAMES, CMYK, strict=True)
+        ]
+        text = f'<SCRIBUSCOLORS Name="Season">{unknown}{"".join(rows)}</SCRIBUSCOLORS>'
+        yield Variant(f"{space} beside unknown", text.encode(), cmyk_flat())
 
 
 def cxf() -> Iterator[Variant]:

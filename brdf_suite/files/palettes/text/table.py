@@ -31,6 +31,7 @@ _ORDER: tuple[Model, ...] = ("spectrum", "Lab", "LCh", "XYZ", "RGB", "HSL", "HSB
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 _CHANNELS = {"Gray": "g", "HSB": "hsb"}
 _BARE_HEX = re.compile(r"(?:0x)?([0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
+_THREE_DIGITS = re.compile(r"[0-9a-fA-F]{3}")
 _SHORT_NUMBER = re.compile(r"\d{1,5}")
 _IN_CELL = re.compile(r"\d+(?:\.\d+)?%?")
 _SIGNED_IN_CELL = re.compile(r"[-+\u2212]?\d+(?:\.\d+)?")
@@ -87,6 +88,7 @@ class _FlatRows:
     def __init__(self, table: Table, collector: Collector) -> None:
         self._table, self._collector = table, collector
         self._parts = self._find_parts()
+        self._short = {index for index in table.of("hex") if self._is_short(index)}
         self._hex = {index: self._opacity(index) for index in table.of("hex")}
         if not table.headed:
             collector.note("The table has no headings; its columns were recognised by what is in them.")
@@ -267,6 +269,11 @@ class _FlatRows:
             return "", 0
         return light[:50], observer
 
+    def _is_short(self, index: int) -> bool:
+        """Return whether all codes of a column have three digits, which are then no numbers that lost their zeros."""
+        codes = [code for row in self._table.rows if (code := _code(row, index))]
+        return bool(codes) and all(map(_THREE_DIGITS.fullmatch, codes))
+
     def _opacity(self, index: int) -> str:
         """Return where the codes of a column have their opacity, ``first`` or ``last``."""
         heading = plain_word(self._table.columns[index].heading)
@@ -280,7 +287,9 @@ class _FlatRows:
         if not text:
             return None
         bare = _BARE_HEX.fullmatch(text)
-        if _SHORT_NUMBER.fullmatch(text):
+        if index in self._short:
+            text = f"#{text}"
+        elif _SHORT_NUMBER.fullmatch(text):
             self._collector.note(
                 "{n} hex code[|s] had lost [its|their] zeros, as spreadsheets take them; they are put back."
             )

@@ -118,7 +118,7 @@ class _Reader:
                 failed.append(error)
                 name = self._collector.name(element.attributes.get("Name", ""))[:80]
                 self._collector.note(
-                    f"{name!r} is left out: {error.reason} ({error.place})."
+                    f"The sample {name!r} is left out: {error.reason} ({error.place})."
                     if len(failed) <= _MOST_NAMED
                     else "{n} more sample[|s] [is|are] left out."
                 )
