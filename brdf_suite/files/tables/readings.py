@@ -7,6 +7,7 @@ be used is left out with its line; a file without any is refused.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -79,9 +80,20 @@ def collect(
     Raises :class:`FileError`: there is none with a reading.
     """
     groups: dict[tuple[str, str], list[Measured]] = {}
+    counts: Counter[tuple[tuple[str, str], tuple[float, float]]] = Counter()
     for number, one in enumerate(measured):
-        if one.readings:
-            _join(groups.setdefault((one.name, one.kind) if one.name else ("", str(number)), []), one)
+        if not one.readings:
+            continue
+        name = (one.name, one.kind) if one.name else ("", str(number))
+        group = groups.setdefault(name, [])
+        # Rows may be ordered by angle: a further reading at an angle begins a further measurement.
+        place = max(counts[name, angle] for angle in one.readings)
+        for angle in one.readings:
+            counts[name, angle] = place + 1
+        if place < len(group):
+            _join(group[place], one)
+        else:
+            group.append(one)
     if not groups:
         why = f" ({refused[0]})" if refused else ""
         raise FileError(path, f"holds no sample read at several angles that can be used{why}", "the table")
@@ -112,12 +124,8 @@ def collect(
     return SampleFile(tuple(samples), tuple(said), (*refused[:_MOST_REFUSED], *left_out))
 
 
-def _join(group: list[Measured], one: Measured) -> None:
-    """Add readings to the first measurement of a sample that lacks their angles: rows may be ordered by angle."""
-    first = next((found for found in group if found.readings.keys().isdisjoint(one.readings)), None)
-    if first is None:
-        group.append(one)
-        return
+def _join(first: Measured, one: Measured) -> None:
+    """Add readings at other angles to a measurement."""
     first.readings |= one.readings
     first.effects = one.effects | first.effects
     first.gloss = one.gloss | first.gloss
