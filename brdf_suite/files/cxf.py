@@ -5,7 +5,9 @@ reflectance spectrum, from which L*a*b* follows exactly. Tristimulus values of a
 without the spectrum the sample's colour under D65 is unknown, and an adaptation would only be a guess.
 
 A value belongs to the one angle of its ColorSpecification; where that lists several, to the one whose notation is the
-value's name. A damaged or hostile file is refused whole, with the line.
+value's name. A value that is damaged or out of range is left out with its line, and so is a sample of which something
+else is; a file that is no XML, or of which nothing is left, is refused. Samples of other programs that have one name
+and kind are averaged where they agree, as those of tables are.
 """
 
 from __future__ import annotations
@@ -43,6 +45,7 @@ from brdf_suite.files.samples import (
 )
 from brdf_suite.files.tables.columns import EFFECTS, angle_text, interpret
 from brdf_suite.files.tables.grid import parse_number
+from brdf_suite.files.tables.readings import average
 from brdf_suite.regular_files import read_bytes, within_memory
 
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"
@@ -61,6 +64,8 @@ _IN_PLANE_DEG = 1e-6
 _COLOURS = ("ColorCIELab", "ColorCIELCh", "ColorCIEXYZ")
 SPECTRAL = ("ReflectanceSpectrum", "CustomSpectrum")
 _OTHER_KINDS = ("Emissive", "Transmittance")
+_MOST_MEAN = 12.0
+"""Of a spectrum: brighter than L* 250, as per cent in the place of factors are."""
 _GLOSS = re.compile(r"\b(20|60)\b")
 
 Spectrum = tuple[tuple[float, ...], tuple[float, ...]]
@@ -91,10 +96,16 @@ def read_cxf(path: PathLike) -> SampleFile:
     specifications = read_specifications(resources, path)
     samples: list[AngleSample] = []
     refused: list[str] = []
+    failed: list[FileError] = []
     others = 0
     for element in objects.all("Object"):
         reader = SampleReader(element, specifications, path)
-        sample = reader.read()
+        try:
+            sample = reader.read()
+        except FileError as error:
+            failed.append(error)
+            refused.append(f"{reader.name}: the sample is left out: {error.reason} ({error.place})")
+            continue
         if sample is not None:
             samples.append(sample)
             refused += [f"{sample.name}: {reason}" for reason in reader.refused]
@@ -103,11 +114,32 @@ def read_cxf(path: PathLike) -> SampleFile:
         else:
             others += 1
     if not samples:
+        if failed:
+            raise failed[0]
         why = f" ({refused[0]})" if refused else ""
         raise FileError(path, f"holds no sample read at several angles that can be used{why}")
     if others:
         refused.append(f"{others} samples that were not read by a multi-angle instrument are left out")
+    samples = [sample for _, sample in average_repeated(samples)]
     return SampleFile(tuple(samples), _notes(samples), tuple(refused))
+
+
+def average_repeated(samples: Sequence[AngleSample]) -> list[tuple[list[int], AngleSample]]:
+    """Return samples, those averaged that were measured repeatedly, each with the places of those it is the mean of.
+
+    These have one name and kind, and differ by no more than :data:`SAME_SAMPLE_DE`. Samples that this suite wrote, or
+    that are means already, stay as they are.
+    """
+    groups: dict[tuple[str, str] | int, list[int]] = {}
+    for place, sample in enumerate(samples):
+        repeated = sample.version is None and sample.measurements == 1
+        groups.setdefault((sample.name, sample.kind) if repeated else place, []).append(place)
+    found = []
+    for places in groups.values():
+        group = [samples[place] for place in places]
+        mean = average(group) if len(group) > 1 else None
+        found += [(places, mean)] if mean is not None else [([place], samples[place]) for place in places]
+    return sorted(found, key=lambda pair: pair[0][0])
 
 
 def _notes(samples: list[AngleSample]) -> tuple[str, ...]:
@@ -133,13 +165,14 @@ def _notes(samples: list[AngleSample]) -> tuple[str, ...]:
 
 
 class SampleReader:
-    """Reader of one Object with multi-angle values; ``refused`` collects the unusable parts."""
+    """Reader of one Object with multi-angle values; ``refused`` collects the unusable parts, ``failed`` the damaged."""
 
     def __init__(self, element: Element, specifications: Mapping[str, Specification], path: PathLike) -> None:
         self._element, self._specifications, self._path = element, specifications, path
         identity = element.attributes.get("Id", "")
         self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or "unnamed")
         self.refused: list[str] = []
+        self.failed: list[FileError] = []
         self.measurements, self.spread = 1, 0.0
 
     def read(self) -> AngleSample | None:
@@ -154,7 +187,10 @@ class SampleReader:
                 continue
             identity = value.attributes.get("ColorSpecification", "")
             if identity not in self._specifications:
-                raise self._fail(value, f"the ColorSpecification {identity[:80]!r} is not in the file")
+                error = self._fail(value, f"the ColorSpecification {identity[:80]!r} is not in the file")
+                self.failed.append(error)
+                self.refused.append(f"a reading is left out: {error.reason} ({error.place})")
+                continue
             specification = self._specifications[identity]
             if not specification.angles or any(kind in specification.kind for kind in _OTHER_KINDS):
                 continue
@@ -165,14 +201,20 @@ class SampleReader:
             if value.name in SPECTRAL:
                 try:
                     found = read_spectrum(value, specification, self._path)
+                    self._check(value, _lab_of(found[1], found[0]))
                 except FileError as error:
+                    self.failed.append(error)
                     self.refused.append(f"a spectrum is left out: {error.reason} ({error.place})")
                 else:
                     spectra.setdefault(key, []).append(found)
             elif not specification.is_d65_10:
                 unusable[key] = specification.light
             else:
-                self._take(colours, repeated, key, value)
+                try:
+                    self._take(colours, repeated, key, value)
+                except FileError as error:
+                    self.failed.append(error)
+                    self.refused.append(f"a colour is left out: {error.reason} ({error.place})")
         averaged = {key: _mean_spectrum(found) for key, found in spectra.items()}
         for key, (bands, reflectance) in averaged.items():
             if key not in colours:
@@ -227,11 +269,7 @@ class SampleReader:
         if how:
             found = (lch_to_lab(found) if names == "LCH" else xyz_to_lab(found)).tolist()
         lab: Lab = (found[0], found[1], found[2])
-        for place, number_ in zip(("lab[0]", "lab[1]", "lab[2]"), lab, strict=True):
-            try:
-                PARAMETERS[place].check(number_, PARAMETERS[place].label)
-            except ValueRangeError as error:
-                raise self._fail(value, str(error).rstrip(".")) from error
+        self._check(value, lab)
         before = colours.get(key)
         if before is not None and before[1] == how:
             repeated[key].append(lab)
@@ -239,6 +277,14 @@ class SampleReader:
         elif before is None or (before[1] and not how):
             colours[key] = (lab, how)
             repeated[key] = [lab]
+
+    def _check(self, value: Element, lab: Lab) -> None:
+        """Raise :class:`FileError` where a colour is beyond a paint's range."""
+        for place, number_ in zip(("lab[0]", "lab[1]", "lab[2]"), lab, strict=True):
+            try:
+                PARAMETERS[place].check(number_, PARAMETERS[place].label)
+            except ValueRangeError as error:
+                raise self._fail(value, str(error).rstrip(".")) from error
 
     def _average(
         self,
@@ -356,6 +402,12 @@ def read_spectrum(value: Element, specification: Specification, path: PathLike) 
         raise fail(f"expected a spectrum of 2 to {MOST_BANDS} bands, not {len(bands)}")
     if bands[0] < 100.0 or bands[-1] > 10_000.0 or any(b <= a for a, b in pairwise(bands)):
         raise fail("the wavelengths of a spectrum must rise, from 100 to 10,000 nm")
+    if not all(-1.0 <= value <= 100.0 for value in reflectance) or sum(reflectance) > _MOST_MEAN * len(
+        reflectance
+    ):
+        raise fail(
+            "the values of a spectrum are beyond any reflectance factor; 1 is that of a perfect diffuser"
+        )
     return tuple(bands), tuple(reflectance)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from brdf_suite.errors import PathLike
 from brdf_suite.files.cxf import is_cxf, read_cxf
 from brdf_suite.files.hardened_xml import MOST_BYTES, parse_xml
@@ -26,11 +28,12 @@ def read_instrument(path: PathLike) -> SampleFile | None:
     head = content[:_HEAD]
     if is_cxf(head):
         return read_cxf(path)
+    notes: tuple[str, ...] = ()
     start = decode_head(head).lstrip()[:1]
     if not start or start in "{[":
         return None
     if start == "<":
-        rows = xml_rows(parse_xml(content, path), path, _MOST_ROWS)
+        rows, notes = xml_rows(parse_xml(content, path), path, _MOST_ROWS)
     else:
         # Whether it is a table at all shows in its first lines.
         text = decode_head(head)
@@ -42,4 +45,5 @@ def read_instrument(path: PathLike) -> SampleFile | None:
     if table is None or not table.is_of_angles:
         return None
     check_cells(table, path)
-    return read_samples(table, path)
+    found_samples = read_samples(table, path)
+    return replace(found_samples, notes=(*found_samples.notes, *notes))

@@ -15860,10 +15860,6 @@ h {hue}°</translation>
         <translation>{0} {1} sind ausgelassen.</translation>
     </message>
     <message>
-        <source>expected red, green and blue as numbers</source>
-        <translation>erwartet wurden Rot, Grün und Blau als Zahlen</translation>
-    </message>
-    <message>
         <source>Sketch palette</source>
         <translation>Sketch-Palette</translation>
     </message>
@@ -16016,10 +16012,6 @@ h {hue}°</translation>
         <translation>CorelDRAW-Palette (XML)</translation>
     </message>
     <message>
-        <source>Read only. Names, RGB, CMYK, Lab, grey and HSB, inks with their values in several models.</source>
-        <translation>Nur lesen. Namen, RGB, CMYK, Lab, Grau und HSB, Druckfarben mit ihren Werten in mehreren Modellen.</translation>
-    </message>
-    <message>
         <source>Paints with L*a*b* at every angle, spectra, gloss and settings; flat colours in every model; groups, codes and tags as tags of this suite.</source>
         <translation>Lacke mit L*a*b* bei jedem Winkel, Spektren, Glanz und Einstellungen; einzelne Farben in jedem Modell; Gruppen, Codes und Schlagwörter als Marken dieser Suite.</translation>
     </message>
@@ -16076,10 +16068,6 @@ h {hue}°</translation>
         <translation>{0} Spektren ohne Wellenlängen sind ausgelassen.</translation>
     </message>
     <message>
-        <source>A spectrum is left out: {0} ({1}).</source>
-        <translation>Ein Spektrum ist ausgelassen: {0} ({1}).</translation>
-    </message>
-    <message>
         <source>holds no element with a colour and an angle that are known here</source>
         <translation>enthält kein Element mit einer Farbe und einem Winkel, die hier bekannt sind</translation>
     </message>
@@ -16102,10 +16090,6 @@ h {hue}°</translation>
     <message>
         <source>expected {0} bytes as in #{1} for {2}, not {3}</source>
         <translation>erwartet wurden {0} Byte wie in #{1} für {2}, nicht {3}</translation>
-    </message>
-    <message>
-        <source>the colour space {0} is not known; RGB, CMYK and Lab are</source>
-        <translation>der Farbraum {0} ist nicht bekannt; bekannt sind RGB, CMYK und Lab</translation>
     </message>
     <message>
         <source>Scribus colours (XML)</source>
@@ -16210,10 +16194,6 @@ h {hue}°</translation>
     <message>
         <source>{0} is no angle in the plane of incidence</source>
         <translation>{0} ist kein Winkel in der Einfallsebene</translation>
-    </message>
-    <message>
-        <source>{0} is a statistic of the instrument, no measurement</source>
-        <translation>{0} ist eine Statistik des Geräts, kein Messwert</translation>
     </message>
     <message>
         <source>gloss {0}</source>
@@ -16598,6 +16578,22 @@ h {hue}°</translation>
     <message>
         <source>Arrow (pyarrow)</source>
         <translation>Arrow (pyarrow)</translation>
+    </message>
+    <message>
+        <source>{0}: the sample is left out: {1} ({2})</source>
+        <translation>{0}: die Probe ist ausgelassen: {1} ({2})</translation>
+    </message>
+    <message>
+        <source>a reading is left out: {0} ({1})</source>
+        <translation>ein Messwert ist ausgelassen: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>a colour is left out: {0} ({1})</source>
+        <translation>eine Farbe ist ausgelassen: {0} ({1})</translation>
+    </message>
+    <message>
+        <source>the values of a spectrum are beyond any reflectance factor; 1 is that of a perfect diffuser</source>
+        <translation>die Werte eines Spektrums liegen außerhalb jedes Reflexionsfaktors; 1 ist der eines vollkommenen Streuers</translation>
     </message>
     <message>
         <source>The clearcoat is that of a designed paint with the same gloss.</source>
@@ -16990,6 +16986,62 @@ h {hue}°</translation>
     <message>
         <source>is no material library in the folder of the mesh</source>
         <translation>ist keine Materialbibliothek im Ordner des Netzes</translation>
+    </message>
+    <message>
+        <source>The numbers before the codes are taken for names.</source>
+        <translation>Die Nummern vor den Codes gelten als Namen.</translation>
+    </message>
+    <message>
+        <source>{0} variable without effect, since it is set elsewhere, is left out.</source>
+        <translation>{0} Variable ohne Wirkung, da sie anderswo gesetzt wird, ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} variables without effect, since they are set elsewhere, are left out.</source>
+        <translation>{0} Variablen ohne Wirkung, da sie anderswo gesetzt werden, sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>expected red, green and blue as numbers, or a hex code</source>
+        <translation>erwartet wurden Rot, Grün und Blau als Zahlen oder ein Hex-Code</translation>
+    </message>
+    <message>
+        <source>No L* is above 1, which is nearly black; Oklab, and L from 0 to 1, are not known from CIELAB here.</source>
+        <translation>Kein L* liegt über 1, das ist fast Schwarz; Oklab und L von 0 bis 1 sind hier nicht von CIELAB zu unterscheiden.</translation>
+    </message>
+    <message>
+        <source>No number of {0} is above 1; hues are taken for shares of the circle.</source>
+        <translation>Keine Zahl in {0} liegt über 1; Farbtöne gelten als Anteile des Kreises.</translation>
+    </message>
+    <message>
+        <source>Read only. Names, RGB, CMYK, Lab, grey, HSB and HLS, inks with their values in several models.</source>
+        <translation>Nur lesen. Namen, RGB, CMYK, Lab, Grau, HSB und HLS, Druckfarben mit ihren Werten in mehreren Modellen.</translation>
+    </message>
+    <message>
+        <source>The sample {0} is left out: {1} ({2}).</source>
+        <translation>Die Probe {0} ist ausgelassen: {1} ({2}).</translation>
+    </message>
+    <message>
+        <source>{0} more sample is left out.</source>
+        <translation>{0} weitere Probe ist ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{0} more samples are left out.</source>
+        <translation>{0} weitere Proben sind ausgelassen.</translation>
+    </message>
+    <message>
+        <source>A value of {0} is left out: {1} ({2}).</source>
+        <translation>Ein Wert von {0} ist ausgelassen: {1} ({2}).</translation>
+    </message>
+    <message>
+        <source>holds no colour in RGB, CMYK or Lab</source>
+        <translation>enthält keine Farbe in RGB, CMYK oder Lab</translation>
+    </message>
+    <message>
+        <source>{0} is a difference, tolerance or statistic, no measurement</source>
+        <translation>{0} ist eine Differenz, Toleranz oder Statistik, kein Messwert</translation>
+    </message>
+    <message>
+        <source>Elements of differences, tolerances or statistics are left out: {0}.</source>
+        <translation>Ausgelassene Elemente mit Differenzen, Toleranzen oder Statistiken: {0}.</translation>
     </message>
     <message>
         <source>is an AxF material or another HDF5 container, which is not read; export its measurements as CxF3 (see the page “AxF” of the manual)</source>

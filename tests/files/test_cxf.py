@@ -10,9 +10,11 @@ import pytest
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
+from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
 from brdf_suite.files.hardened_xml import DEEPEST
+from brdf_suite.files.palettes import read_palette, write_palette
 
 LABS = {15: (62.0, -4.0, -45.0), 45: (25.0, 4.0, -38.0), 110: (9.0, 8.0, -28.0)}
 
@@ -149,15 +151,6 @@ FILE = '<!DOCTYPE CxF [<!ENTITY a SYSTEM "file:///etc/hostname">]>\n'
         (lambda t: t.replace("<CxF", BOMB + "<CxF", 1), "line 2", "document type"),
         (lambda t: t.replace("<CxF", FILE + "<CxF", 1), "line 2", "document type"),
         (lambda t: t[: len(t) // 2], "line", "not valid XML"),
-        (lambda t: t.replace("<L>62.0</L>", "<L>nan</L>"), "line 6", "finite number"),
-        (lambda t: t.replace("<L>62.0</L>", "<L>1e999</L>"), "line 6", "finite number"),
-        (lambda t: t.replace("<L>62.0</L>", "<L>620</L>"), "line 6", "outside the range"),
-        (lambda t: t.replace("<L>62.0</L>", ""), "line 6", "has no L"),
-        (
-            lambda t: t.replace('ColorSpecification="s45"', 'ColorSpecification="s46"'),
-            "line 7",
-            "not in the file",
-        ),
         (lambda t: t.replace("<Aspecular>110", "<Aspecular>140"), "line", "below the surface"),
         (lambda t: t.replace("CxF3-core", "CxF4"), "line 2", "not CxF3"),
         (lambda t: t.replace('Id="s45"', 'Id="s15"'), "line", "two ColorSpecifications"),
@@ -172,6 +165,93 @@ def test_hostile_and_damaged_files_are_refused_with_the_line(
     with pytest.raises(FileError, match=reason) as caught:
         read_cxf(written(change(three())))
     assert place in (caught.value.place or "")
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "reason"),
+    [
+        (
+            "<L>62.0</L>",
+            "<L>nan</L>",
+            "a colour is left out: expected a finite number for L, not 'nan' (line 6)",
+        ),
+        (
+            "<L>62.0</L>",
+            "<L>1e999</L>",
+            "a colour is left out: expected a finite number for L, not '1e999' (line 6)",
+        ),
+        ("<L>62.0</L>", "<L>620</L>", "a colour is left out: L*: 620 is outside the range 0 to 250 (line 6)"),
+        ("<L>62.0</L>", "", "a colour is left out: ColorCIELab has no L (line 6)"),
+        (
+            'ColorSpecification="s15"',
+            'ColorSpecification="s46"',
+            "a reading is left out: the ColorSpecification 's46' is not in the file (line 6)",
+        ),
+    ],
+)
+def test_a_damaged_value_leaves_the_rest(written, before: str, after: str, reason: str) -> None:
+    found = read_cxf(written(three().replace(before, after)))
+    assert [reading.geometry for reading in found.samples[0].readings] == ["45as45", "45as110"]
+    assert found.refused == (f"漢字 blue: {reason}",)
+    read = read_palette(written(three().replace(before, after)))
+    assert read.palette.entries[0].content.values == LABS[45]  # two readings make no paint
+    assert f"漢字 blue: {reason}." in read.notes
+
+
+def multi(*objects: tuple[str, str, str]) -> str:
+    """Samples at three angles: name, kind and values, in which ``{at}`` is the specification's name."""
+    bands = '<WavelengthRange StartWL="400" Increment="10"/>'
+    specs = "".join(specification(f"s{at}", angle(at), more=bands) for at in LABS)
+    body = "".join(
+        f'<Object ObjectType="{kind}" Name="{name}" Id="o{number}"><ColorValues>'
+        f"{''.join(value.replace('{at}', str(at)) for at in LABS)}</ColorValues></Object>"
+        for number, (name, kind, value) in enumerate(objects)
+    )
+    space = 'xmlns="http://colorexchangeformat.com/CxF3-core"'
+    return (
+        f"<CxF {space}><Resources><ObjectCollection>{body}</ObjectCollection><ColorSpecificationCollection>{specs}"
+        "</ColorSpecificationCollection></Resources></CxF>"
+    )
+
+
+def flat_spectrum(value: str) -> str:
+    return f'<ReflectanceSpectrum ColorSpecification="s{{at}}">{" ".join([value] * 31)}</ReflectanceSpectrum>'
+
+
+@pytest.mark.parametrize(
+    "bad", [flat_spectrum("50"), flat_spectrum("-5"), lab_value((900.0, 0.0, 0.0), "s{at}")]
+)
+def test_a_sample_out_of_range_leaves_the_others(written, bad: str) -> None:
+    path = written(multi(("Good", "Target", flat_spectrum("0.5")), ("Bad", "Target", bad)))
+    found = read_cxf(path)
+    assert [sample.name for sample in found.samples] == ["Good"]
+    assert all(reason.startswith("Bad: ") for reason in found.refused)
+    read = read_palette(path)
+    assert [entry.name for entry in read.palette] == ["Good"]
+    assert any(note.startswith("The sample 'Bad' is left out: ") for note in read.notes)
+    alone = written(multi(("Bad", "Target", bad)))
+    for reader in (read_cxf, read_palette):
+        with pytest.raises(FileError, match=r"beyond any|outside the range"):
+            reader(alone)
+
+
+def test_samples_of_one_name_and_kind_are_averaged_where_they_agree(written) -> None:
+    values = [lab_value((level, 0.0, 0.0), "s{at}") for level in (50.0, 51.0, 80.0)]
+    path = written(multi(*(("Blue", "Target", value) for value in values[:2])))
+    assert [(s.measurements, s.readings[0].lab) for s in read_cxf(path).samples] == [(2, (50.5, 0.0, 0.0))]
+    entries = read_palette(path).palette.entries
+    assert [entry.content.lab_at(45.0) for entry in entries] == [(50.5, 0.0, 0.0)]
+    path = written(multi(("Blue", "Standard", values[0]), ("Blue", "Sample", values[1])))
+    assert len(read_cxf(path).samples) == len(read_palette(path).palette.entries) == 2
+    path = written(multi(("Blue", "Target", values[0]), ("Blue", "Target", values[2])))
+    assert len(read_cxf(path).samples) == len(read_palette(path).palette.entries) == 2
+
+
+def test_paints_of_one_name_that_this_suite_wrote_stay_apart(written, tmp_path: Path) -> None:
+    paint = read_cxf(written(three())).samples[0].paint()
+    write_palette(Palette("p", (Entry(paint), Entry(paint))), tmp_path / "a.cxf")
+    assert len(read_cxf(tmp_path / "a.cxf").samples) == 2
+    assert len(read_palette(tmp_path / "a.cxf").palette.entries) == 2
 
 
 def test_the_files_of_others_are_read_or_refused_by_name(shared_data: Path) -> None:

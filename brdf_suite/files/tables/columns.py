@@ -26,7 +26,7 @@ TEXTS: dict[str, str] = {
     for what, words in {
         "name": "name colorname colourname samplename sample swatch swatchname title label bezeichnung farbname farbton"
         " probe probenname nome nom nombre paint paintname standard standardname trialname specimen 名称 样品名称 名前",
-        "code": "code colorcode colourcode number no nr id ref reference identifier sampleid articleno artikelnummer"
+        "code": "code number no nr id ref reference identifier sampleid articleno artikelnummer"
         " samplenumber 样品编号",
         "group": "group family category folder collection gruppe kategorie",
         "notes": "notes note comment comments description remark remarks bemerkung kommentar 备注",
@@ -40,8 +40,10 @@ TEXTS: dict[str, str] = {
         "index": "measurement measurementno measurementnumber reading readingno messung messungnr repeat repetition",
         "type": "type typ recordtype sampletype datatype",
         "instrument": "instrument instrumentname device gerät model instrumentmodel 测试设备",
-        "hex": "hex hexcode hexvalue html htmlcode web webcolor rgbhex css hexadecimal srgbhex colorhex hexrgb #",
-        "colour": "color colour farbe colore couleur value",
+        "hex": "hex hexcode hexvalue html htmlcode web webcolor rgbhex css hexadecimal srgbhex colorhex hexrgb hexcolor"
+        " hexcolour hextriplet hextripel hexcolorcode hexcolourcode htmlhex webhex csscolor csscolour hexadezimal rgba"
+        " argb rgbahex argbhex hexrgba hexargb rrggbbaa aarrggbb #",
+        "colour": "color colour farbe colore couleur value colorcode colourcode farbcode",
     }.items()
     for word in words.split()
 }
@@ -64,6 +66,9 @@ _WORDS = {
     "red": "r", "green": "g", "blue": "b", "rot": "r", "grün": "g", "blau": "b", "cyan": "c", "magenta": "m",
     "yellow": "y", "gelb": "y", "black": "k", "key": "k", "schwarz": "k", "lightness": "l", "luminance": "l",
     "chroma": "c", "hue": "h", "saturation": "s", "brightness": "v", "luminosity": "l", "hueangle": "h",
+    "rouge": "r", "vert": "g", "bleu": "b", "jaune": "y", "noir": "k", "rosso": "r", "verde": "g", "blu": "b",
+    "giallo": "y", "nero": "k", "rojo": "r", "azul": "b", "amarillo": "y", "negro": "k", "vermelho": "r",
+    "amarelo": "y", "preto": "k", "cian": "c", "ciano": "c",
     "ciel": "l", "ciea": "a", "cieb": "b", "ciec": "c", "cieh": "h", "ciex": "x", "ciey": "y", "ciez": "z",
 }  # fmt: skip
 _FAMILIES = {
@@ -110,6 +115,20 @@ _SPECTRAL = (
     "rnm",
 )
 _DATA = re.compile(r"[-+]?\d*[.,]\d+(?:[eE][-+]?\d+)?")
+_STATISTICS: dict[str, str] = {
+    word: what
+    for what, words in {
+        "deviation": "delta deltas δ δe diff difference differences differenz differenzen abweichung abweichungen"
+        " tolerance tolerances toleranz toleranzen limit limits grenze grenzen grenzwert grenzwerte sd sigma dev"
+        " deviation deviations stddev stdev standarddeviation standardabweichung stabw variance varianz spread range",
+        "mean": "mean means average averages avg mittelwert mittelwerte durchschnitt min max minimum maximum statistic"
+        " statistics statistik",
+        "beside": "upper lower plus minus positive negative pos neg obere oberer untere unterer oben unten std standard"
+        " value values wert werte of e lab cielab reading readings measurement measurements data list set",
+    }.items()
+    for word in words.split()
+}
+"""Words of which the names of differences, tolerances and statistics are made, and what they are."""
 _LONGEST_HEADING = 80
 _LEAST_BANDS = 3
 
@@ -193,6 +212,20 @@ def plain_word(text: str) -> str:
     return re.sub(r"[\W_]+", "", unicodedata.normalize("NFKC", text).casefold())
 
 
+def is_statistic(text: str, *, means: bool = True) -> bool:
+    """Return whether a name says no measurement: a difference, a tolerance or a deviation; with ``means`` a mean, too.
+
+    Every word must belong to it, so that a paint may be called as one with another word.
+
+    >>> is_statistic("Tolerance +"), is_statistic("Delta Blue"), is_statistic("Mean value", means=False)
+    (True, False, False)
+    """
+    plain = unicodedata.normalize("NFKC", text[:_LONGEST_HEADING]).replace("∆", "δ")
+    words = re.findall(r"[^\W\d_]+", re.sub(r"(?<=[^\W\d_A-Z]{2})(?=[A-Z])", " ", plain).casefold())
+    kinds = {_STATISTICS.get(word, "") for word in words}
+    return "" not in kinds and ("deviation" in kinds or (means and "mean" in kinds))
+
+
 @lru_cache(maxsize=1 << 14)
 def _parse(heading: str) -> _Heading:
     if _DATA.fullmatch(heading):  # nearly all cells that are looked at for headings are data
@@ -250,12 +283,27 @@ def _parse(heading: str) -> _Heading:
 
 def _channel(key: str) -> str:
     """Return the letter of a channel's heading, behind a letter for each family where the heading names one."""
-    for family in ("cmyk", "srgb", "rgb", "cielab", "lab", "cielch", "lch", "xyz", "hsl", "hsv", "hsb"):
-        rest = key.removeprefix(family)
-        if rest != key and (rest in _LETTERS or rest in _WORDS):
-            return _WORDS.get(rest, rest)
-    for unit in ("0255", "01", "0100"):
-        key = key.removesuffix(unit)
+    for unit in ("0255", "01", "0100", "value", "wert", "channel", "kanal"):
+        key = key.removesuffix(unit) or key
+    families = (
+        "cmyk",
+        "srgb",
+        "rgb",
+        "cielab",
+        "lab",
+        "cielch",
+        "lch",
+        "xyz",
+        "hsl",
+        "hsv",
+        "hsb",
+        "colour",
+        "color",
+    )
+    for family in families:
+        for rest in (key.removeprefix(family), key.removesuffix(family)):
+            if rest != key and (rest in _LETTERS or rest in _WORDS):
+                return _WORDS.get(rest, rest)
     return _WORDS.get(key, key if key in _LETTERS else "")
 
 

@@ -23,6 +23,8 @@ _HEAD_ROWS = 60
 _FEWEST_ANGLES = 2
 _LEAST_BANDS = 3
 _HEX = re.compile(r"(?:#|0x)?(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})|#[0-9a-fA-F]{3,4}")
+_CSS = re.compile(r"(?:rgba?|hsla?|hwb|(?:ok)?(?:lab|lch)|color)\([^()]{1,80}\)", re.IGNORECASE)
+_WAVELENGTH = re.compile(r"(?:wavelengths?|wellenlängen?|lambda|wl|λ)?(?:nm|innm)?")
 _UNIT = re.compile(r"[\W_]*|[(\[]?(?:nm|deg|gu|units?|einheit|per ?cent)[)\]]?", re.IGNORECASE)
 _READ_AT_ANGLES = ("Lab.", "LCh.", "XYZ.", "spectrum")
 _LONE = ("Gray.g", "hex", *WHOLE.values())
@@ -96,13 +98,22 @@ def find_table(rows: Sequence[TableRow]) -> Table | None:
         if has_whole_colour(columns) or _has_hex(columns, rows[index + 1 :]):
             return _table(columns, rows, index, index + 1)
         following = rows[index + 1] if index + 1 < len(rows) else None
-        if following is not None and _is_upper(row, following):
+        # Of lines above a heading that has its angles, numbers are none.
+        if following is not None and _is_upper(row, following) and not _has_angles(following):
             columns = interpret(_joined(row, following))
             if has_whole_colour(columns):
                 return _table(columns, rows, index, index + 2)
         if _is_turned(rows, index):
             return _turned(rows)
     return _without_headings(rows)
+
+
+def _has_angles(row: TableRow) -> bool:
+    """Return whether a row is the whole heading of colours at angles."""
+    columns = interpret(row.cells)
+    return has_whole_colour(columns) and any(
+        column.what == "geometry" or column.geometry for column in columns
+    )
 
 
 def _table(columns: tuple[TableColumn, ...], rows: Sequence[TableRow], before: int, first: int) -> Table:
@@ -121,8 +132,9 @@ def _settled(columns: tuple[TableColumn, ...], rows: Sequence[TableRow]) -> tupl
     for index, column in enumerate(columns):
         cells = [row.cell(index) for row in rows if row.cell(index)]
         if column.what == "colour":
-            codes = bool(cells) and all(_HEX.fullmatch(cell) for cell in cells) and "hex" not in known
-            found[index] = TableColumn(column.heading, "hex" if codes else "name")
+            codes = bool(cells) and all(map(_is_code, cells)) and "hex" not in known
+            other = "code" if plain_word(column.heading).endswith("code") else "name"
+            found[index] = TableColumn(column.heading, "hex" if codes else other)
     if not any(column.what == "name" for column in found):
         for index, column in enumerate(found):
             cells = [row.cell(index) for row in rows if row.cell(index)]
@@ -166,12 +178,17 @@ def has_whole_colour(columns: Sequence[TableColumn]) -> bool:
 
 
 def _has_hex(columns: Sequence[TableColumn], rows: Sequence[TableRow]) -> bool:
-    """Return whether a column that is called colour has hex codes below it."""
+    """Return whether a column that is called colour has hex codes, or colours as CSS writes them, below it."""
     for index, column in enumerate(columns):
         if column.what == "colour":
-            cells = [row.cell(index) for row in rows[:_HEAD_ROWS]]
-            return bool(cells) and all(_HEX.fullmatch(cell) for cell in cells if cell) and any(cells)
+            cells = [row.cell(index) for row in rows[:_HEAD_ROWS] if row.cell(index)]
+            if cells and all(map(_is_code, cells)):
+                return True
     return False
+
+
+def _is_code(cell: str) -> bool:
+    return bool(_HEX.fullmatch(cell) or _CSS.fullmatch(cell))
 
 
 def _is_upper(row: TableRow, following: TableRow) -> bool:
@@ -215,7 +232,9 @@ def _angles(row: TableRow) -> dict[int, Geometry]:
     found = {i: parse_geometry(cell) for i, cell in enumerate(row.cells) if i and cell}
     good = {i: geometry for i, geometry in found.items() if geometry is not None}
     first = plain_word(row.cell(0))
-    sure = not first or TEXTS.get(first) in ("geometry", "name") or "as" in "".join(row.cells)
+    sure = (
+        _WAVELENGTH.fullmatch(first) or TEXTS.get(first) in ("geometry", "name") or "as" in "".join(row.cells)
+    )
     return good if len(good) == len(found) and len(set(good.values())) == len(good) and sure else {}
 
 
@@ -232,7 +251,8 @@ def _turned(rows: Sequence[TableRow]) -> Table | None:
         if len(new) > _FEWEST_ANGLES:
             angles, block = new, []
             first = row.cell(0)
-            name = name if not first or TEXTS.get(plain_word(first)) == "geometry" else first
+            word = plain_word(first)
+            name = name if _WAVELENGTH.fullmatch(word) or TEXTS.get(word) == "geometry" else first
             for i in angles:
                 block.append((row.line, name, row.cell(i), {}))
             made += block
@@ -290,6 +310,8 @@ def _without_headings(rows: Sequence[TableRow]) -> Table | None:
             whats[index] = f"RGB.{channel}"
     else:
         return None
+    if not texts and width == 2 and codes:
+        texts = [1 - codes[0]]  # the numbers of the colours
     if texts:
         whats[texts[0]] = "name"
     columns = tuple(TableColumn("", what) for what in whats)

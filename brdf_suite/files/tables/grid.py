@@ -107,13 +107,19 @@ def read_rows(text: str, path: PathLike, most_rows: int) -> list[TableRow]:
     rows: list[TableRow] = []
     cells = 0
     for line, values in _split(text, separator, path):
-        found = tuple(" ".join(value.replace("\xa0", " ").split()).strip('"').strip() for value in values)
+        found = tuple(_plain_cell(value) for value in values)
         if any(found):
             rows.append(TableRow(line, found))
             cells += len(found)
         if len(rows) > most_rows or cells > MOST_CELLS:
             raise FileError(path, f"has more than {most_rows:,} rows, or too many cells", f"line {line}")
     return rows
+
+
+def _plain_cell(value: str) -> str:
+    """Return a cell without white space around it, and without quotation marks that it begins and ends with."""
+    text = " ".join(value.replace("\xa0", " ").split())
+    return text[1:-1].strip() if len(text) > 1 and text[0] == text[-1] == '"' else text
 
 
 def _split(text: str, separator: str, path: PathLike) -> Iterator[tuple[int, Sequence[str]]]:

@@ -7,6 +7,7 @@ be used is left out with its line; a file without any is refused.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -33,16 +34,12 @@ from brdf_suite.files.tables.columns import (
     USUAL_LIGHT_DEG,
     Geometry,
     angle_text,
+    is_statistic,
     parse_geometry,
-    plain_word,
 )
 from brdf_suite.files.tables.finding import Table
 from brdf_suite.files.tables.grid import TableRow, parse_number
 
-_STATISTICS = {
-    "mean", "average", "avg", "stddev", "stdev", "standarddeviation", "min", "max", "minimum", "maximum", "range",
-    "mittelwert", "standardabweichung", "stabw",
-}  # fmt: skip
 _OTHER_LIGHT = "it is of {light}, and without a spectrum it cannot become that of D65 and 10°"
 _MOST_FACTOR, _LEAST_PERCENT = 1.5, 12.0
 _MOST_REFUSED = 50
@@ -83,9 +80,20 @@ def collect(
     Raises :class:`FileError`: there is none with a reading.
     """
     groups: dict[tuple[str, str], list[Measured]] = {}
+    counts: Counter[tuple[tuple[str, str], tuple[float, float]]] = Counter()
     for number, one in enumerate(measured):
-        if one.readings:
-            groups.setdefault((one.name, one.kind) if one.name else ("", str(number)), []).append(one)
+        if not one.readings:
+            continue
+        name = (one.name, one.kind) if one.name else ("", str(number))
+        group = groups.setdefault(name, [])
+        # Rows may be ordered by angle: a further reading at an angle begins a further measurement.
+        place = max(counts[name, angle] for angle in one.readings)
+        for angle in one.readings:
+            counts[name, angle] = place + 1
+        if place < len(group):
+            _join(group[place], one)
+        else:
+            group.append(one)
     if not groups:
         why = f" ({refused[0]})" if refused else ""
         raise FileError(path, f"holds no sample read at several angles that can be used{why}", "the table")
@@ -116,6 +124,13 @@ def collect(
     return SampleFile(tuple(samples), tuple(said), (*refused[:_MOST_REFUSED], *left_out))
 
 
+def _join(first: Measured, one: Measured) -> None:
+    """Add readings at other angles to a measurement."""
+    first.readings |= one.readings
+    first.effects = one.effects | first.effects
+    first.gloss = one.gloss | first.gloss
+
+
 def _spread(sample: AngleSample) -> str:
     return f"they differ from it by at most ΔE00 {sample.spread:.2f}"
 
@@ -140,6 +155,19 @@ def _averaged(group: Sequence[Measured]) -> list[AngleSample]:
     if spread > SAME_SAMPLE_DE:
         return [_sample([one], list(one.readings.values()), 0.0) for one in group]
     return [_sample(group, [_mean_reading(group, key, lab) for key, lab in means.items()], spread)]
+
+
+def average(samples: Sequence[AngleSample]) -> AngleSample | None:
+    """Return the mean of samples that were measured once each; None where they differ by more than is usual."""
+    group = []
+    for sample in samples:
+        readings = {(one.illumination_deg, one.aspecular_deg): one for one in sample.readings}
+        gloss = {} if sample.gloss is None else {"20": sample.gloss.gu_20, "60": sample.gloss.gu_60}
+        notes = "\n".join(line for line in sample.notes.splitlines() if line != effect_notes(sample.effects))
+        known = {angle: value for angle, value in gloss.items() if value is not None}
+        group.append(Measured(sample.name, sample.kind, 0, readings, dict(sample.effects), known, notes))
+    found = _averaged(group)
+    return found[0] if len(found) == 1 else None
 
 
 def _mean_reading(group: Sequence[Measured], key: tuple[float, float], lab: Lab) -> SampleReading:
@@ -278,7 +306,12 @@ class _Reader:
         open_: Measured | None = None
         models = self._by_place.get(None, {})
         before = ""
+        passed = False
         for row in self._table.rows:
+            label = self._table.text(row, "name") or self._table.text(row, "code")
+            passed = is_statistic(label) if label else passed
+            if passed and not label:
+                continue  # a further angle of what has its name in the first row only
             text = self._table.text(row, "geometry")
             light = parse_number(self._table.text(row, "light"))
             geometry = parse_geometry(text, USUAL_LIGHT_DEG if light is None else light)
@@ -325,13 +358,14 @@ class _Reader:
     def _begin(self, row: TableRow) -> Measured | None:
         table = self._table
         name = table.text(row, "name") or table.text(row, "code") or table.about.get("name", "")
-        if plain_word(name) in _STATISTICS:
-            self._refuse(row, f"{name[:40]!r} is a statistic of the instrument, no measurement")
+        kind = table.text(row, "type")
+        # A measurement may be of the type mean.
+        said = name if is_statistic(name) else kind if is_statistic(kind, means=False) else ""
+        if said:
+            self._refuse(row, f"{said[:40]!r} is a difference, tolerance or statistic, no measurement")
             return None
         texts = [table.text(row, what) for what in ("notes", "date", "instrument")]
-        one = Measured(
-            name, table.text(row, "type"), row.line, notes=", ".join(text for text in texts if text)
-        )
+        one = Measured(name, kind, row.line, notes=", ".join(text for text in texts if text))
         for angle in ("20", "60"):
             value = parse_number(table.text(row, f"gloss {angle}"))
             if value is not None and PARAMETERS["gloss.gu_20"].low <= value <= PARAMETERS["gloss.gu_20"].high:

@@ -3,7 +3,7 @@
 Of a worksheet (XML Spreadsheet 2003) the cells are taken as they stand. Of any other tree each element becomes a row
 that has a whole colour, or sparkle or graininess, in its attributes and its plain children; names and angles may stand
 in the elements around it. The trees of instruments are not published, so their elements are known by their names, as
-the headings of tables are.
+the headings of tables are. Elements of differences, tolerances and statistics are passed over.
 """
 
 from __future__ import annotations
@@ -13,7 +13,14 @@ from collections.abc import Iterator, Mapping
 
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.hardened_xml import Element
-from brdf_suite.files.tables.columns import EFFECTS, TEXTS, interpret, parse_geometry, plain_word
+from brdf_suite.files.tables.columns import (
+    EFFECTS,
+    TEXTS,
+    interpret,
+    is_statistic,
+    parse_geometry,
+    plain_word,
+)
 from brdf_suite.files.tables.finding import has_whole_colour
 from brdf_suite.files.tables.grid import TableRow, parse_number
 
@@ -28,27 +35,37 @@ _MOST_COLUMNS = 600
 _MOST_SKIPPED = 1000
 
 
-def xml_rows(root: Element, path: PathLike, most_rows: int) -> list[TableRow]:
-    """Return the rows of a file's table; of a tree that is no worksheet the first one has the headings.
+def xml_rows(root: Element, path: PathLike, most_rows: int) -> tuple[list[TableRow], tuple[str, ...]]:
+    """Return the rows of a file's table and notices; of a tree that is no worksheet the first one has the headings.
 
     Raises :class:`FileError`: it has more than ``most_rows`` rows, or too many different fields.
     """
     if root.namespace == SPREADSHEET:
-        return list(_sheet(root, path, most_rows))
+        return list(_sheet(root, path, most_rows)), ()
+    rows, left_out = _tree(root, path, most_rows, means=True)
+    if not rows:  # the means may be all that there is
+        rows, left_out = _tree(root, path, most_rows, means=False)
+    note = f"Elements of differences, tolerances or statistics are left out: {left_out}."
+    return rows, (note,) if left_out and rows else ()
+
+
+def _tree(root: Element, path: PathLike, most_rows: int, *, means: bool) -> tuple[list[TableRow], int]:
+    """Return the rows of a tree, and how many elements :func:`is_statistic` has passed over."""
     records: list[tuple[int, dict[str, str]]] = []
     headings: dict[str, None] = {}
-    for line, fields in _records(root, {}):
+    passed: list[int] = []
+    for line, fields in _records(root, passed, means=means):
         records.append((line, fields))
         headings |= dict.fromkeys(fields)
         if len(records) > most_rows or len(headings) > _MOST_COLUMNS:
             raise FileError(path, f"has more than {most_rows:,} readings, or too many fields", f"line {line}")
     if not records:
-        return []
+        return [], len(passed)
     names = list(headings)
     return [
         TableRow(root.line, tuple(names)),
         *(TableRow(line, tuple(fields.get(name, "") for name in names)) for line, fields in records),
-    ]
+    ], len(passed)
 
 
 def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[TableRow]:
@@ -68,11 +85,17 @@ def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[TableRow]:
             yield TableRow(row.line, tuple(cells))
 
 
-def _records(root: Element, around: Mapping[str, str]) -> Iterator[tuple[int, dict[str, str]]]:
-    """Yield line and fields of each element with a colour or an effect; the depth is that of the parser's bound."""
-    waiting: list[tuple[Element, Mapping[str, str]]] = [(root, around)]
+def _records(root: Element, passed: list[int], *, means: bool) -> Iterator[tuple[int, dict[str, str]]]:
+    """Yield line and fields of each element with a colour or an effect; the depth is that of the parser's bound.
+
+    ``passed`` takes the lines of the elements that are passed over.
+    """
+    waiting: list[tuple[Element, Mapping[str, str]]] = [(root, {})]
     while waiting:
         element, outer = waiting.pop()
+        if element is not root and is_statistic(element.name, means=means):
+            passed.append(element.line)
+            continue
         own = _fields(element)
         columns = interpret(list(own))
         whole = has_whole_colour(columns)

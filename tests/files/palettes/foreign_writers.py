@@ -117,12 +117,47 @@ def flat_tables() -> Iterator[Variant]:
     yield Variant("rgb and hex", delimited([["R", "G", "B", "name", "HEX"], *both], ",").encode(), rgb_flat())
     bare = [["{:02x}{:02x}{:02x}".format(*row), name] for name, row in zip(NAMES, RGB, strict=True)]
     yield Variant("bare hex", delimited([["Hex code", "Colour"], *bare], ",").encode(), rgb_flat())
+    for heading, form in (
+        ("hex", "#FF{:02x}{:02x}{:02x}"),
+        ("Hex", "#{:02x}{:02x}{:02x}ff"),
+        ("ARGB", "80{:02x}{:02x}{:02x}"),
+        ("RGBA", "#{:02x}{:02x}{:02x}80"),
+    ):
+        rows = [[name, form.format(*row)] for name, row in zip(NAMES, RGB, strict=True)]
+        yield Variant(form, delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    hexes = ["#{:02x}{:02x}{:02x}".format(*row) for row in RGB]
+    for heading in ("Hex Color", "Hex Triplet", "Color code", "Colour code", "HTML hex", "Farbcode"):
+        rows = [[name, code] for name, code in zip(NAMES, hexes, strict=True)]
+        yield Variant(heading, delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    for heading in ("Color", "CSS"):
+        rows = [[name, "rgb({}, {}, {})".format(*row)] for name, row in zip(NAMES, RGB, strict=True)]
+        yield Variant(f"functions {heading}", delimited([["Name", heading], *rows], ",").encode(), rgb_flat())
+    for channels in (
+        "Red (RGB),Green (RGB),Blue (RGB)", "R value,G value,B value", "r-value,g-value,b-value", "Rouge,Vert,Bleu",
+        "color_r,color_g,color_b", "Rosso,Verde,Blu", "Rojo,Verde,Azul",
+    ):  # fmt: skip
+        yield Variant(channels, delimited([["Name", *channels.split(",")], *plain], ",").encode(), rgb_flat())
+    rows = [[name, code] for name, code in zip(NAMES, ("d40", "04f", "123", "777"), strict=True)]
+    flat = tuple(
+        (name, "RGB", tuple(int(2 * digit, 16) / 255.0 for digit in code))
+        for name, (_, code) in zip(NAMES, rows, strict=True)
+    )
+    yield Variant("three digits", delimited([["name", "hex"], *rows], ",").encode(), flat)
+    quoted = ('Red "hot"', '"Hot" red', "a", "b")
+    rows = [[name, code] for name, code in zip(quoted, hexes, strict=True)]
+    yield Variant("quotes", delimited([["name", "hex"], *rows], ",").encode(), rgb_flat(quoted))
     lch = [[name, "50", "20", "120.5"] for name in NAMES]
     flat = tuple((name, "LCh", (50.0, 20.0, 120.5)) for name in NAMES)
     yield Variant("lch", delimited([["name", "L", "C", "h"], *lch], ",").encode(), flat)
     hsl = [[name, "210", "50", "25"] for name in NAMES]
     flat = tuple((name, "HSL", (210.0, 0.5, 0.25)) for name in NAMES)
     yield Variant("hsl", delimited([["name", "Hue", "Saturation", "Lightness"], *hsl], ",").encode(), flat)
+    shares = [[name, f"{210 / 360!r}", "0.5", "0.25"] for name in NAMES]
+    flat = tuple((name, "HSL", (210.0, 0.5, 0.25)) for name in NAMES)
+    yield Variant("hsl in shares", delimited([["name", "H", "S", "L"], *shares], ",").encode(), flat)
+    red = [[name, "0.5°", "0.5", "0.25"] for name in NAMES]
+    flat = tuple((name, "HSB", (0.5, 0.5, 0.25)) for name in NAMES)
+    yield Variant("small hues in degrees", delimited([["name", "H", "S", "V"], *red], ",").encode(), flat)
     hsv = [[name, "210", "0.5", "0.25"] for name in NAMES]
     flat = tuple((name, "HSB", (210.0, 0.5, 0.25)) for name in NAMES)
     yield Variant("hsv", delimited([["name", "H", "S", "V"], *hsv], ",").encode(), flat)
@@ -241,6 +276,13 @@ def instrument_tables() -> Iterator[Variant]:
     for separator, comma in ((";", True), ("\t", False), (",", False)):
         text = delimited(blocks(comma), separator)
         yield Variant(f"blocks {separator!r}", text.encode(), samples=SAMPLES)
+    for line in (
+        ["Job", "Season 25", "45"],
+        ["D65", "10°"],
+        ["Illuminant/Observer", "D65", "10°"],
+        ["Day", "15", "25"],
+    ):
+        yield Variant(f"above: {line}", delimited([line, *long(True)], ";").encode(), samples=SAMPLES)
     upper = ["", *(x for a in ANGLES for x in (f"{a}°", "", ""))]
     lower = ["Name", *(letter for _ in ANGLES for letter in ("L*", "a*", "b*"))]
     rows = [upper, lower, *wide("L15", False)[1:]]
@@ -500,6 +542,10 @@ def hex_lists() -> Iterator[Variant]:
         yield Variant(form, text.encode("utf-8-sig"), rgb_flat())
     head = "; paint.net Palette File\n; Palette Name: Season\n; Colors: 4\n"
     yield Variant("paint.net", (head + "\n".join(f"FF{code.upper()}" for code in codes)).encode(), nameless)
+    numbers = ("100020", "100120", "100220", "100320")
+    for form in ("{0} {1}", "{0} #{1}", "{0} - {1}"):
+        text = "\n".join(form.format(number, code) for number, code in zip(numbers, codes, strict=True))
+        yield Variant(f"numbers {form}", text.encode(), rgb_flat(numbers))
     yield Variant("argb", "\n".join(f"ff{code}" for code in codes).encode(), nameless)
     yield Variant("rgba", "\n".join(f"#{code}ff" for code in codes).encode(), nameless)
     yield Variant("one line", ", ".join(f"#{code}" for code in codes).encode(), nameless)
@@ -543,6 +589,10 @@ def corel_xml() -> Iterator[Variant]:
         for i, (name, row) in enumerate(zip(NAMES, RGB, strict=True))
     )
     page = "".join(f'<color cs={quoteattr(name)} tints="1"/>' for name in NAMES)
+    rows = "".join(f'<color cs="HLS" tints="0.75,0.25,0.5" name={quoteattr(name)}/>' for name in NAMES)
+    text = f'<palette name="Season"><colorspaces/><colors><page>{rows}</page></colors></palette>'
+    flat = tuple((name, "HSL", (270.0, 0.5, 0.25)) for name in NAMES)
+    yield Variant("HLS", text.encode(), flat)
     text = f'<palette name="Inks"><colorspaces>{inks}</colorspaces><colors><page>{page}</page></colors></palette>'
     yield Variant("inks", text.encode(), rgb_flat())
 
@@ -632,6 +682,15 @@ def sketch() -> Iterator[Variant]:
         for ascii_ in (True, False):
             text = json.dumps(document, indent=indent, ensure_ascii=ascii_)
             yield Variant(f"{named} {alpha} {indent} {extra} {ascii_}", text.encode(), flat)
+    nameless = rgb_flat(("", "", "", ""))
+    texts = [dict(zip(("red", "green", "blue"), (repr(v / 255) for v in row), strict=True)) for row in RGB]
+    for version, old in (
+        ("1.0", ["#{:02X}{:02x}{:02x}".format(*row) for row in RGB]),
+        ("1.3", ["#{:02x}{:02x}{:02x}FF".format(*row) for row in RGB]),
+        ("1.4", [{**item, "alpha": "1"} for item in texts]),
+    ):
+        document = {"compatibleVersion": version, "pluginVersion": version, "colors": old}
+        yield Variant(f"old {version}", json.dumps(document).encode(), nameless)
 
 
 def apple() -> Iterator[Variant]:
@@ -698,6 +757,30 @@ def scss() -> Iterator[Variant]:
         inner = ",\n  ".join(f"{quote}{n}{quote}: {v}" for n, v in zip(names, values["hex"], strict=True))
         text = f"$map: (\n  {inner}{',' if trailing else ''}\n);\n"
         yield Variant(f"map {quote} {trailing}", text.encode(), rgb_flat(names))
+    numbered = rgb_flat(("1", "2", "3", "4"))
+    for kind, shown in values.items():
+        pairs = list(zip(names, shown, strict=True))
+        for newline in ("\n", "\r\n"):
+            lines = newline.join(f"${name}: {value}" for name, value in pairs) + newline
+            yield Variant(f"indented {kind} {newline!r}", lines.encode(), rgb_flat(names))
+            body = newline.join(f"  {name}: {value};" for name, value in pairs)
+            text = f"@colors: {{{newline}{body}{newline}}}{newline}"
+            yield Variant(f"LESS map {kind} {newline!r}", text.encode(), rgb_flat(names))
+        for separator, (before, after) in itertools.product((", ", " "), (("", ""), ("(", ")"))):
+            text = f"$palette: {before}{separator.join(shown)}{after};\n"
+            yield Variant(f"list {kind} {separator!r} {before}", text.encode(), numbered)
+    again = "".join(f"$x: {value};\n${name}: $x;\n" for name, value in zip(names, values["hex"], strict=True))
+    flat = tuple(one for name, *rest in rgb_flat(names) for one in (("x", *rest), (name, *rest)))
+    yield Variant("SCSS set again", again.encode(), flat)
+    unset = "".join(f"${name}: {value};\n${name}: red !default;\n" for name, value in pairs)
+    yield Variant("SCSS default", unset.encode(), rgb_flat(names))
+    later = "".join(f"@{name}: @x-{name};\n@x-{name}: red;\n" for name in names)
+    later += "".join(f"@x-{name}: {value};\n" for name, value in pairs)
+    flat = (*rgb_flat(names), *rgb_flat(tuple(f"x-{name}" for name in names)))
+    yield Variant("LESS set again", later.encode(), flat)
+    block = "\n".join(f".a {{ $other: red; color: red; ${name}: {value}; }}" for name, value in pairs)
+    flat = tuple(one for entry in rgb_flat(names) for one in (("other", "RGB", (1.0, 0.0, 0.0)), entry))
+    yield Variant("within rules", f"{block}\n".encode(), flat)
 
 
 def scribus() -> Iterator[Variant]:
@@ -729,6 +812,14 @@ def scribus() -> Iterator[Variant]:
         )
         text = f'{prefix}<SCRIBUSCOLORS Name="Season">\n{"".join(rows)}</SCRIBUSCOLORS>'
         yield Variant(f"{prefix[:5]} {kind} {flags}", text.encode(), flat)
+    unknown = '<COLOR NAME="n"/><COLOR NAME="m" SPACE="Munsell" H="1"/>'
+    for space in ("cmyk", "Cmyk"):
+        rows = [
+            f"<COLOR NAME={quoteattr(name)} {of_space(space, 'CMYK', row)}/>"
+            for name, row in zip(NAMES, CMYK, strict=True)
+        ]
+        text = f'<SCRIBUSCOLORS Name="Season">{unknown}{"".join(rows)}</SCRIBUSCOLORS>'
+        yield Variant(f"{space} beside unknown", text.encode(), cmyk_flat())
 
 
 def cxf() -> Iterator[Variant]:

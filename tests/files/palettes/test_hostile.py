@@ -251,6 +251,7 @@ def test_too_many_colours_are_refused(name: str, content: bytes) -> None:
         ("instrument", b"<Export><L>1</L></Export>", "line 1", "no element with a colour"),
         ("json", b'{"a": "#123456"', "line 1, column 16", "not valid JSON"),
         ("json", b'{"a": 3}', "the top level", "no colour"),
+        ("scribus", b'<SCRIBUSCOLORS>\n<COLOR NAME="n" SPACE="x"/></SCRIBUSCOLORS>', "line 2", "RGB, CMYK or Lab"),
         ("cxf", CXF_UNKNOWN, "line 2", "not in the file"),
     ],
 )  # fmt: skip

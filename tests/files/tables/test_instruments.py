@@ -64,8 +64,78 @@ def test_statistics_and_damaged_readings_are_left_out_with_their_line(tmp_path: 
     assert [len(sample.readings) for sample in found.samples] == [3, 2]
     assert found.refused == (
         "line 3: the colour at 45as15 is left out: 'x' stands in the place of a number",
-        "line 4: 'Std. dev.' is a statistic of the instrument, no measurement",
+        "line 4: 'Std. dev.' is a difference, tolerance or statistic, no measurement",
     )
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["Delta", "ΔE", "Difference", "Differenz", "Tolerance +", "Toleranz -", "Upper limit", "Grenze oben", "SD", "Sigma",
+     "Mittelwert", "Mean value", "Average 2"],
+)  # fmt: skip
+def test_differences_tolerances_and_statistics_are_no_samples(tmp_path: Path, word: str) -> None:
+    found = samples(tmp_path, "\n".join((HEAD, f"{word};1;1;1;1;1;1;1;1;1", SILVER)))
+    assert [sample.name for sample in found.samples] == ["Silver"]
+    assert found.refused == (f"line 2: {word!r} is a difference, tolerance or statistic, no measurement",)
+
+
+@pytest.mark.parametrize("name", ["Delta Blue", "Limit Red", "Range Rover", "Standard", "Maximal Orange"])
+def test_a_paint_may_be_called_as_a_statistic_with_another_word(tmp_path: Path, name: str) -> None:
+    found = samples(tmp_path, f"{HEAD}\n{SILVER.replace('Silver', name)}")
+    assert [sample.name for sample in found.samples] == [name]
+
+
+def by_angle(*rows: tuple[str, str, float]) -> str:
+    """A row per angle: name, type and lightness."""
+    lines = [f"{name};{kind};{angle};{value};0;0" for name, kind, value in rows for angle in (15, 45, 110)]
+    return "\n".join(("Sample;Type;Angle;L*;a*;b*", *lines))
+
+
+def test_a_type_or_a_name_once_says_that_rows_are_no_measurement(tmp_path: Path) -> None:
+    found = samples(
+        tmp_path, by_angle(("Blue", "Trial", 50.0), ("Blue", "Delta", 1.0), ("Red", "Mean", 40.0))
+    )
+    assert [(one.name, one.kind) for one in found.samples] == [("Blue", "Trial"), ("Red", "Mean")]
+    rows = by_angle(("Blue", "", 50.0), ("Tolerance", "", 1.0), ("Red", "", 40.0)).splitlines()
+    text = "\n".join(
+        row if row.split(";")[2] in ("15", "Angle") else f";{row.partition(';')[2]}" for row in rows
+    )
+    found = samples(tmp_path, text)
+    assert [(one.name, one.readings[2].lab[0]) for one in found.samples] == [("Blue", 50.0), ("Red", 40.0)]
+
+
+@pytest.mark.parametrize("around", ["Tolerance", "Deltas", "UpperLimit", "StdDev", "Mean"])
+def test_elements_of_tolerances_and_differences_are_left_out(tmp_path: Path, around: str) -> None:
+    def tree(value: float) -> str:
+        return "".join(
+            f'<Reading Geometry="45as{at}"><L>{value}</L><a>0</a><b>0</b></Reading>' for at in (15, 45, 110)
+        )
+
+    text = f'<Export><Sample Name="Blue"><{around}>{tree(1.0)}</{around}>{tree(50.0)}</Sample></Export>'
+    found = samples(tmp_path, text)
+    assert [[reading.lab[0] for reading in sample.readings] for sample in found.samples] == [[50.0] * 3]
+    note = "Elements of differences, tolerances or statistics are left out: 1."
+    assert note in found.notes
+    assert note in read_content(text.encode(), "a.xml").notes
+
+
+def test_means_are_read_where_there_is_nothing_else(tmp_path: Path) -> None:
+    tree = "".join(f'<R Geometry="45as{at}"><L>50</L><a>0</a><b>0</b></R>' for at in (15, 45, 110))
+    found = samples(tmp_path, f'<Export><Sample Name="Blue"><Mean>{tree}</Mean></Sample></Export>')
+    assert len(found.samples[0].readings) == 3
+
+
+def test_rows_may_be_ordered_by_angle(tmp_path: Path) -> None:
+    rows = [(name, at, lightness) for at in (15, 45, 110) for name, lightness in (("Blue", 50), ("Red", 40))]
+    text = "\n".join(("Sample;Angle;L*;a*;b*", *(f"{name};{at};{l_star};0;0" for name, at, l_star in rows)))
+    found = samples(tmp_path, text)
+    assert [(one.name, one.measurements, len(one.readings)) for one in found.samples] == [
+        ("Blue", 1, 3), ("Red", 1, 3),
+    ]  # fmt: skip
+    assert not any("mean of" in note for note in found.notes)
+    again = [f"{name};{at};{l_star + 0.5};0;0" for name, at, l_star in rows]
+    found = samples(tmp_path, "\n".join((text, *again)))
+    assert [one.measurements for one in found.samples] == [2, 2]
 
 
 def test_other_lights_and_other_planes_are_left_out(tmp_path: Path) -> None:
@@ -103,6 +173,16 @@ def test_spectra_are_fractions_or_per_cent(
         assert reading.lab == pytest.approx(spectrum_to_lab(np.full(31, value / factor), bands))
 
 
+@pytest.mark.parametrize("heading", ["Wavelength", "nm", "Wavelength (nm)", "λ [nm]", "Wellenlänge", ""])
+@pytest.mark.parametrize("notation", ["{}", "{}°", "45as{}"])
+def test_wavelengths_may_go_down_and_angles_across(tmp_path: Path, heading: str, notation: str) -> None:
+    rows = [";".join((heading, *(notation.format(angle) for angle in (15, 45, 110))))]
+    rows += [f"{nm};0,9;0,3;0,1" for nm in range(400, 701, 10)]
+    sample = samples(tmp_path, "\n".join(rows)).samples[0]
+    assert sample.name == "unnamed"
+    assert [reading.reflectance for reading in sample.readings] == [(0.9,) * 31, (0.3,) * 31, (0.1,) * 31]
+
+
 def test_spectra_that_may_be_either_are_refused_with_what_to_do(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"may be per cent or fractions.*write % into a heading"):
         read_instrument(written(tmp_path, spectral((5.0, 0.8, 0.4))))
@@ -132,6 +212,8 @@ def test_a_table_names_what_it_has_and_what_is_wanted(tmp_path: Path) -> None:
         ("name,R,G,B\na,1,2,3\nb,1,2,999\n", "line 3", "from 0 to 255"),
         ("name,R,G,B\na,1,two,3\n", "line 2", "expected 3 numbers of RGB"),
         ("name,hex\na,#12345\n", "line 2", "expected a hex code"),
+        ("name,hex\na,#d4000080\nb,#80d400ff\n", "the codes", "nothing says whether the first or the last"),
+        ("name,hex\na,#ffd400ff\n", "the codes", "nothing says whether the first or the last"),
         ("name,C,M,Y,K\na,0,0,0,150\n", "line 2", "from 0 to 100"),
         ("name,L,a,b\na,43,25,66,5,54,75\n", "line 2", "7 cells under 4 headings"),
         ("name,L1,a1,b1,L2,a2,b2\na,1,2,3,4,5,6\n", "the header", "number readings 1, 2"),
@@ -149,6 +231,26 @@ def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
         (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
     ]  # fmt: skip
     assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+
+
+@pytest.mark.parametrize("heading", ["L,a,b", "L,C,h"])
+def test_lightness_of_at_most_1_is_pointed_out(heading: str) -> None:
+    read = read_content(f"name,{heading}\na,0.6,0.2,0.1\nb,0.4,0.1,0.3\n".encode(), "a.csv")
+    assert any("No L* is above 1" in note for note in read.notes)
+    read = read_content(f"name,{heading}\na,0.6,0.2,0.1\nb,40,0.1,0.3\n".encode(), "a.csv")
+    assert not any("No L* is above 1" in note for note in read.notes)
+
+
+def test_hues_in_shares_of_the_circle_are_pointed_out() -> None:
+    read = read_content(b"name,H,S,L\na,0.5,0.2,0.1\n", "a.csv")
+    assert any("shares of the circle" in note for note in read.notes)
+    assert read_content(b"name,H,S,L\na,0.5,20,10\n", "a.csv").palette.entries[0].content.values[0] == 0.5
+
+
+def test_numbers_of_colours_stay_names_beside_codes_alone() -> None:
+    read = read_content(b"100020,d40000\n100120,0000d4\n", "a.csv")
+    assert [entry.name for entry in read.palette] == ["100020", "100120"]
+    assert len(read_content(b"100020 300040\n100120 200020\n", "a.txt").palette.entries) == 4
 
 
 def test_marks_between_numbers_in_one_cell_and_small_tristimulus_values() -> None:

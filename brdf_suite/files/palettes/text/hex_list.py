@@ -9,6 +9,7 @@ nothing says which two are the opacity.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
@@ -56,7 +57,11 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         collector.check_count(len(found), f"line {number}")
     if not found:
         raise collector.fail("holds no hex code", "line 1")
-    opacity = _opacity([code for _, code, _ in found], collector, of_paint_net=of_paint_net)
+    if named := _take_numbers(found):
+        found = named
+        collector.note("The numbers before the codes are taken for names.")
+    codes = [code for _, code, _ in found]
+    opacity = "first" if of_paint_net else find_opacity(codes, collector)
     for number, code, label in found:
         _add(collector, f"line {number}", code, label, opacity)
     about = "\n".join(notes) if not of_paint_net or name else ""
@@ -81,13 +86,29 @@ def _find(line: str) -> list[tuple[str, str]] | None:
     return [(code[1] or code[2], name)]
 
 
-def _opacity(codes: list[str], collector: Collector, *, of_paint_net: bool) -> str:
-    """Return where codes of eight digits have their opacity: ``first`` or ``last``."""
+def _take_numbers(found: list[tuple[int, str, str]]) -> list[tuple[int, str, str]]:
+    """Return two codes in each line as one with a name, where the first are all decimal and not all of the second."""
+    pairs = list(zip(found[::2], found[1::2], strict=False))
+    lines = {number for number, _, _ in found}
+    if len(found) < 4 or not len(found) == 2 * len(pairs) == 2 * len(lines):
+        return []
+    alone = all(one[0] == other[0] and not one[2] + other[2] for one, other in pairs)
+    numbered = all(one[1].isdecimal() for one, _ in pairs) and not all(
+        other[1].isdecimal() for _, other in pairs
+    )
+    return [(line, code, name) for (line, name, _), (_, code, _) in pairs] if alone and numbered else []
+
+
+def find_opacity(codes: Iterable[str], collector: Collector) -> str:
+    """Return where codes of eight digits have their opacity: ``first`` or ``last``.
+
+    Raises :class:`FileError`: neither the first nor the last two digits are FF in all, or both and it matters.
+    """
     long = [code.lower() for code in codes if len(code) == 8]
-    if not long or of_paint_net or all(code.startswith("ff") for code in long):
-        return "first"
-    if all(code.endswith("ff") for code in long):
-        return "last"
+    first = all(code.startswith("ff") for code in long)
+    last = all(code.endswith("ff") for code in long)
+    if first != last or all(code[2:] == code[:6] for code in long):
+        return "first" if first else "last"
     reason = (
         f"{long[0]!r} has eight digits, and nothing says whether the first or the last two are the opacity"
     )

@@ -1,15 +1,16 @@
-"""Colours in SCSS, Sass and LESS, read only: variables, and the pairs of maps.
+"""Colours in SCSS, Sass and LESS, read only: variables, and the members of maps and lists.
 
-``$name: #336699;`` and ``@name: #336699;`` are entries; ``$map: ("red": #d40000, …)`` is a group. A value may be a
-variable that was set before. Functions that make colours of others (``darken``, ``mix``) are not computed, and are
-left out with a notice.
+``$name: #336699;`` and ``@name: #336699;`` are entries; ``$map: ("red": #d40000, …)``, ``@map: { red: #d40000; }`` and
+a list are groups, whose members have numbers in a list. A value may be a variable: in SCSS as it was set last before,
+in LESS as it is set last in the file. Functions that make colours of others (``darken``, ``mix``) are not computed,
+and are left out with a notice.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import GroupPath, Palette
@@ -38,70 +39,256 @@ _RULES = (
     "@supports",
 )
 _DEEPEST = 16
+_REFERENCE = re.compile(r"([$@][\w-]+)|var\(\s*(--[\w-]+)\s*\)")
+
+
+_Colour = tuple[FlatColour, float]
+
+
+@dataclass(frozen=True)
+class _Setting:
+    """What a name is set to: ``parts`` are the members of a list, or one value, each in words.
+
+    ``names`` are those of the maps around it and its own; ``mark`` is that of the outermost. ``block`` is 0 outside
+    rules, else the number of the rule.
+    """
+
+    line: int
+    names: tuple[str, ...]
+    mark: str
+    parts: tuple[tuple[str, ...], ...]
+    default: bool
+    block: int
+
+    @property
+    def key(self) -> str:
+        return "" if len(self.names) > 1 else self.mark + self.names[0].replace("_", "-")
 
 
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a style sheet; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    text = decode_text(content, path, collector).replace("\r\n", "\n")
-    known: dict[str, tuple[FlatColour, float]] = {}
+    settings = list(_Scanner().scan(decode_text(content, path, collector).replace("\r\n", "\n")))
+    values = _Values(settings)
     groups: dict[tuple[str, ...], GroupPath] = {}
-    for line, path_of_names, value in _pairs(text):
-        place = f"line {line}"
-        found = parse_colour(value) or known.get(value.lstrip("$@").replace("_", "-"))
-        if found is None:
+    for setting in settings:
+        if not values.take(setting):
+            collector.note(
+                "{n} variable[|s] without effect, since [it is|they are] set elsewhere, [is|are] left out."
+            )
+            continue
+        found = values.colours(setting)
+        if not any(found):
             collector.note("{n} value[ that is no colour|s that are no colours] known here skipped.")
             continue
-        colour, opacity = found
-        if opacity != 1.0:
-            collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
-        *around, name = path_of_names
-        if not around:
-            known.setdefault(name.replace("_", "-"), found)
-        key = tuple(around)
-        if key and key not in groups:
-            groups[key] = collector.declare(place, around[:_DEEPEST])
-        checked = replace(colour, name=collector.name(name))
-        collector.add(place, checked, group=groups.get(key, ()))
+        place = f"line {setting.line}"
+        for number, one in enumerate(found, 1):
+            if one is None:
+                collector.note("{n} value[ that is no colour|s that are no colours] known here skipped.")
+                continue
+            colour, opacity = one
+            if opacity != 1.0:
+                collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
+            *around, name = setting.names if len(found) == 1 else (*setting.names, str(number))
+            key = tuple(around)
+            if key and key not in groups:
+                groups[key] = collector.declare(place, around[:_DEEPEST])
+            collector.add(place, replace(colour, name=collector.name(name)), group=groups.get(key, ()))
     if not collector.entries:
         raise collector.fail("holds no variable that is a colour", "line 1")
     return collector.finish()
 
 
-def _pairs(text: str) -> Iterator[tuple[int, list[str], str]]:
-    """Yield the line, the names from the outside in, and the value of each setting."""
-    names: list[str] = []  # of the maps that are open
-    key, words = "", list[str]()
-    line = start = 1
-    reached = 0
-    for token in _TOKEN.finditer(text):
-        line += text.count("\n", reached, token.start())
-        reached = token.start()
-        kind = token.lastgroup
-        if kind == "open":
-            if key and not words and len(names) < _DEEPEST:
-                names.append(key)
-                key = ""
-            elif key:
-                words.append("(")
-        elif kind in ("close", "comma", "end"):
-            if key and words and words[0] != "(":
-                yield start, [*names, key], " ".join(words)
-            key, words = "", []
-            if kind == "close" and names:
-                names.pop()
-            elif kind == "end":
-                names = []
-        elif kind == "key":
-            variable = token["key"].startswith(("$", "@", "--"))
-            if names or variable:
-                key, words, start = token["key"].lstrip("$@-").strip("\"'"), [], line
-                if token["key"] in _RULES:
-                    key = ""
-        elif kind == "word" and key and not token["word"].startswith("!"):
-            words.append(token["word"].strip("\"'"))
-    if key and words:
-        yield start, [*names, key], " ".join(words)
+class _Values:
+    """What variables are: in SCSS the latest setting before, in LESS the last of all."""
+
+    def __init__(self, settings: Sequence[_Setting]) -> None:
+        self._last = {(one.block, one.key): one for one in settings if one.key.startswith("@")}
+        self._known: dict[tuple[int, str], list[_Colour | None]] = {}
+
+    def take(self, setting: _Setting) -> bool:
+        """Set a variable; return whether that has an effect."""
+        at = (setting.block, setting.key)
+        if setting.mark == "@":
+            return not setting.key or self._last[at] is setting
+        if setting.key and setting.default and at in self._known:
+            return False
+        if setting.key:
+            self._known[at] = self.colours(setting)
+        return True
+
+    def colours(self, setting: _Setting, depth: int = 0) -> list[_Colour | None]:
+        """Return the colour of each part; None for what is none."""
+        parts = setting.parts
+        found = [self._colour(" ".join(words), setting.block, depth) for words in parts]
+        if len(parts) == 1 and found == [None] and len(parts[0]) > 1:
+            members = [self._colour(word, setting.block, depth) for word in parts[0]]
+            return members if all(members) else found
+        return found
+
+    def _colour(self, text: str, block: int, depth: int) -> _Colour | None:
+        if found := parse_colour(text):
+            return found
+        named = _REFERENCE.fullmatch(text)
+        if named is None or depth > _DEEPEST:
+            return None
+        key = (named[1] or named[2]).replace("_", "-")
+        if key.startswith("@"):
+            last = self._last.get((block, key)) or self._last.get((0, key))
+            one_word = last is not None and [len(words) for words in last.parts] == [1]
+            colours = self.colours(last, depth + 1) if last is not None and one_word else []
+        else:
+            colours = self._known.get((block, key)) or self._known.get((0, key), [])
+        return colours[0] if len(colours) == 1 else None
+
+
+@dataclass
+class _Frame:
+    """A bracket that is open: of a map or list with a name, or any other."""
+
+    name: str | None
+    brace: bool
+    members: list[tuple[str, ...]] = field(default_factory=list)
+
+
+class _Scanner:
+    """Scanner of settings."""
+
+    def __init__(self) -> None:
+        self._frames: list[_Frame] = []
+        self._names: list[str] = []  # of the frames of maps
+        self._rules = self._blocks = 0  # that are open, and that have begun outside others
+        self._line = self._start = 1
+        self._outer_mark = self._mark = self._key = ""
+        self._clear()
+
+    def scan(self, text: str) -> Iterator[_Setting]:
+        """Yield the settings of a style sheet in their order."""
+        # In the indented syntax of Sass, which has neither braces nor semicolons, a line is a setting.
+        indented = not any(token.lastgroup == "end" for token in _TOKEN.finditer(text))
+        reached = 0
+        for token in _TOKEN.finditer(text):
+            self._line += text.count("\n", reached, token.start())
+            reached = token.start()
+            kind = token.lastgroup
+            if kind == "open":
+                self._open()
+            elif kind == "close":
+                yield from self._close()
+            elif kind == "comma":
+                yield from self._comma()
+            elif kind == "end" or (
+                indented and kind is None and not self._frames and token[0].isspace() and "\n" in token[0]
+            ):
+                yield from self._end(token[0])
+            elif kind == "key":
+                yield from self._name(token["key"])
+            elif kind == "word":
+                self._word(token["word"])
+        yield from self._finish()
+
+    def _clear(self) -> None:
+        self._key, self._default = "", False
+        self._words: list[str] = []
+        self._parts: list[tuple[str, ...]] = []
+
+    def _in(self, *, brace: bool) -> bool:
+        """Return whether the innermost bracket is of a map."""
+        return bool(self._frames) and self._frames[-1].name is not None and self._frames[-1].brace == brace
+
+    def _in_call(self) -> bool:
+        return bool(self._frames) and self._frames[-1].name is None and not self._frames[-1].brace
+
+    def _setting(self, name: str, parts: Sequence[tuple[str, ...]]) -> _Setting:
+        mark = self._outer_mark if self._names else self._mark
+        block = self._blocks if self._rules else 0
+        return _Setting(self._start, (*self._names, name), mark, tuple(parts), self._default, block)
+
+    def _finish(self) -> Iterator[_Setting]:
+        """Yield the setting that has begun; without a name it is a member of a list."""
+        parts = [*self._parts, *([tuple(self._words)] if self._words else [])]
+        if self._key and parts:
+            yield self._setting(self._key, parts)
+        elif parts and self._in(brace=False):
+            self._frames[-1].members += parts
+        self._clear()
+
+    def _open(self) -> None:
+        if self._key and not self._words and not self._parts and len(self._names) < _DEEPEST:
+            self._push(brace=False)
+        else:
+            self._frames.append(_Frame(None, brace=False))
+            if self._key:
+                self._words.append("(")
+
+    def _push(self, *, brace: bool) -> None:
+        if not self._names:
+            self._outer_mark = self._mark
+        self._names.append(self._key)
+        self._frames.append(_Frame(self._key, brace))
+        self._clear()
+
+    def _close(self) -> Iterator[_Setting]:
+        if self._in_call():
+            self._frames.pop()
+            if self._key:
+                self._words.append(")")
+        elif self._in(brace=False):
+            yield from self._finish()
+            yield from self._pop()
+
+    def _pop(self) -> Iterator[_Setting]:
+        frame = self._frames.pop()
+        if frame.name is None:
+            return
+        self._names.pop()
+        if frame.members:
+            yield self._setting(frame.name, frame.members)
+
+    def _comma(self) -> Iterator[_Setting]:
+        if self._in_call():
+            return
+        if self._in(brace=False):
+            yield from self._finish()
+        elif self._key and self._words:
+            self._parts.append(tuple(self._words))
+            self._words = []
+
+    def _end(self, mark: str) -> Iterator[_Setting]:
+        opens_map = mark == "{" and self._key and self._mark == "@" and not self._words and not self._parts
+        if opens_map and len(self._names) < _DEEPEST:
+            self._push(brace=True)
+            return
+        if mark != "{":
+            yield from self._finish()
+        self._clear()
+        while self._frames and not self._frames[-1].brace:
+            yield from self._pop()
+        if mark == "{":
+            self._blocks += not self._rules
+            self._rules += 1
+            self._frames.append(_Frame(None, brace=True))
+        elif mark == "}" and self._frames:
+            self._rules -= self._frames[-1].name is None
+            yield from self._pop()
+
+    def _name(self, text: str) -> Iterator[_Setting]:
+        if self._in_call():
+            return
+        yield from self._finish()
+        mark = next((one for one in ("--", "$", "@") if text.startswith(one)), "")
+        if (mark or self._in(brace=True) or self._in(brace=False)) and text not in _RULES:
+            self._key, self._start = text.removeprefix(mark).strip("\"'"), self._line
+            if mark:
+                self._mark = mark
+
+    def _word(self, text: str) -> None:
+        if text.startswith("!"):
+            self._default |= text == "!default"
+        elif self._key or self._in(brace=False):
+            if not self._key and not self._words:
+                self._start = self._line
+            self._words.append(text.strip("\"'"))
 
 
 FORMAT = PaletteFormat(

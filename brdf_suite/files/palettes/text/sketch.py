@@ -1,4 +1,7 @@
-"""Sketch palettes (``.sketchpalette``): colours as red, green, blue and alpha from 0 to 1, in newer ones with names."""
+"""Sketch palettes (``.sketchpalette``): colours as red, green, blue and alpha from 0 to 1, in newer ones with names.
+
+Files of the layouts before 1.4 have hex codes, or the components as texts.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,8 @@ from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import convert_to_plain
 from brdf_suite.files.palettes.format import PaletteFormat
+from brdf_suite.files.palettes.text.css import parse_colour
+from brdf_suite.files.tables.grid import parse_number
 
 _KEYS = ("red", "green", "blue")
 _VERSION = "1.4"
@@ -40,13 +45,27 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 
 
 def _add(item: Any, collector: Collector, place: str) -> None:
-    if not isinstance(item, dict) or not all(type(item.get(key)) in (int, float) for key in _KEYS):
-        raise collector.fail("expected red, green and blue as numbers", place)
-    if item.get("alpha", 1) != 1:
+    found = parse_colour(item) if isinstance(item, str) else None
+    alpha: float | None
+    if found is not None:
+        values, alpha = list(found[0].values), found[1]
+    else:
+        given = item if isinstance(item, dict) else {}
+        read_ = [_number(given.get(key)) for key in _KEYS]
+        values = [value for value in read_ if value is not None]
+        alpha = _number(given.get("alpha", 1))
+    if len(values) < len(_KEYS):
+        raise collector.fail("expected red, green and blue as numbers, or a hex code", place)
+    if alpha != 1:
         collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
-    name = item.get("name")
+    name = item.get("name") if isinstance(item, dict) else ""
     label = collector.name(name if isinstance(name, str) else "")
-    collector.add(place, collector.colour(place, label, "RGB", [item[key] for key in _KEYS]))
+    collector.add(place, collector.colour(place, label, "RGB", values))
+
+
+def _number(value: Any) -> float | None:
+    """Return a component, which old versions write as a text."""
+    return value if type(value) in (int, float) else parse_number(value) if isinstance(value, str) else None
 
 
 def write(palette: Palette) -> bytes:

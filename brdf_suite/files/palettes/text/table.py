@@ -21,7 +21,8 @@ from brdf_suite.files.palettes.collecting import MOST_COLOURS, Collector, decode
 from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.sample_entries import add_samples
 from brdf_suite.files.palettes.text.css import parse_colour
-from brdf_suite.files.tables.columns import WHOLE
+from brdf_suite.files.palettes.text.hex_list import find_opacity
+from brdf_suite.files.tables.columns import WHOLE, plain_word
 from brdf_suite.files.tables.finding import WANTED, Table, check_cells, find_table
 from brdf_suite.files.tables.grid import TableRow, decode_head, parse_number, read_rows
 from brdf_suite.files.tables.readings import read_samples
@@ -30,6 +31,7 @@ _ORDER: tuple[Model, ...] = ("spectrum", "Lab", "LCh", "XYZ", "RGB", "HSL", "HSB
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 _CHANNELS = {"Gray": "g", "HSB": "hsb"}
 _BARE_HEX = re.compile(r"(?:0x)?([0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
+_THREE_DIGITS = re.compile(r"[0-9a-fA-F]{3}")
 _SHORT_NUMBER = re.compile(r"\d{1,5}")
 _IN_CELL = re.compile(r"\d+(?:\.\d+)?%?")
 _SIGNED_IN_CELL = re.compile(r"[-+\u2212]?\d+(?:\.\d+)?")
@@ -79,13 +81,15 @@ class _Part:
     whole: int | None = None
     white: tuple[str, int] = ("", 0)
     full: float = 1.0
+    turn: float = 1.0  # what a hue of 1 is in degrees
 
 
 class _FlatRows:
     def __init__(self, table: Table, collector: Collector) -> None:
         self._table, self._collector = table, collector
         self._parts = self._find_parts()
-        self._hex = table.of("hex")
+        self._short = {index for index in table.of("hex") if self._is_short(index)}
+        self._hex = {index: self._opacity(index) for index in table.of("hex")}
         if not table.headed:
             collector.note("The table has no headings; its columns were recognised by what is in them.")
         for column in table.columns:
@@ -143,6 +147,7 @@ class _FlatRows:
         whole = [part for part in found.values() if self._is_whole(part)]
         for part in whole:
             part.full = self._full(part)
+            self._check_first(part)
         return whole
 
     @staticmethod
@@ -160,6 +165,25 @@ class _FlatRows:
         if part.model == "spectrum":
             return [row.cell(part.channels[name]) for name in sorted(part.channels, key=float)]
         return [row.cell(part.channels[name]) for name in _CHANNELS.get(part.model, part.model.lower())]
+
+    def _check_first(self, part: _Part) -> None:
+        """Take hues for shares of the circle, or say that lightness is nearly 0, where no number is above 1."""
+        texts = [found[0] for row in self._table.rows if (found := self._texts(part, row))]
+        numbers = [abs(value) for text in texts if (value := parse_number(text)) is not None]
+        if not 0.0 < max(numbers, default=0.0) <= 1.0:
+            return
+        if part.model in ("Lab", "LCh"):
+            self._collector.note(
+                "No L* is above 1, which is nearly black; Oklab, and L from 0 to 1, are not known from CIELAB here."
+            )
+        place = part.channels.get("h", part.whole)
+        heading = "" if place is None else self._table.columns[place].heading
+        degrees = "°" in "".join((heading, *texts)) or "deg" in heading.lower() or "360" in heading
+        if part.model in ("HSL", "HSB") and part.full == 1.0 and not degrees:
+            self._collector.note(
+                f"No number of {part.model} is above 1; hues are taken for shares of the circle."
+            )
+            part.turn = 360.0
 
     def _full(self, part: _Part) -> float:
         """Return what is full in a model's columns: 1, 100 or 255, by the whole table."""
@@ -220,7 +244,7 @@ class _FlatRows:
             return collector.colour(place, "", part.model, numbers, illuminant=light, observer_deg=observer)
         scaled = [n / part.full for n in numbers]
         if part.model in ("HSL", "HSB"):
-            scaled[0] = numbers[0]
+            scaled[0] = numbers[0] * part.turn
         shares = scaled[1:] if part.model in ("HSL", "HSB") else scaled
         if max(shares) > 1.0 + 1e-9 or min(shares) < 0.0:
             raise collector.fail(
@@ -245,18 +269,35 @@ class _FlatRows:
             return "", 0
         return light[:50], observer
 
+    def _is_short(self, index: int) -> bool:
+        """Return whether all codes of a column have three digits, which are then no numbers that lost their zeros."""
+        codes = [code for row in self._table.rows if (code := _code(row, index))]
+        return bool(codes) and all(map(_THREE_DIGITS.fullmatch, codes))
+
+    def _opacity(self, index: int) -> str:
+        """Return where the codes of a column have their opacity, ``first`` or ``last``."""
+        heading = plain_word(self._table.columns[index].heading)
+        if "argb" in heading or "rgba" in heading:
+            return "first" if "argb" in heading else "last"
+        codes = (_BARE_HEX.fullmatch(_code(row, index).removeprefix("#")) for row in self._table.rows)
+        return find_opacity((code[1] for code in codes if code), self._collector)
+
     def _from_hex(self, row: TableRow, index: int) -> FlatColour | None:
-        text = row.cell(index).strip("\"' ")
+        text = _code(row, index)
         if not text:
             return None
         bare = _BARE_HEX.fullmatch(text)
-        if _SHORT_NUMBER.fullmatch(text):
+        if index in self._short:
+            text = f"#{text}"
+        elif _SHORT_NUMBER.fullmatch(text):
             self._collector.note(
                 "{n} hex code[|s] had lost [its|their] zeros, as spreadsheets take them; they are put back."
             )
             text = f"#{text:0>6}"
         elif bare:
             text = f"#{bare[1]}"
+        if len(text) == 9 and self._hex[index] == "first":
+            text = f"#{text[3:]}{text[1:3]}"
         found = parse_colour(text)
         if found is None:
             raise self._collector.fail(
@@ -265,6 +306,10 @@ class _FlatRows:
         if found[1] != 1.0:
             self._collector.note("The opacity of {n} colour[|s] is left out: a paint has none.")
         return found[0]
+
+
+def _code(row: TableRow, index: int) -> str:
+    return row.cell(index).strip("\"' ")
 
 
 def _close(one: Sequence[float], other: Sequence[float]) -> bool:

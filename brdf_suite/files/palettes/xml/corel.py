@@ -27,6 +27,7 @@ _MODELS: dict[str, tuple[Model, str, int]] = {
     "GREY": ("Gray", "", 1),
     "HSB": ("HSB", "", 3),
     "HSV": ("HSB", "", 3),
+    "HLS": ("HSL", "", 3),
 }
 _LANGUAGES = ("EN", "DE")
 
@@ -130,6 +131,8 @@ def _colour(element: Element, collector: Collector) -> FlatColour | None:
         white = {"illuminant": "D50", "observer_deg": 2}
     elif model == "HSB":
         values[0] *= 360.0
+    elif model == "HSL":
+        values = [360.0 * values[0], values[2], values[1]]
     elif model == "Gray":
         collector.note("A grey of 1 is taken for white, on which readers of this format disagree.")
     return collector.colour(place, "", model, values, space=space, **white)
@@ -139,8 +142,8 @@ FORMAT = PaletteFormat(
     name="corel",
     title="CorelDRAW palette (XML)",
     endings=(".xml",),
-    models=("RGB", "CMYK", "CMY", "Lab", "Gray", "HSB"),
-    holds="Read only. Names, RGB, CMYK, Lab, grey and HSB, inks with their values in several models.",
+    models=("RGB", "CMYK", "CMY", "Lab", "Gray", "HSB", "HSL"),
+    holds="Read only. Names, RGB, CMYK, Lab, grey, HSB and HLS, inks with their values in several models.",
     sniff=lambda head, _size: mentions(head, "<palette") and mentions(head, "<colors", "<colorspaces"),
     read=read,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 
@@ -12,13 +12,21 @@ from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import USAGES, Palette
 from brdf_suite.documents.palette_store import flat_from_json
-from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, SPECTRAL, TAGS, VERSION, SampleReader, read_spectrum
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.cxf import (
+    NAMESPACE,
+    SPECTRAL,
+    TAGS,
+    VERSION,
+    SampleReader,
+    average_repeated,
+    read_spectrum,
+)
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
-from brdf_suite.files.palettes.sample_entries import ANGLES_FOR_A_PAINT, sample_fields
+from brdf_suite.files.palettes.sample_entries import sample_content, sample_fields
 from brdf_suite.files.samples import AngleSample
 
 GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
@@ -30,6 +38,7 @@ PALETTE, COLUMNS, COLOUR, GROUPS = "palette.name", "palette.columns", "palette.c
 """Of the file, with ``palette.notes``."""
 
 _UNCHANGED = 1e-6
+_MOST_NAMED = 50
 _NOT_READ = ("Emissive", "Transmittance")
 
 
@@ -54,8 +63,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         reader = _Reader(read_specifications(resources, path), collector)
         for name in _list(about.get(GROUPS, "")):
             collector.declare(f"line {root.line}", _list(name)[:32])
-        for element in elements:
-            reader.add(element)
+        reader.add(elements)
         reader.settle()
     description = info.first("Description") if info else None
     columns = about.get(COLUMNS, "")
@@ -96,8 +104,69 @@ class _Reader:
             if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, lab_read, strict=True)):
                 entries[index] = replace(entries[index], content=own)
 
-    def add(self, element: Element) -> None:
-        """Add a sample as an entry."""
+    def add(self, elements: Sequence[Element]) -> None:
+        """Add samples as entries, repeated measurements of one as one entry.
+
+        Raises :class:`FileError`: one is damaged, and there is no other.
+        """
+        found: list[tuple[Element, AngleSample | None, Paint | FlatColour]] = []
+        failed: list[FileError] = []
+        for element in elements:
+            try:
+                found += self._read(element)
+            except FileError as error:
+                failed.append(error)
+                name = self._collector.name(element.attributes.get("Name", ""))[:80]
+                self._collector.note(
+                    f"The sample {name!r} is left out: {error.reason} ({error.place})."
+                    if len(failed) <= _MOST_NAMED
+                    else "{n} more sample[|s] [is|are] left out."
+                )
+        if failed and not found:
+            raise failed[0]
+        several = [
+            (index, sample)
+            for index, (_, sample, content) in enumerate(found)
+            if sample is not None and isinstance(content, Paint)
+        ]
+        means = {
+            several[places[0]][0]: (mean, [several[place][0] for place in places[1:]])
+            for places, mean in average_repeated([sample for _, sample in several])
+        }
+        others = {place for _, places in means.values() for place in places}
+        for index, (element, sample, content) in enumerate(found):
+            if index in others:
+                continue
+            mean, rest = means.get(index, (sample, []))
+            if mean is not None and rest:
+                content = sample_content(self._collector, mean, f"line {element.line}")
+            self._add(element, mean, content)
+
+    def _read(self, element: Element) -> list[tuple[Element, AngleSample | None, Paint | FlatColour]]:
+        """Return a sample and its content; nothing where it has no value that can be used."""
+        collector, place = self._collector, f"line {element.line}"
+        sample_reader = SampleReader(element, self._specifications, collector.path)
+        sample = sample_reader.read()
+        refused = sample_reader.refused[:3]
+        content: Paint | FlatColour | None
+        try:
+            content = (
+                sample_content(collector, sample, place)
+                if sample is not None
+                else self._flat(element, named=bool(refused))
+            )
+        except FileError:
+            if not sample_reader.failed:
+                raise
+            raise sample_reader.failed[0] from None
+        for reason in refused:
+            collector.note(f"{sample_reader.name}: {reason}.")
+        if content is None:
+            collector.note("{n} sample[|s] without a value that can be used [is|are] left out.")
+            return []
+        return [(element, sample, content)]
+
+    def _add(self, element: Element, sample: AngleSample | None, content: Paint | FlatColour) -> None:
         collector, place = self._collector, f"line {element.line}"
         tags = {
             tag.attributes.get("Name", ""): tag.attributes.get("Value", "")
@@ -105,24 +174,20 @@ class _Reader:
             if collection.attributes.get("Name") == TAGS
             for tag in collection.all("Tag")
         }
-        sample_reader = SampleReader(element, self._specifications, collector.path)
-        sample = sample_reader.read()
-        for reason in sample_reader.refused[:3]:
-            collector.note(f"{sample_reader.name}: {reason}.")
         if sample is not None and sample.measurements > 1:
             collector.note(
                 f"{sample.name}: the mean of up to {sample.measurements} readings at an angle, which differ from it by "
                 f"at most ΔE00 {sample.spread:.2f}."
             )
-        foreign: tuple[tuple[str, str], ...] = ()
-        paint = None
-        if sample is not None and len(sample.readings) >= ANGLES_FOR_A_PAINT:
-            paint = self._paint(sample, place)
-            foreign = sample_fields(sample)
-        content = paint or self._flat(element, tags.get(FLAT, ""))
-        if content is None:
-            collector.note("{n} sample[|s] without a value that can be used [is|are] left out.")
-            return
+        paint = content if isinstance(content, Paint) else None
+        if sample is not None and paint is not None:
+            if sample.gloss is None:
+                collector.note("{n} sample[ says|s say] nothing of gloss, and as a paint gets 90 GU at 20°.")
+            for way in {reading.converted for reading in sample.readings if reading.converted}:
+                collector.note(f"{{n}} sample[|s]: L*a*b* is {way}.")
+        foreign = sample_fields(sample) if sample is not None and paint is not None else ()
+        if paint is None:
+            self._keep(content, tags.get(FLAT, ""))
         comment = element.first("Comment")
         date = element.first("CreationDate")
         collector.add(
@@ -139,41 +204,46 @@ class _Reader:
             foreign=foreign,
         )
 
-    def _paint(self, sample: AngleSample, place: str) -> Paint:
-        if sample.gloss is None:
-            self._collector.note(
-                "{n} sample[ says|s say] nothing of gloss, and as a paint gets 90 GU at 20°."
-            )
-        for way in {reading.converted for reading in sample.readings if reading.converted}:
-            self._collector.note(f"{{n}} sample[|s]: L*a*b* is {way}.")
-        try:
-            return sample.paint()
-        except SuiteError as error:
-            raise self._collector.fail(str(error).rstrip("."), place) from error
+    def _keep(self, content: Paint | FlatColour, own: str) -> None:
+        """Keep the own numbers of the flat colour that is added next, for :meth:`settle`."""
+        if not isinstance(content, FlatColour):
+            return
+        kept = _own_flat(own, content.name, self._collector.path) if own else None
+        lab_read = next((c.values for c in (content, *content.others) if c.model == "Lab"), None)
+        if kept is not None and lab_read is not None:
+            self._kept.append((len(self._collector.entries), kept, lab_read))
 
-    def _flat(self, element: Element, own: str) -> FlatColour | None:
+    def _flat(self, element: Element, *, named: bool) -> FlatColour | None:
+        """Return a sample as a flat colour; ``named`` where the values that are left out have been named already.
+
+        Raises :class:`FileError`: none of its values can be used, and one is damaged.
+        """
         collector = self._collector
         name = collector.name(element.attributes.get("Name", ""))
         colours: list[FlatColour] = []
+        failed: list[FileError] = []
         for kind in ("ColorValues", "DeviceColorValues"):
             values = element.first(kind)
             for value in values.children if values else []:
-                colour = self._value(value)
+                try:
+                    colour = self._value(value)
+                except FileError as error:
+                    failed.append(error)
+                    continue
                 if colour is not None and len(colours) < 16:
                     colours.append(colour)
+        if failed and not colours:
+            raise failed[0]
+        for why in failed[: 0 if named else 3]:
+            collector.note(f"A value of {name[:80]!r} is left out: {why.reason} ({why.place}).")
         if not colours:
             return None
         colours.sort(key=lambda colour: colour.model != "spectrum")
         first = colours[0]
-        found = collector.colour(
+        return collector.colour(
             f"line {element.line}", name, first.model, first.values, space=first.space, illuminant=first.illuminant,
             observer_deg=first.observer_deg, wavelengths_nm=first.wavelengths_nm, others=tuple(colours[1:]),
         )  # fmt: skip
-        kept = _own_flat(own, name, collector.path) if own else None
-        lab_read = next((c.values for c in (found, *found.others) if c.model == "Lab"), None)
-        if kept is not None and lab_read is not None:
-            self._kept.append((len(collector.entries), kept, lab_read))
-        return found
 
     def _value(self, value: Element) -> FlatColour | None:
         """Return one value of a sample as an unnamed colour; None for an unsupported kind."""
@@ -222,12 +292,8 @@ class _Reader:
         if specification is None:
             self._collector.note("{n} [spectrum|spectra] without wavelengths [is|are] left out.")
             return None
-        try:
-            bands, values = read_spectrum(value, specification, self._collector.path)
-            return self._collector.colour(f"line {value.line}", "", "spectrum", values, wavelengths_nm=bands)
-        except FileError as error:
-            self._collector.note(f"A spectrum is left out: {error.reason} ({error.place}).")
-            return None
+        bands, values = read_spectrum(value, specification, self._collector.path)
+        return self._collector.colour(f"line {value.line}", "", "spectrum", values, wavelengths_nm=bands)
 
 
 def _moment(text: str, tags: Mapping[str, str]) -> str:

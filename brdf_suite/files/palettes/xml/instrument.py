@@ -23,7 +23,9 @@ _COLOURS = re.compile(r"<L\b|\bL(?:_?star)?=|<CIE_?L|Lab\b|spectr|reflect|<L\*?_
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of an XML file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    rows = xml_rows(parse_xml(content, path), path, MOST_ROWS)
+    rows, notes = xml_rows(parse_xml(content, path), path, MOST_ROWS)
+    for note in notes:
+        collector.note(note)
     if not rows:
         raise collector.fail("holds no element with a colour and an angle that are known here", "line 1")
     return add_rows(rows, collector)

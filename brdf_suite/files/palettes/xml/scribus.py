@@ -37,6 +37,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     collector = Collector(path)
     root = read_root(content, path, _ROOT)
     collector.check_count(len(root.children), f"line {root.line}")
+    unknown = ""
     for element in root.children:
         if element.name != "COLOR":
             collector.note("{n} element[ that is no colour|s that are no colours] skipped.")
@@ -45,14 +46,22 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         has = element.attributes.get
         foreign: Foreign = ((_REGISTER, "1"),) if has("Register", "0").lower() in _TRUE else ()
         usage: Usage = "spot" if has("Spot", "0").lower() in _TRUE else "process"
-        collector.add(place, _colour(element, collector, place), usage=usage, foreign=foreign)
+        colour = _colour(element, collector, place)
+        if colour is None:
+            unknown = place
+            collector.note("{n} colour[|s] in a model that is not known here [is|are] left out.")
+            continue
+        collector.add(place, colour, usage=usage, foreign=foreign)
+    if unknown and not collector.entries:
+        raise collector.fail("holds no colour in RGB, CMYK or Lab", unknown)
     return collector.finish(root.attributes.get("Name", ""))
 
 
-def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
+def _colour(element: Element, collector: Collector, place: str) -> FlatColour | None:
+    """Return the colour of an element; None where it names no model that is known here."""
     given = element.attributes
     name = collector.name(given.get("NAME", given.get("Name", "")))
-    space = given.get("SPACE", "")
+    space = given.get("SPACE", "").upper()
 
     def numbers(keys: str, scale: int) -> list[float]:
         if any(key not in given for key in keys):
@@ -66,7 +75,7 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
         return collector.colour(place, name, "CMYK", numbers("CMYK", 100))
     if space == "RGB":
         return collector.colour(place, name, "RGB", numbers("RGB", 255))
-    if space == "Lab":
+    if space == "LAB":
         return collector.colour(place, name, "Lab", numbers("LAB", 1), illuminant="D50", observer_deg=2)
     models: tuple[Model, ...] = ("CMYK", "RGB")
     for key in models:
@@ -79,7 +88,7 @@ def _colour(element: Element, collector: Collector, place: str) -> FlatColour:
                     place,
                 )
             return collector.colour(place, name, key, [value / 255.0 for value in values])
-    raise collector.fail(f"the colour space {space[:40]!r} is not known; RGB, CMYK and Lab are", place)
+    return None
 
 
 def write(palette: Palette) -> bytes:

@@ -1,6 +1,7 @@
 """SOC (the colour table of LibreOffice and OpenOffice): XML, a name and ``#rrggbb`` per colour.
 
-Namespaces changed over the years, so elements are known by their local names.
+Namespaces changed over the years, so elements are known by their local names. LibreOffice lists no colour without a
+name, so equal and missing names are written with a number.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
 from brdf_suite.files.hardened_xml import attribute, mentions, read_root
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import convert_to_rgb8
+from brdf_suite.files.palettes.conversions import convert_to_rgb8, unique_names
 from brdf_suite.files.palettes.format import PaletteFormat
 
 _HEX = re.compile("#?([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
@@ -48,8 +49,8 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 def write(palette: Palette) -> bytes:
     """Return the content of a colour table."""
     rows = "".join(
-        f'  <draw:color draw:name={attribute(entry.name)} draw:color="#{bytes(convert_to_rgb8(entry)).hex()}"/>\n'
-        for entry in palette
+        f'  <draw:color draw:name={attribute(name)} draw:color="#{bytes(convert_to_rgb8(entry)).hex()}"/>\n'
+        for entry, name in zip(palette, unique_names(palette), strict=True)
     )
     text = (
         f'<?xml version="1.0" encoding="UTF-8"?>\n<ooo:color-table {_NAMESPACES}>\n{rows}</ooo:color-table>\n'
@@ -66,4 +67,5 @@ FORMAT = PaletteFormat(
     sniff=lambda head, _size: mentions(head, "color-table"),
     read=read,
     write=write,
+    unique_names=True,
 )
