@@ -16988,6 +16988,10 @@ h {hue}°</translation>
         <translation>beschädigt: ein Knoten nennt ein Netz, das nicht vorhanden ist</translation>
     </message>
     <message>
+        <source>refers to more than {0} other files</source>
+        <translation>verweist auf mehr als {0} andere Dateien</translation>
+    </message>
+    <message>
         <source>is no material library in the folder of the mesh</source>
         <translation>ist keine Materialbibliothek im Ordner des Netzes</translation>
     </message>
