@@ -7,6 +7,7 @@ one step of the file system. Whatever happens before that step, the old file is 
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import re
@@ -28,6 +29,8 @@ except ImportError:  # Windows
 else:
     _LOCKS = True
 
+_NOT_FLUSHED = (errno.EINVAL, errno.EBADF, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS)
+"""What file systems that flush no folders answer."""
 _UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?")
 _FORGOTTEN_S = 3600.0
 """Age from which a temporary file is taken for forgotten where there are no locks."""
@@ -189,11 +192,21 @@ def make_folder(folder: Path) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """Flush the folder's own entry to disk, where the system supports it."""
+    """Flush the folder's own entry to disk, where the system supports it.
+
+    It is passed over in a folder that may be written and not read, and on file systems that flush no folders: there
+    the system alone decides when the name of a file reaches the disk. Raises :class:`OSError` on all other faults.
+    """
     if os.name == "nt":
         return
-    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        descriptor = os.open(folder, os.O_RDONLY)
+    except PermissionError:
+        return
     try:
         os.fsync(descriptor)
+    except OSError as error:
+        if error.errno not in _NOT_FLUSHED:
+            raise
     finally:
         os.close(descriptor)
