@@ -12,6 +12,7 @@ from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import MOST_RECENT
 from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.stamp import is_changed, stamp_of
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import Qt, QTimer
@@ -363,3 +364,15 @@ def test_recovered_work_that_cannot_be_removed_is_reported(files):
     recovery.drop(Recovered("text", None, datetime.now(), stuck))
     assert "cannot be removed" in str(heard[0])
     recovery.close(keep=False)
+
+
+def test_the_content_of_a_large_file_is_not_read_to_see_a_change(tmp_path: Path) -> None:
+    small, large = tmp_path / "small.note", tmp_path / "large.note"
+    small.write_bytes(b"a")
+    with large.open("wb") as stream:
+        stream.truncate(2**40)  # a hole: no disk is filled, and reading it would take an hour
+    for path, same in ((small, True), (large, False)):
+        before = stamp_of(path)
+        assert not is_changed(path, before)
+        os.utime(path, (1.0, 1.0))
+        assert is_changed(path, before) is not same

@@ -11,9 +11,17 @@ from brdf_suite.errors import FileError
 from brdf_suite.regular_files import open_regular
 
 
+_LARGEST_READ = 64 << 20
+"""Bytes of content that are read for a stamp: it is taken on the thread of the window."""
+
+
 @dataclass(frozen=True)
 class FileStamp:
-    """Size in bytes, time of the last change in ns, and SHA-256 of the content; empty where it was not readable."""
+    """Size in bytes, time of the last change in ns, and SHA-256 of the content.
+
+    ``digest`` is empty where the content was not readable. Of a file over 64 MiB it is made of size, time and number of
+    the file (inode), and none of the content.
+    """
 
     size: int
     mtime_ns: int
@@ -44,8 +52,12 @@ def stamp_of(path: Path) -> FileStamp | None:
         found = path.stat()
     except OSError:  # Not there, or not to be looked at: writing will report what is wrong with it.
         return None
+    if found.st_size > _LARGEST_READ:
+        return FileStamp(
+            found.st_size, found.st_mtime_ns, f"{found.st_size} {found.st_mtime_ns} {found.st_ino}"
+        )
     try:
-        with open_regular(path) as stream:
+        with open_regular(path, _LARGEST_READ) as stream:
             digest = hashlib.file_digest(stream, "sha256").hexdigest()
     except FileError:  # It may still be replaced as a whole; size and time then have to do.
         digest = ""
