@@ -83,9 +83,7 @@ class DocumentFiles(QObject, Generic[T]):
         except SuiteError as error:
             self.report_unread(path, error)
             return False
-        self.store.replace(value, path.absolute(), stamp=stamp)
-        self.remember(path.absolute())
-        self.succeeded.emit("open")
+        self.take(path, value, stamp)
         return True
 
     def ask_open_path(self) -> Path | None:
@@ -101,6 +99,12 @@ class DocumentFiles(QObject, Generic[T]):
         stamp = stamp_of(path)
         remove_unfinished(path)
         return self.format.load(path), stamp
+
+    def take(self, path: Path, value: T, stamp: FileStamp | None) -> None:
+        """Open what :meth:`read` returned in the place of the document."""
+        self.store.replace(value, path.absolute(), stamp=stamp)
+        self.remember(path.absolute())
+        self.succeeded.emit("open")
 
     def report_unread(self, path: Path, error: Exception) -> None:
         """Report a file that could not be read, and list it no more."""

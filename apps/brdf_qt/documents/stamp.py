@@ -10,7 +10,6 @@ from typing import Any
 from brdf_suite.errors import FileError
 from brdf_suite.regular_files import open_regular
 
-
 _LARGEST_READ = 64 << 20
 """Bytes of content that are read for a stamp: it is taken on the thread of the window."""
 
