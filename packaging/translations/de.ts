@@ -6894,6 +6894,10 @@ Unten: {second}</translation>
         <translation>Die Reihenfolge ist unverändert.</translation>
     </message>
     <message>
+        <source>The text on the clipboard has {count} characters; at most {most} are read. Save it as a file.</source>
+        <translation>Der Text in der Zwischenablage hat {count} Zeichen; höchstens {most} werden gelesen. Speichern Sie ihn als Datei.</translation>
+    </message>
+    <message>
         <source>The swatches on the clipboard are damaged.</source>
         <translation>Die Muster der Zwischenablage sind beschädigt.</translation>
     </message>
