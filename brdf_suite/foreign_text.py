@@ -12,8 +12,11 @@ import html
 import re
 from collections.abc import Mapping
 
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""What begins a formula in a cell; tab and carriage return are dropped by spreadsheets, and what follows begins it."""
+FORMULA = tuple("=+-@\t\r\n＝＋－＠")
+"""What begins a formula in a cell; tab and ends of lines are dropped by spreadsheets, and what follows begins it."""
+_BEGINS = "(\\A|;)%s(?='*[" + re.escape("".join(FORMULA)) + "])"
+"""A semicolon begins a cell where a spreadsheet divides the lines of a table there, as German ones do."""
+_UNGUARDED, _GUARDED = re.compile(_BEGINS % ""), re.compile(_BEGINS % "'")
 
 # Controls but for tab and line feed; half surrogate pairs; separators of lines and paragraphs; the marks, embeddings,
 # overrides and isolates of bidirectional text (Unicode Standard Annex 9); soft hyphen, joiners and fillers without
@@ -57,13 +60,15 @@ def guard_formula(text: str) -> str:
 
     >>> guard_formula("=1+1"), guard_formula("Blue"), unguard_formula("'=1+1")
     ("'=1+1", 'Blue', '=1+1')
+    >>> guard_formula("Blue;=1+1")
+    "Blue;'=1+1"
     """
-    return "'" + text if text.startswith(FORMULA) or _has_guard(text) else text
+    return _UNGUARDED.sub(r"\1'", text)
 
 
 def unguard_formula(text: str) -> str:
     """Return the text that :func:`guard_formula` was given."""
-    return text[1:] if _has_guard(text) else text
+    return _GUARDED.sub(r"\1", text)
 
 
 def guard_cells(row: Mapping[str, object]) -> dict[str, object]:
@@ -82,7 +87,3 @@ def guard_cell(text: str) -> str:
     except ValueError:
         return guard_formula(text)
     return text
-
-
-def _has_guard(text: str) -> bool:
-    return text.lstrip("'").startswith(FORMULA) and text.startswith("'")

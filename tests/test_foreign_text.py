@@ -22,7 +22,7 @@ from brdf_suite.inspection.figures.text import figures_csv
 from brdf_suite.inspection.slices.values import slices_csv
 from brdf_suite.pipeline.material import load_shipped_paint
 
-BEGINNINGS = ("=", "+", "-", "@", "\t", "\r")
+BEGINNINGS = tuple("=+-@\t\r\n＝＋－＠")
 LINK = '=HYPERLINK("http://example.org")'
 
 
@@ -30,11 +30,28 @@ def cells(text: str) -> list[str]:
     return [cell for row in csv.reader(io.StringIO(text)) for cell in row]
 
 
-@given(st.text(alphabet="=+-@'\t\rab1", max_size=8) | st.text(max_size=20))
+@given(st.text(alphabet="=+-@＝＋－＠;'\t\r\nab1", max_size=8) | st.text(max_size=20))
 def test_a_guarded_text_is_no_formula_and_comes_back(text: str) -> None:
     guarded = guard_formula(text)
-    assert not guarded.startswith(BEGINNINGS)
+    assert not [cell for cell in guarded.split(";") if cell.startswith(BEGINNINGS)]
     assert unguard_formula(guarded) == text
+
+
+@pytest.mark.parametrize("text", ["Blue;=1+1;", ";@a", "Blue;＝1"])
+def test_a_table_that_is_divided_at_semicolons_holds_no_formulas(text: str, tmp_path: Path) -> None:
+    paint = replace(load_shipped_paint("blue"), name=text, notes=text)
+    palette = Palette("P", (Entry(paint, group=(text, "a"), tags=("a", text[1:], text), code=text),))
+    path = tmp_path / "a.csv"
+    write_palette(palette, path)
+    rows = csv.reader(path.read_text("utf-8-sig").splitlines(), delimiter=";")
+    assert not [cell for row in rows for cell in row if cell.startswith(BEGINNINGS)]
+    (entry,) = read_palette(path).palette.entries
+    assert (entry.content.name, entry.group, entry.tags, entry.code) == (
+        text,
+        (text, "a"),
+        ("a", text[1:], text),
+        text,
+    )
 
 
 def test_numbers_are_not_guarded() -> None:
