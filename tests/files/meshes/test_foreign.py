@@ -317,7 +317,7 @@ def test_compressed_data_that_announce_too_much_are_refused(writers: ModuleType,
 
 
 def _refers(composed: str) -> str:
-    """The text of a stage with one prim that is composed as told."""
+    """The text of a stage with one prim that is composed so."""
     head = '#usda 1.0\n(\n    defaultPrim = "Car"\n    metersPerUnit = 1\n    upAxis = "Y"\n'
     if composed.startswith("subLayers"):
         return f"{head}    {composed}\n)\n"
