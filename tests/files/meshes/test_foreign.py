@@ -416,6 +416,13 @@ def test_value_clips_of_usd_are_not_opened(usd_folder: Path, monkeypatch: pytest
     assert read_mesh(usd_folder / "a.usda").triangle_count
 
 
+def test_a_file_that_is_no_layer_of_usd_is_refused(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    (tmp_path / "a.usd").write_text("#not usda")
+    with pytest.raises(FileError, match="damaged, or refers to files that are not there"):
+        read_mesh(tmp_path / "a.usd")
+
+
 _DAE = """<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><library_geometries>
 <geometry id="g"><mesh><source id="p"><float_array id="a" count="{count}">0 0 0 1 0 0 0 1 0</float_array>

@@ -62,6 +62,8 @@ def _layers(file: Path) -> list[Any]:
     Raises :class:`Refused`: one of them is not a regular file in the folder of the file or below.
     """
     layers = [Sdf.Layer.FindOrOpen(str(file))]
+    if layers[0] is None:
+        raise ValueError("no layer")
     seen = set(layers)
     for layer in layers:
         _remove_clips(layer)
