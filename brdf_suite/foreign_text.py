@@ -10,19 +10,26 @@ from __future__ import annotations
 
 import html
 import re
+import unicodedata
 from collections.abc import Mapping
 
-FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""What begins a formula in a cell; tab and carriage return are dropped by spreadsheets, and what follows begins it."""
+FORMULA = tuple("=+-@\t\r\n＝＋－＠")
+"""What begins a formula in a cell; tab and ends of lines are dropped by spreadsheets, and what follows begins it."""
+_BEGINS = "(\\A|;)%s(?='*[" + re.escape("".join(FORMULA)) + "])"
+"""A semicolon begins a cell where a spreadsheet divides the lines of a table there, as German ones do."""
+_UNGUARDED, _GUARDED = re.compile(_BEGINS % ""), re.compile(_BEGINS % "'")
 
-# Controls but for tab and line feed; half surrogate pairs; separators of lines and paragraphs; the marks, embeddings,
-# overrides and isolates of bidirectional text (Unicode Standard Annex 9); soft hyphen, joiners and fillers without
-# width; and tags. Variation selectors stay: they choose between glyphs that are seen.
-_UNSEEN = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\u2028\u2029\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
-    "\u00ad\u034f\u115f\u1160\u17b4\u17b5\u180e\u200b-\u200d\u2060-\u2065\u206a-\u206f\u3164\ufeff\uffa0\ufff9-\ufffb"
-    "\U000e0000-\U000e007f]"
-)
+_MAYBE_UNSEEN = re.compile(r"[^\t\n -~]")
+# Controls; formats, which steer the direction of writing, join, or have no width; half surrogate pairs; separators of
+# lines and of paragraphs.
+_UNSEEN_KINDS = ("Cc", "Cf", "Cs", "Zl", "Zp")
+# Fillers and joiners that Unicode counts as letters and marks, and what is reserved for further formats.
+_UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u2065\u3164\uffa0") | {
+    chr(0xE0000 + k) for k in range(128)
+}
+# Signs that Unicode counts as formats, and that are seen around numbers and verses. Variation selectors, which choose
+# between glyphs that are seen, are marks.
+_SEEN = frozenset("\u0600\u0601\u0602\u0603\u0604\u0605\u06dd\u070f\u0890\u0891\u08e2\U000110bd\U000110cd")
 
 
 def make_visible(text: str) -> str:
@@ -31,7 +38,12 @@ def make_visible(text: str) -> str:
     >>> make_visible("Blue\\u202e 15°")
     'Blue[U+202E] 15°'
     """
-    return _UNSEEN.sub(lambda found: f"[U+{ord(found[0]):04X}]", text)
+    return _MAYBE_UNSEEN.sub(lambda found: _visible(found[0]), text)
+
+
+def _visible(character: str) -> str:
+    is_unseen = unicodedata.category(character) in _UNSEEN_KINDS and character not in _SEEN
+    return f"[U+{ord(character):04X}]" if is_unseen or character in _UNSEEN else character
 
 
 def file_title(name: str) -> str:
@@ -57,13 +69,15 @@ def guard_formula(text: str) -> str:
 
     >>> guard_formula("=1+1"), guard_formula("Blue"), unguard_formula("'=1+1")
     ("'=1+1", 'Blue', '=1+1')
+    >>> guard_formula("Blue;=1+1")
+    "Blue;'=1+1"
     """
-    return "'" + text if text.startswith(FORMULA) or _has_guard(text) else text
+    return _UNGUARDED.sub(r"\1'", text)
 
 
 def unguard_formula(text: str) -> str:
     """Return the text that :func:`guard_formula` was given."""
-    return text[1:] if _has_guard(text) else text
+    return _GUARDED.sub(r"\1", text)
 
 
 def guard_cells(row: Mapping[str, object]) -> dict[str, object]:
@@ -82,7 +96,3 @@ def guard_cell(text: str) -> str:
     except ValueError:
         return guard_formula(text)
     return text
-
-
-def _has_guard(text: str) -> bool:
-    return text.lstrip("'").startswith(FORMULA) and text.startswith("'")

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from io import BufferedReader
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Concatenate, ParamSpec, TypeVar
 
 from brdf_suite.errors import FileError, PathLike
@@ -66,6 +66,21 @@ def read_text(path: PathLike, largest: int | None = None) -> str:
         return read_bytes(path, largest).decode("utf-8")
     except UnicodeDecodeError as error:
         raise FileError(path, "is not text in UTF-8", f"byte {error.start}") from error
+
+
+def find_inside(folder: Path, name: str, start: Path | None = None) -> Path | None:
+    """Return the file that another one names, ``name`` being relative to ``start``, by default ``folder``.
+
+    ``folder`` has no links. None where the file does not lie in it or below, also by links. The name is looked at as
+    text first: on Windows even the question whether a file of a share exists reaches its server.
+    """
+    if PureWindowsPath(name).anchor:  # also Windows' own way of naming other places, on any system
+        return None
+    place = Path(os.path.normpath((start or folder) / name))
+    if not place.is_relative_to(folder):
+        return None
+    file = place.resolve()
+    return file if file.is_relative_to(folder) else None
 
 
 def within_memory(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import unicodedata
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,12 +18,12 @@ from brdf_suite.cli.output import print_csv
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.files.palettes import read_palette, write_palette
-from brdf_suite.foreign_text import guard_cells, guard_formula, unguard_formula
+from brdf_suite.foreign_text import guard_cells, guard_formula, make_visible, unguard_formula
 from brdf_suite.inspection.figures.text import figures_csv
 from brdf_suite.inspection.slices.values import slices_csv
 from brdf_suite.pipeline.material import load_shipped_paint
 
-BEGINNINGS = ("=", "+", "-", "@", "\t", "\r")
+BEGINNINGS = tuple("=+-@\t\r\n＝＋－＠")
 LINK = '=HYPERLINK("http://example.org")'
 
 
@@ -30,11 +31,40 @@ def cells(text: str) -> list[str]:
     return [cell for row in csv.reader(io.StringIO(text)) for cell in row]
 
 
-@given(st.text(alphabet="=+-@'\t\rab1", max_size=8) | st.text(max_size=20))
+@given(st.text(alphabet="=+-@＝＋－＠;'\t\r\nab1", max_size=8) | st.text(max_size=20))
 def test_a_guarded_text_is_no_formula_and_comes_back(text: str) -> None:
     guarded = guard_formula(text)
-    assert not guarded.startswith(BEGINNINGS)
+    assert not [cell for cell in guarded.split(";") if cell.startswith(BEGINNINGS)]
     assert unguard_formula(guarded) == text
+
+
+@pytest.mark.parametrize("text", ["Blue;=1+1;", ";@a", "Blue;＝1"])
+def test_a_table_that_is_divided_at_semicolons_holds_no_formulas(text: str, tmp_path: Path) -> None:
+    paint = replace(load_shipped_paint("blue"), name=text, notes=text)
+    palette = Palette("P", (Entry(paint, group=(text, "a"), tags=("a", text[1:], text), code=text),))
+    path = tmp_path / "a.csv"
+    write_palette(palette, path)
+    rows = csv.reader(path.read_text("utf-8-sig").splitlines(), delimiter=";")
+    assert not [cell for row in rows for cell in row if cell.startswith(BEGINNINGS)]
+    (entry,) = read_palette(path).palette.entries
+    assert (entry.content.name, entry.group, entry.tags, entry.code) == (
+        text,
+        (text, "a"),
+        ("a", text[1:], text),
+        text,
+    )
+
+
+def test_characters_that_are_not_seen_are_shown_by_their_number() -> None:
+    formats = [chr(code) for code in range(0x110000) if unicodedata.category(chr(code)) == "Cf"]
+    others = "\0\x1b\x7f\x85\ud800\u2028\u2029\u034f\u115f\u3164\uffa0\U000e0002"
+    # Of numbers and verses.
+    signs = "\u0600\u0601\u0602\u0603\u0604\u0605\u06dd\u070f\u0890\u0891\u08e2\U000110bd\U000110cd"
+    for character in {*formats, *others}:
+        wanted = character if character in signs else f"[U+{ord(character):04X}]"
+        assert make_visible(f"a{character}b") == f"a{wanted}b"
+    seen = "Grün 15° ß\t\n❤\ufe0f é 漢"
+    assert make_visible(seen) == seen
 
 
 def test_numbers_are_not_guarded() -> None:

@@ -114,6 +114,7 @@ DIRECT_ACCESS: dict[str, str] = {
     "brdf_suite/documents/project.py": "archives that are open, and parts of them",
     "brdf_suite/files/images/pictures.py": "the function for pictures",
     "brdf_suite/files/measured/merl.py": "a file that is open",
+    "brdf_suite/files/meshes/reading.py": "trimesh takes a name; the file was checked",
     "brdf_suite/files/meshes/kinds.py": "an archive in memory",
     "brdf_suite/files/meshes/outside/assimp.py": "an archive whose file was checked",
     "brdf_suite/files/meshes/outside/child.py": _CHILD,
@@ -131,6 +132,8 @@ DIRECT_ACCESS: dict[str, str] = {
     "brdf_suite/reference/variant.py": _CHILD,
     "brdf_suite/reflectance/facet_albedo.py": _SHIPPED,
     "brdf_suite/regular_files.py": "the function for reading",
+    "brdf_suite/reports/pdf_pen.py": "the font that sheet_text.py has found",
+    "brdf_suite/reports/sheet_text.py": "fonts of the system, which Pillow finds by their names",
     "brdf_suite/screen.py": "asks whether there is an X server",
     "brdf_suite/acquisition/photographs/reading.py": "LibRaw takes a name; the file was checked",
     "brdf_suite/acquisition/photographs/tiff.py": "tifffile takes a name; the file was checked",
@@ -475,6 +478,7 @@ def check_attributes_by_name(house: House) -> list[Breach]:
     return found
 
 
+_TREES = ("xml.etree.ElementTree", "lxml.etree", "defusedxml.ElementTree", "xml.dom.minidom", "xml.sax")
 # Functions, of which a mention is enough: as an argument or under another name they are called elsewhere.
 _FUNCTIONS = {
     *("open", "io.open", "io.open_code", "os.open", "os.fdopen", "os.popen", "os.system", "os.startfile"),
@@ -502,6 +506,11 @@ _FUNCTIONS = {
     *("tempfile.mkstemp", "tempfile.NamedTemporaryFile", "tempfile.TemporaryFile", "runpy.run_path"),
     *("socket.socketpair", "socket.create_connection", "socket.create_server", "urllib.request.urlopen"),
     *("QProcess.startDetached", "QFontDatabase.addApplicationFont"),
+    *("PIL.ImageFont.truetype", "PIL.ImageCms.getOpenProfile", "cv2.imread", "cv2.imwrite", "mi.load_file"),
+    *(f"trimesh.{name}" for name in ("load", "load_mesh", "load_path", "load_scene")),
+    *(f"{package}.{name}" for package in _TREES for name in ("parse", "iterparse")),
+    *("filecmp.cmp", "filecmp.cmpfiles", "ctypes.util.find_library", "mitsuba.load_file"),
+    *("shutil.make_archive", "shutil.unpack_archive"),
 }
 _LAST_NAMES = {name.rpartition(".")[2] for name in _FUNCTIONS}
 # Classes, of which an object must be made: their names stand in annotations, too.
@@ -526,6 +535,8 @@ _CLASSES = {
     *("distributed.LocalCluster", "distributed.SSHCluster", "distributed.SubprocessCluster"),
     *("http.client.HTTPConnection", "http.client.HTTPSConnection", "socketserver.TCPServer"),
     *("http.server.HTTPServer", "http.server.ThreadingHTTPServer", "logging.FileHandler"),
+    *("configparser.ConfigParser", "configparser.RawConfigParser", "reportlab.pdfbase.ttfonts.TTFont"),
+    *("cv2.VideoCapture", "cv2.VideoWriter"),
     *("QProcess", "QLocalServer", "QLocalSocket", "QTcpServer", "QTcpSocket", "QUdpSocket", "QWebSocket"),
     *(
         "QNetworkAccessManager",
@@ -584,6 +595,8 @@ def is_direct_call(call: ast.Call, name: str) -> bool:
         # Without arguments, a path is opened, or what a class has of that name.
         bare = first is None and not name.startswith("self.")
         return bool(mode) or bare or "mode" in keywords
+    if method in ("Process", "Pool") and "get_context(" in name:
+        return True
     if method in ("load", "save"):  # our own take paths, and Qt's take texts
         return isinstance(first, ast.Call) and is_path_like(first) and ast.unparse(first.func) != "resource"
     return name in _CLASSES or method in _OF_A_PATH or (name in _PICTURES and is_path_like(first))

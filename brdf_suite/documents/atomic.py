@@ -7,14 +7,16 @@ one step of the file system. Whatever happens before that step, the old file is 
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import re
 import secrets
 import stat
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from glob import escape
 from pathlib import Path
 from typing import IO
@@ -28,9 +30,13 @@ except ImportError:  # Windows
 else:
     _LOCKS = True
 
+_NOT_FLUSHED = (errno.EINVAL, errno.EBADF, errno.ENOTSUP, errno.EOPNOTSUPP, errno.ENOSYS)
+"""What file systems that flush no folders answer."""
 _UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?")
 _FORGOTTEN_S = 3600.0
 """Age from which a temporary file is taken for forgotten where there are no locks."""
+
+_SEES: ContextVar[Callable[[Path, Path], None] | None] = ContextVar("see", default=None)
 
 
 @contextmanager
@@ -61,6 +67,9 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
                 if mode is not None:
                     temporary.chmod(mode)
                 os.fsync(written.fileno())
+            see = _SEES.get()
+            if see is not None:
+                see(temporary, target)
             os.replace(temporary, target)  # noqa: PTH105 - tests interpose here as a full disk would
             temporary = None
         sync_folder(target.parent)
@@ -71,6 +80,19 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
             # Where even this fails, the first error is the one to report.
             with contextlib.suppress(OSError):
                 temporary.unlink()
+
+
+@contextmanager
+def seeing_replaced(see: Callable[[Path, Path], None]) -> Iterator[None]:
+    """Call ``see(temporary, target)`` for each file that this thread replaces in the block, when it is whole.
+
+    The temporary file is the one that is ``target`` afterwards; nothing but this process knows it.
+    """
+    before = _SEES.set(see)
+    try:
+        yield
+    finally:
+        _SEES.reset(before)
 
 
 def is_unfinished(path: Path) -> bool:
@@ -189,11 +211,21 @@ def make_folder(folder: Path) -> None:
 
 
 def sync_folder(folder: Path) -> None:
-    """Flush the folder's own entry to disk, where the system supports it."""
+    """Flush the folder's own entry to disk, where the system supports it.
+
+    It is passed over in a folder that may be written and not read, and on file systems that flush no folders: there
+    the system alone decides when the name of a file reaches the disk. Raises :class:`OSError` on all other faults.
+    """
     if os.name == "nt":
         return
-    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        descriptor = os.open(folder, os.O_RDONLY)
+    except PermissionError:
+        return
     try:
         os.fsync(descriptor)
+    except OSError as error:
+        if error.errno not in _NOT_FLUSHED:
+            raise
     finally:
         os.close(descriptor)

@@ -6894,6 +6894,10 @@ Unten: {second}</translation>
         <translation>Die Reihenfolge ist unverändert.</translation>
     </message>
     <message>
+        <source>The text on the clipboard has {count} characters; at most {most} are read. Save it as a file.</source>
+        <translation>Der Text in der Zwischenablage hat {count} Zeichen; höchstens {most} werden gelesen. Speichern Sie ihn als Datei.</translation>
+    </message>
+    <message>
         <source>The swatches on the clipboard are damaged.</source>
         <translation>Die Muster der Zwischenablage sind beschädigt.</translation>
     </message>
@@ -16982,6 +16986,14 @@ h {hue}°</translation>
     <message>
         <source>damaged: a node names a mesh that is not there</source>
         <translation>beschädigt: ein Knoten nennt ein Netz, das nicht vorhanden ist</translation>
+    </message>
+    <message>
+        <source>damaged ({0})</source>
+        <translation>beschädigt ({0})</translation>
+    </message>
+    <message>
+        <source>refers to more than {0} other files</source>
+        <translation>verweist auf mehr als {0} andere Dateien</translation>
     </message>
     <message>
         <source>is no material library in the folder of the mesh</source>

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import errno
+import os
 import signal
+import stat
 import subprocess
 import sys
+import tempfile
+from contextlib import nullcontext
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -65,6 +70,46 @@ def test_a_full_disk_keeps_the_old_file(path: Path) -> None:
     assert f"{path}: cannot be written: File too large." in result.stdout
     assert load_paint(path) == OLD
     assert list(path.parent.iterdir()) == [path]
+
+
+@pytest.mark.skipif(not hasattr(os, "seteuid"), reason="needs the rights of POSIX")
+def test_a_folder_that_may_be_written_and_not_read_takes_a_save() -> None:
+    with tempfile.TemporaryDirectory() as shared:  # the folder of the test is closed to other users
+        folder = Path(shared, "kept")
+        folder.mkdir()
+        user = os.geteuid()
+        try:
+            if user == 0:
+                Path(shared).chmod(0o755)
+                os.chown(folder, 65534, -1)
+                os.seteuid(65534)
+            folder.chmod(0o300)
+            for paint in (OLD, solid_paint("new", (60.0, 0.0, 0.0))):
+                save_paint(paint, folder / "paint.brdfpaint")
+            with pytest.raises(PermissionError):
+                list(folder.iterdir())
+        finally:
+            os.seteuid(user)
+            folder.chmod(0o700)
+        assert load_paint(folder / "paint.brdfpaint").name == "new"
+
+
+@pytest.mark.parametrize(
+    ("code", "is_saved"), [(errno.EINVAL, True), (errno.EBADF, True), (errno.EIO, False)]
+)
+def test_a_file_system_that_flushes_no_folders_takes_a_save(
+    path: Path, monkeypatch: pytest.MonkeyPatch, code: int, is_saved: bool
+) -> None:
+    flush = os.fsync
+
+    def flush_files(descriptor: int) -> None:
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise OSError(code, os.strerror(code))
+        flush(descriptor)
+
+    monkeypatch.setattr(os, "fsync", flush_files)
+    with nullcontext() if is_saved else pytest.raises(FileError, match="cannot be written"):
+        save_paint(solid_paint("new", (60.0, 0.0, 0.0)), path)
 
 
 def test_a_failing_replace_keeps_the_old_file(path: Path, full_disk: None) -> None:

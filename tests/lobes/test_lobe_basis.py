@@ -76,8 +76,10 @@ def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
     state = tmp_path / "basis.json.part"
     settings = {"database_sha256": "x", "paints": list(search.paints), "starts": 4}
     save_state(state, settings, search.results[:2])
+    before = basis.search
     basis.show_file(state)
-    assert len(basis.search.results) == 2
+    assert basis.search is before, "it is read on the thread of the window"
+    qtbot.waitUntil(lambda: len(basis.search.results) == 2)
     assert "2 lobe counts so far" in basis.view.note.text()
     save_state(state, settings, search.results[:5])
     qtbot.waitUntil(lambda: len(basis.search.results) >= 5)
@@ -97,7 +99,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     basis.view.search.click()
     assert not basis.view.search.isEnabled()
     assert basis.view.progress.jobs == (BASIS,)
-    qtbot.waitUntil(lambda: basis.view.search.isEnabled())
+    qtbot.waitUntil(lambda: basis.view.search.isEnabled() and basis.is_idle)
     assert [result.count for result in basis.search.results] == [1]
     assert basis.search.default_count == 1
     assert basis.view.progress.jobs == ()
@@ -112,6 +114,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     qtbot.waitUntil(lambda: basis.run is None)
     assert BASIS not in basis.window.messages.shown()
     basis.view.reset.trigger()
+    qtbot.waitUntil(lambda: basis.is_idle)
     assert "Sample paints" in basis.view.note.text()
 
 

@@ -106,5 +106,13 @@ def test_the_help_menu_copies_it(qtbot, own_settings: Path) -> None:
 
 
 def test_a_line_whose_values_do_not_fit_has_its_text() -> None:
-    line = PrivateFormatter().format(logging.LogRecord("a", 30, "", 1, "%d %s", (1,), None))
-    assert line.endswith("a: %d %s")
+    line = PrivateFormatter().format(logging.LogRecord("brdf_qt.a", 30, "", 1, "%d %s", (1,), None))
+    assert line.endswith("brdf_qt.a: %d %s")
+
+
+@pytest.mark.parametrize("name", ["trimesh", "brdf_suited", "root", "qt"])
+def test_of_what_others_log_their_name_and_level_are_kept(logged: Path, name: str) -> None:
+    logging.getLogger(name).error(f"no key {SECRET} in 7 parts", exc_info=ValueError(SECRET))
+    said = logged.read_text("utf-8")
+    assert said.endswith(f"ERROR {name}: … (ValueError)\n")
+    assert "Falcon" not in said

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -12,11 +13,13 @@ from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import MOST_RECENT
 from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.stamp import is_changed, stamp_of
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import DocumentError, FileError
 
 
@@ -363,3 +366,34 @@ def test_recovered_work_that_cannot_be_removed_is_reported(files):
     recovery.drop(Recovered("text", None, datetime.now(), stuck))
     assert "cannot be removed" in str(heard[0])
     recovery.close(keep=False)
+
+
+@pytest.mark.parametrize("is_link", [False, True])
+def test_what_another_program_writes_right_after_a_save_is_asked_about(dialogs, tmp_path, is_link) -> None:
+    path, real = tmp_path / "a.note", tmp_path / "elsewhere.note"
+    if is_link:
+        save("", real)
+        path.symlink_to(real)
+
+    def save_beside_another(value: str, path: Path) -> None:
+        write_atomically(path, json.dumps({"text": value}).encode())
+        save("by another program", path)
+
+    files = DocumentFiles(DocumentStore("first"), replace(NOTE, save=save_beside_another), dialogs)
+    assert files.save_to(path)
+    files.store.set("edited", "Edit")
+    assert not files.save()
+    assert dialogs.asked == ["changed a.note"]
+    assert load(path) == "by another program"
+
+
+def test_the_content_of_a_large_file_is_not_read_to_see_a_change(tmp_path: Path) -> None:
+    small, large = tmp_path / "small.note", tmp_path / "large.note"
+    small.write_bytes(b"a")
+    with large.open("wb") as stream:
+        stream.truncate(2**40)  # a hole: no disk is filled, and reading it would take an hour
+    for path, same in ((small, True), (large, False)):
+        before = stamp_of(path)
+        assert not is_changed(path, before)
+        os.utime(path, (1.0, 1.0))
+        assert is_changed(path, before) is not same

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from brdf_color_swatch.paint_exchange import PaintExchange
 from brdf_qt.link.link import LiveLink
-from brdf_qt.link.messages import OFFER, document_checks
+from brdf_qt.link.messages import OFFER, BadMessageError, document_checks
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import solid_paint
@@ -81,3 +81,11 @@ def test_a_paint_that_the_link_cannot_carry_is_reported(swatch, part, select, co
 def test_an_offer_that_is_none_is_refused(value: dict) -> None:
     with pytest.raises((SuiteError, ValueError)):
         document_checks()[OFFER](value)
+
+
+@pytest.mark.parametrize("seconds", [True, "1", -1, 10**400, float("inf"), 2**41])
+def test_an_offer_at_a_time_that_none_can_have_is_refused(seconds: object) -> None:
+    offer = {"to": "designer", "time": 1.0, "paint": paint_to_json(solid_paint("Red", (50.0, 60.0, 40.0)))}
+    document_checks()[OFFER](offer)
+    with pytest.raises(BadMessageError, match="the time of an offer is a number of seconds"):
+        document_checks()[OFFER](offer | {"time": seconds})

@@ -107,6 +107,15 @@ def test_what_only_says_that_it_is_ours_is_refused(content: bytes) -> None:
         read_data(data)
 
 
+def test_a_text_that_is_too_long_is_refused() -> None:
+    data = QMimeData()
+    data.setText("#112233 one\n" * 300_000)
+    assert len(read_data(data).entries) == 100_000
+    data.setText("#112233 one\n" * 400_000)
+    with pytest.raises(SuiteError, match="has 4,800,000 characters; at most 4,000,000 are read"):
+        read_data(data)
+
+
 def test_nothing_is_nothing() -> None:
     assert read_data(QMimeData()).entries == ()
     assert entries_of_text("just words") == []

@@ -134,6 +134,22 @@ def test_figures_of_a_small_checkout(tmp_path: Path) -> None:
         ("from PySide6.QtGui import QImage\n\nQImage().load(str(path))\n", "QImage().load"),
         ("from pathlib import Path\n\nPath('a').open()\n", "Path('a').open"),
         ("from pathlib import Path\n\nPath('a').open(mode='rb')\n", "Path('a').open"),
+        ("from PIL import ImageFont\n\nImageFont.truetype('a')\n", "ImageFont.truetype"),
+        ("from PIL import ImageCms\n\nImageCms.getOpenProfile('a')\n", "ImageCms.getOpenProfile"),
+        ("import filecmp\n\nfilecmp.cmp('a', 'b')\n", "filecmp.cmp"),
+        ("import ctypes.util\n\nctypes.util.find_library('a')\n", "ctypes.util.find_library"),
+        ("import trimesh\n\ntrimesh.load_scene('a')\n", "trimesh.load_scene"),
+        ("from lxml import etree\n\netree.parse('a')\n", "etree.parse"),
+        ("from xml.etree import ElementTree as ET\n\nET.parse('a')\n", "ET.parse"),
+        ("from configparser import ConfigParser\n\nConfigParser().read('a')\n", "ConfigParser"),
+        ("import cv2\n\ncv2.imread('a')\n", "cv2.imread"),
+        ("import mitsuba as mi\n\nmi.load_file('a')\n", "mi.load_file"),
+        ("from reportlab.pdfbase.ttfonts import TTFont\n\nTTFont('a', 'a')\n", "TTFont"),
+        (
+            "import multiprocessing as m\n\nm.get_context('spawn').Process()\n",
+            "m.get_context('spawn').Process",
+        ),
+        ("import shutil\n\nshutil.make_archive('a', 'zip')\n", "shutil.make_archive"),
     ],
 )
 def test_direct_accesses_are_seen_under_any_name(tmp_path: Path, text: str, call: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import threading
 import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -194,7 +195,8 @@ PICTURE = (200, 160)
 
 def is_idle(controller) -> bool:
     """Whether nothing is loaded or baked, and no strip of progress is shown or about to be."""
-    busy = not (controller.scene.is_idle and controller.surface.is_idle) or controller.window.busy
+    parts = controller.scene, controller.surface, controller.studio
+    busy = not all(part.is_idle for part in parts) or controller.window.busy
     return not busy and not controller.window.progress.isVisible()
 
 
@@ -366,3 +368,31 @@ def two_balls(tmp_path: Path) -> Path:
     path = tmp_path / "balls.glb"
     write_mesh_glb(Mesh("balls", (_ball("left", -0.12, "paint"), _ball("right", 0.12, "neutral"))), path)
     return path
+
+
+class Slow:
+    """Holds a reader up until ``go`` is set."""
+
+    def __init__(self, read) -> None:
+        self.go, self.begun, self._read = threading.Event(), threading.Event(), read
+
+    def __call__(self, *given, **named):
+        self.begun.set()
+        assert threading.current_thread() is not threading.main_thread()
+        assert self.go.wait(60.0)
+        return self._read(*given, **named)
+
+
+@pytest.fixture
+def slow(monkeypatch):
+    """Hold up the reader of that name in a module."""
+    made = []
+
+    def hold(module, name: str) -> Slow:
+        made.append(Slow(getattr(module, name)))
+        monkeypatch.setattr(module, name, made[-1])
+        return made[-1]
+
+    yield hold
+    for one in made:
+        one.go.set()

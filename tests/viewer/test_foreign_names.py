@@ -87,6 +87,7 @@ def test_a_wheel_changes_nothing_in_the_window(start, walks, tmp_path: Path) -> 
     viewer.controller.open_file(str(path))
     viewer.wait_idle()
     viewer.window.environment.edit.click()
+    viewer.wait_idle()
     assert walks.drawn_as_html()[0] == []
     view, light = viewer.view, viewer.controller.studio.store.value
     changed, count = walks.changed_by_wheel(viewer.window)

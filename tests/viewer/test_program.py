@@ -6,7 +6,6 @@ import json
 import os
 import subprocess
 import sys
-import threading
 
 import numpy as np
 import pytest
@@ -198,34 +197,6 @@ def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
     with pytest.raises(SystemExit):
         program.main(arguments)
     assert reported == [("red" if "red" in arguments else "blue", follows)]
-
-
-class Slow:
-    """Holds a reader up until ``go`` is set."""
-
-    def __init__(self, read) -> None:
-        self.go, self.begun, self._read = threading.Event(), threading.Event(), read
-
-    def __call__(self, *given, **named):
-        self.begun.set()
-        assert threading.current_thread() is not threading.main_thread()
-        assert self.go.wait(60.0)
-        return self._read(*given, **named)
-
-
-@pytest.fixture
-def slow(monkeypatch):
-    """Hold up the reader of that name in a module."""
-    made = []
-
-    def hold(module, name: str) -> Slow:
-        made.append(Slow(getattr(module, name)))
-        monkeypatch.setattr(module, name, made[-1])
-        return made[-1]
-
-    yield hold
-    for one in made:
-        one.go.set()
 
 
 @pytest.fixture

@@ -24,6 +24,8 @@ from brdf_suite.foreign_text import unguard_formula
 _TEXT, _COLOUR, _URIS = "text/plain", "application/x-color", "text/uri-list"
 TAKEN = (MIME, PAINT_MIME, _TEXT, _COLOUR, _URIS)
 _MOST_LINES = 100_000
+_MOST_CHARACTERS = 4_000_000
+"""Of a text, which is read on the thread of the window."""
 _HEX = re.compile(r"(?<![0-9A-Za-z])(?:#|0x)([0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![0-9A-Za-z])")
 _RGB = re.compile(r"rgba?\(\s*(\d+)\s*[, ]\s*(\d+)\s*[, ]\s*(\d+)[^)]*\)")
 _LAB = re.compile(
@@ -103,7 +105,17 @@ def entries_of_text(text: str) -> list[Entry]:
 
     >>> [(entry.name, entry.content.model) for entry in entries_of_text("#ff8800 Sunset")]
     [('Sunset', 'RGB')]
+
+    Raises
+    ------
+    SuiteError
+        The text is too long, or begins as a document and is not a valid one.
     """
+    if len(text) > _MOST_CHARACTERS:
+        what = tr(
+            "The text on the clipboard has {count} characters; at most {most} are read. Save it as a file."
+        )
+        raise SuiteError(what.format(count=f"{len(text):,}", most=f"{_MOST_CHARACTERS:,}"))
     stripped = text.strip()
     if stripped.startswith("{"):
         value = _json(stripped.encode("utf-8"))

@@ -12,6 +12,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.fields.form import described, fill_column, row_of
 from brdf_qt.fields.labels import ElidedLabel
@@ -32,6 +33,7 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.lobes.basis import STORED_NAME
+from brdf_suite.progress import Progress
 from brdf_suite.resources import resource, resource_root
 
 if TYPE_CHECKING:
@@ -110,6 +112,7 @@ class Basis(Feature, QObject):
         self._source: Path | None = None
         self._own_of: tuple[Any, Any] | None = None
         self._working = self._built = self._follows_run = self._wants_search = False
+        self._reading = FileReading(window.progress, self)
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
         self.paints = FolderPaints(session, self)
@@ -130,11 +133,12 @@ class Basis(Feature, QObject):
     @property
     def is_idle(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
-        waits = self._working or self.paints.busy or self._timer.isActive()
+        waits = self._working or self.paints.busy or not self._reading.is_idle or self._timer.isActive()
         return not self._is_shown() or (self._built and not waits)
 
     def close(self) -> None:
         """End a search that runs; what it found is kept."""
+        self._reading.close()
         if self.run is not None:
             self.run.stop()
 
@@ -219,19 +223,28 @@ class Basis(Feature, QObject):
         self._read()
 
     def _read(self) -> None:
-        """Read the search that is shown; on an error a message is shown and the old one stays."""
-        from brdf_suite.fitting.basis_search.document import load_search
+        """Read the search that is shown, on a thread; on an error a message is shown and the old one stays."""
+        source = self._source
+        if source is None:
+            self._take(None)
+            return
 
-        if self._source is None:
-            self.search = None
-        else:
-            try:
-                self.search = load_search(self._source)
+        def done(search: StoredSearch) -> None:
+            if source == self._source:
                 self._session.messages.dismiss_message(BASIS)
-            except SuiteError as error:
+                self._take(search)
+
+        def failed(error: Exception) -> None:
+            if source == self._source:
                 self._session.messages.show_message(message_of(error, BASIS))
+                self._take(self.search)
+
+        self._reading.begin(source, _load, done, failed)
+
+    def _take(self, search: StoredSearch | None) -> None:
+        self.search = search
         if self._built:
-            self.view.plots.show_search(self.search)
+            self.view.plots.show_search(search)
             self.show_note()
             self._ask_own()
 
@@ -367,6 +380,12 @@ def _errors(request: tuple[Any, dict[int, tuple[float, ...]]], progress: Any) ->
     from brdf_suite.inspection.basis_of_paint import errors_over_count
 
     return errors_over_count(*request, progress)
+
+
+def _load(source: Path, _progress: Progress) -> StoredSearch:
+    from brdf_suite.fitting.basis_search.document import load_search
+
+    return load_search(source)
 
 
 def _shipped() -> Path:

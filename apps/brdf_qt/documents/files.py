@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
-from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of, stamp_written
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
@@ -83,9 +83,7 @@ class DocumentFiles(QObject, Generic[T]):
         except SuiteError as error:
             self.report_unread(path, error)
             return False
-        self.store.replace(value, path.absolute(), stamp=stamp)
-        self.remember(path.absolute())
-        self.succeeded.emit("open")
+        self.take(path, value, stamp)
         return True
 
     def ask_open_path(self) -> Path | None:
@@ -101,6 +99,12 @@ class DocumentFiles(QObject, Generic[T]):
         stamp = stamp_of(path)
         remove_unfinished(path)
         return self.format.load(path), stamp
+
+    def take(self, path: Path, value: T, stamp: FileStamp | None) -> None:
+        """Open what :meth:`read` returned in the place of the document."""
+        self.store.replace(value, path.absolute(), stamp=stamp)
+        self.remember(path.absolute())
+        self.succeeded.emit("open")
 
     def report_unread(self, path: Path, error: Exception) -> None:
         """Report a file that could not be read, and list it no more."""
@@ -160,12 +164,12 @@ class DocumentFiles(QObject, Generic[T]):
     def save_to(self, path: Path) -> bool:
         """Write the document to a file, which is its own from then on; True where it was written."""
         try:
-            self.format.save(self.store.value, path)
+            stamp = stamp_written(path, lambda: self.format.save(self.store.value, path))
         except SuiteError as error:
             todo = tr("The document is still open with all changes. Choose another place with Save As.")
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
-        self.store.mark_clean(path, stamp_of(path))
+        self.store.mark_clean(path, stamp)
         self.remember(path)
         self.succeeded.emit("save")
         return True

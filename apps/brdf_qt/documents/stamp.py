@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from brdf_suite.documents.atomic import seeing_replaced
 from brdf_suite.errors import FileError
 from brdf_suite.regular_files import open_regular
+
+_LARGEST_READ = 64 << 20
+"""Bytes of content that are read for a stamp: it is taken on the thread of the window."""
 
 
 @dataclass(frozen=True)
 class FileStamp:
-    """Size in bytes, time of the last change in ns, and SHA-256 of the content; empty where it was not readable."""
+    """Size in bytes, time of the last change in ns, and SHA-256 of the content.
+
+    ``digest`` is empty where the content was not readable. Of a file over 64 MiB it is made of size, time and number of
+    the file (inode), and none of the content.
+    """
 
     size: int
     mtime_ns: int
@@ -44,12 +53,32 @@ def stamp_of(path: Path) -> FileStamp | None:
         found = path.stat()
     except OSError:  # Not there, or not to be looked at: writing will report what is wrong with it.
         return None
+    if found.st_size > _LARGEST_READ:
+        return FileStamp(
+            found.st_size, found.st_mtime_ns, f"{found.st_size} {found.st_mtime_ns} {found.st_ino}"
+        )
     try:
-        with open_regular(path) as stream:
+        with open_regular(path, _LARGEST_READ) as stream:
             digest = hashlib.file_digest(stream, "sha256").hexdigest()
     except FileError:  # It may still be replaced as a whole; size and time then have to do.
         digest = ""
     return FileStamp(found.st_size, found.st_mtime_ns, digest)
+
+
+def stamp_written(path: Path, write: Callable[[], object]) -> FileStamp | None:
+    """Call ``write``, and return the stamp of the file that it put at ``path``; errors as ``write``.
+
+    Of a file that is replaced in one step it is taken before the step: what another program writes right after it is
+    then another content.
+    """
+    stamps: dict[Path, FileStamp | None] = {}
+
+    def see(temporary: Path, target: Path) -> None:
+        stamps[target] = stamp_of(temporary)
+
+    with seeing_replaced(see):
+        write()
+    return stamps.get(path.resolve()) or stamp_of(path)
 
 
 def is_changed(path: Path, known: FileStamp | None) -> bool:

@@ -36,7 +36,7 @@ class FileWatch(QObject):
         """Watch this file from now on, and no other; the empty path ends watching.
 
         ``known`` is what it held when it was read or written: only another content is a change. Without it the file is
-        read now, which takes long where it is large.
+        looked at now.
         """
         watched = [*self._watcher.files(), *self._watcher.directories()]
         if watched:

@@ -40,6 +40,7 @@ OFFER_LASTS_S = 120.0
 _MAX_SEQ = 2**48
 AHEAD_MS = 60_000
 """How far a number may be ahead of the time, milliseconds: a program that publishes in bursts runs ahead of it."""
+_MAX_TIME_S = 2**40
 _MAX_NAME = 64
 _KEYS = {"v", "topic", "value", "from", "seq"}
 
@@ -133,8 +134,9 @@ def _check_offer(value: dict[str, Any]) -> None:
     """Check ``{"to": role, "time": seconds since 1970, "paint": {...}}``."""
     if set(value) != {"to", "time", "paint"} or not _is_name(value["to"]):
         raise BadMessageError("an offer has to, time and paint")
-    if isinstance(value["time"], bool) or not isinstance(value["time"], (int, float)):
-        raise BadMessageError("the time of an offer is a number of seconds")
+    seconds = value["time"]
+    if isinstance(seconds, bool) or not isinstance(seconds, (int, float)) or not 0 <= seconds <= _MAX_TIME_S:
+        raise BadMessageError(f"the time of an offer is a number of seconds from 0 to {_MAX_TIME_S}")
     paint_from_json(value["paint"], "live link")
 
 

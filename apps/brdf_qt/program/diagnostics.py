@@ -1,7 +1,9 @@
 """What a program may say of itself: a log on this machine, and a text to be sent with a report of a fault.
 
 Neither holds names or contents of files. The log has the texts of the program itself and numbers; what is filled into
-them is left out, and of an error only its kind and the lines of the suite that it passed. Nothing is ever sent.
+them is left out, and of an error only its kind and the lines of the suite that it passed. Of what libraries and Qt say,
+the log has who said it and how serious it is: their texts may be finished, with contents of a file. Nothing is ever
+sent.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 from brdf_qt.program.settings import settings, state_folder
 from brdf_suite import variables
 from brdf_suite.errors import FileError
-from brdf_suite.processes import OWN_PACKAGES
+from brdf_suite.processes import OWN_PACKAGES, is_own_module
 from brdf_suite.regular_files import read_bytes
 from brdf_suite.release import __version__
 
@@ -44,6 +46,8 @@ class PrivateFormatter(logging.Formatter):
         text = str(record.msg) if isinstance(record.msg, str) else type(record.msg).__name__
         with suppress(TypeError, ValueError):  # the text alone then has to do
             text = text % tuple(_shown(value) for value in given) if given else text
+        if not is_own_module(record.name):
+            text = "…"
         error = record.exc_info[1] if isinstance(record.exc_info, tuple) else None
         where = "" if error is None else f" ({describe_error(error)})"
         when = self.formatTime(record)

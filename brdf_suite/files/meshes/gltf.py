@@ -10,7 +10,7 @@ from __future__ import annotations
 import base64
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path, PureWindowsPath
+from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
 
@@ -22,7 +22,7 @@ from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import check_made, most_made_bytes
 from brdf_suite.files.meshes.meshopt import decode_view
 from brdf_suite.files.meshes.outside.child import OutsidePart, decode_draco
-from brdf_suite.regular_files import read_bytes
+from brdf_suite.regular_files import find_inside, read_bytes
 from brdf_suite.surface.normals import index_type
 from brdf_suite.surface.repair import ForeignLook, RawPart, repair_bytes
 
@@ -418,12 +418,8 @@ class _Primitives:
             self.held_bytes += len(content)
             return content
         folder = Path(self._path).resolve().parent
-        # Looked at as text first: on Windows even the question whether a file of a share exists reaches its server.
-        named = PureWindowsPath(unquote(uri))
-        if named.anchor or ".." in named.parts:
-            raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
-        file = (folder / unquote(uri)).resolve()
-        if not file.is_relative_to(folder):
+        file = find_inside(folder, unquote(uri))
+        if file is None:
             raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
         if file not in self._files:  # several buffers may name it
             taken = sum(len(content) for content in self._files.values())

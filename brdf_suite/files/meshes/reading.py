@@ -27,7 +27,7 @@ from brdf_suite.files.meshes.glb import is_own, parse_json, read_own_glb, split_
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.kinds import MESH_ENDINGS, OUTSIDE, kind_of
 from brdf_suite.files.meshes.outside.child import OutsideMesh, read_outside
-from brdf_suite.regular_files import check_regular, read_bytes, within_memory
+from brdf_suite.regular_files import check_regular, find_inside, read_bytes, within_memory
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import index_type
 from brdf_suite.surface.part_materials import guess_materials
@@ -96,9 +96,9 @@ class _Beside:
 
     def get(self, name: str) -> bytes:
         """Return the content of a file in the folder; FileError where it is no library that can be read."""
-        named = PureWindowsPath(name.strip())  # also Windows' own way of naming other places, on any system
-        file = (self._folder / named.as_posix()).resolve()
-        if named.suffix.lower() != ".mtl" or named.anchor or not file.is_relative_to(self._folder):
+        named = PureWindowsPath(name.strip())
+        file = find_inside(self._folder, named.as_posix())
+        if file is None or named.suffix.lower() != ".mtl":
             raise FileError(name, "is no material library in the folder of the mesh")
         return read_bytes(file, _LARGEST_LIBRARY)
 

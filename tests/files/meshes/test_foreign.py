@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import struct
 import sys
@@ -313,6 +314,113 @@ def test_compressed_data_that_announce_too_much_are_refused(writers: ModuleType,
     )
     with pytest.raises(FileError, match="GiB is allowed"):
         read_mesh(path)
+
+
+def _refers(composed: str) -> str:
+    """The text of a stage with one prim that is composed so."""
+    head = '#usda 1.0\n(\n    defaultPrim = "Car"\n    metersPerUnit = 1\n    upAxis = "Y"\n'
+    if composed.startswith("subLayers"):
+        return f"{head}    {composed}\n)\n"
+    return f'{head})\ndef Xform "Car" (\n    {composed}\n)\n{{\n}}\n'
+
+
+_VARIANT = """variants = {{ string v = "one" }}
+    prepend variantSets = "v"
+)
+{{
+    variantSet "v" = {{ "one" ( references = @{0}@ ) {{ }} "two" {{ }} }}
+}}
+def Xform "More" ("""
+_CLIPS = """clips = {{ dictionary default = {{
+        asset[] assetPaths = [@{0}@]
+        asset manifestAssetPath = @{0}@
+        string primPath = "/Car"
+        double2[] active = [(0, 0)]
+        double2[] times = [(0, 0)]
+    }} }}
+    references = @./part.usda@"""
+_COMPOSED = ("references = @{0}@", "payload = @{0}@", "subLayers = [@{0}@]", _VARIANT)
+
+
+@pytest.fixture
+def usd_folder(writers: ModuleType, tmp_path: Path) -> Path:
+    """A folder of a mesh with parts/part.usda, which two further layers lead to, and another one beside it."""
+    pytest.importorskip("pxr")
+    text, _ = writers.usda_text(6)
+    for name in ("mesh/part.usda", "mesh/parts/part.usda", "elsewhere/part.usda"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "mesh/parts/second.usda").write_text(_refers("references = @../part.usda@"))
+    return tmp_path / "mesh"
+
+
+@pytest.mark.parametrize("composed", _COMPOSED)
+@pytest.mark.parametrize("name", ["./parts/part.usda", "part.usda", "parts/second.usda"])
+def test_layers_of_usd_in_the_folder_of_the_mesh_are_read(usd_folder: Path, composed: str, name: str) -> None:
+    path = usd_folder / "a.usda"
+    path.write_text(_refers(composed.format(name)))
+    assert read_mesh(path).triangle_count == read_mesh(usd_folder / "part.usda").triangle_count
+
+
+@pytest.mark.parametrize("composed", _COMPOSED)
+def test_layers_of_usd_outside_the_folder_of_the_mesh_are_refused(usd_folder: Path, composed: str) -> None:
+    path, elsewhere = usd_folder / "a.usda", usd_folder.parent / "elsewhere"
+    (usd_folder / "link.usda").symlink_to(elsewhere / "part.usda")
+    (usd_folder / "parts/third.usda").write_text(_refers("references = @../../elsewhere/part.usda@"))
+    names = ("../elsewhere/part.usda", f"{elsewhere}/part.usda", "link.usda", "./parts/third.usda")
+    expression = '`"../elsewhere/part.usda"`'
+    for name in (*names, "//server/share/part.usda", "C:/part.usda", "../elsewhere/none.usda", expression):
+        path.write_text(_refers(composed.format(name)))
+        with pytest.raises(FileError, match=r"refers to .*, which is not in its folder"):
+            read_mesh(path)
+
+
+def test_layers_in_a_package_of_usd_are_read_and_lead_nowhere_else(usd_folder: Path) -> None:
+    from pxr import Sdf
+
+    (usd_folder.parent / "out.usda").write_text(_refers("references = @../elsewhere/part.usda@"))
+    (usd_folder.parent / "in.usda").write_text(_refers("references = @./parts/part.usda@"))
+    for name, is_read in (("in", True), ("out", False)):
+        with Sdf.ZipFileWriter.CreateNew(str(usd_folder / f"{name}.usdz")) as package:
+            package.AddFile(str(usd_folder.parent / f"{name}.usda"), "a.usda")
+            package.AddFile(str(usd_folder / "part.usda"), "parts/part.usda")
+        for path in (usd_folder / f"{name}.usdz", usd_folder / "a.usda"):
+            if path.suffix == ".usda":
+                path.write_text(_refers(f"references = @./{name}.usdz@"))
+            if is_read:
+                assert read_mesh(path).triangle_count
+            else:
+                with pytest.raises(
+                    FileError, match=r"refers to \.\./elsewhere/part\.usda, which is not in its"
+                ):
+                    read_mesh(path)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+@pytest.mark.parametrize("composed", _COMPOSED)
+def test_a_pipe_in_the_place_of_a_layer_of_usd_is_refused_at_once(
+    usd_folder: Path, monkeypatch: pytest.MonkeyPatch, composed: str
+) -> None:
+    monkeypatch.setattr(child, "SECONDS", 20.0)
+    os.mkfifo(usd_folder / "parts/pipe.usda")
+    (usd_folder / "a.usda").write_text(_refers(composed.format("./parts/pipe.usda")))
+    with pytest.raises(FileError, match=r"needs pipe\.usda beside it, which is not a plain file"):
+        read_mesh(usd_folder / "a.usda")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
+def test_value_clips_of_usd_are_not_opened(usd_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(child, "SECONDS", 20.0)
+    os.mkfifo(usd_folder / "pipe.usda")
+    (usd_folder / "a.usda").write_text(_refers(_CLIPS.format("./pipe.usda")))
+    assert read_mesh(usd_folder / "a.usda").triangle_count
+
+
+def test_a_file_that_is_no_layer_of_usd_is_refused(tmp_path: Path) -> None:
+    pytest.importorskip("pxr")
+    (tmp_path / "a.usd").write_text("#not usda")
+    with pytest.raises(FileError, match="damaged, or refers to files that are not there"):
+        read_mesh(tmp_path / "a.usd")
 
 
 _DAE = """<?xml version="1.0"?>

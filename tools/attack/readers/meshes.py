@@ -44,6 +44,31 @@ _WRITTEN = {
 _POINTS = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)]
 _FACES = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
 
+_USDA = """#usda 1.0
+(
+    subLayers = [@./sub.usda@]
+)
+def Mesh "body" (
+    references = [@b.usdz[b.usda]@</X>, @./c.usda:SDF_FORMAT_ARGS:target=x@]
+    payload = @./d.usda@
+    variants = { string v = "one" }
+    prepend variantSets = "v"
+    clips = { dictionary default = {
+        asset[] assetPaths = [@./clip.usda@]
+        string primPath = "/X"
+        double2[] active = [(0, 0)]
+        double2[] times = [(0, 0)]
+    } }
+)
+{
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    variantSet "v" = { "one" ( references = @./e.usda@ ) { } "two" { } }
+}
+"""
+"""A mesh with everything that leads to other files."""
+
 
 def run_here(path: PathLike, library: str, file: str, options: dict[str, Any]) -> Any:
     """Do what the child process does, in this one."""
@@ -169,6 +194,8 @@ def _by_hand(kind: str, folder: Path) -> None:
         )
     elif kind == "3ds":
         (folder / "made.3ds").write_bytes(_three_ds())
+    elif kind == "usda":
+        (folder / "composed.usda").write_text(_USDA)
     elif kind == "iges":
         (folder / "made.igs").write_text(_iges())
 

@@ -74,8 +74,21 @@ def _read_message(path: Path) -> None:
     check = link.document_checks().get(message.topic)
     if check is not None:
         check(message.value)
+    if message.topic == link.OFFER:
+        _offers().received(message.topic, message.value)
     if link.next_seq(message.seq) > link._MAX_SEQ:
         raise WrongValueError("a number after which no message can follow")
+
+
+@functools.cache
+def _offers() -> Any:
+    """Return what takes offers in Designer, its tabs being left out."""
+
+    class Tabs:
+        def add(self, paint: Any) -> None:
+            """Take a paint, and drop it."""
+
+    return importlib.import_module("brdf_designer.documents.paint_offer").PaintOffer(Tabs())
 
 
 def _link_refusals() -> tuple[type[Exception], ...]:

@@ -8,8 +8,10 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.documents.file_reading import FileReading
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.stamp import FileStamp
 from brdf_qt.fields.choices import set_note
 from brdf_qt.program.core_texts import tr_core
 from brdf_qt.program.translation import mark, tr
@@ -50,6 +52,7 @@ class StudioControl(ViewerFeature):
         self.recovery: Recovery[LightDocument] = Recovery(
             self.store, FORMAT, report, self, keeps_history=True
         )
+        self._reading = FileReading(window.progress, self)
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
@@ -91,12 +94,25 @@ class StudioControl(ViewerFeature):
             return False
         return self._edit_file(Path(key))
 
-    def _edit_file(self, path: Path) -> bool:
+    def _edit_file(self, path: Path, then: Callable[[], None] | None = None) -> bool:
+        """Read a studio on a thread and open it; ``then`` is called once it is."""
         if self._open and self.store.path == path:
             self._show_panel()
             return True
-        if not self.files.open(path):
-            return False
+
+        def done(answer: tuple[LightDocument, FileStamp | None]) -> None:
+            if not self._open or self.files.may_discard():
+                self.files.take(path, *answer)
+                self._show_read(path)
+                if then is not None:
+                    then()
+
+        self._live.stop()  # a draft of the studio that was open would take the place of the light to be edited
+        failed = partial(self.files.report_unread, path)
+        self._reading.begin(path, lambda file, _progress: self.files.read(file), done, failed)
+        return True
+
+    def _show_read(self, path: Path) -> None:
         present = self._state.environment
         if present is not None and present.key == str(path) and present.value.is_final:
             # The picture shows it already; nothing is drawn until it is edited.
@@ -107,13 +123,17 @@ class StudioControl(ViewerFeature):
         else:
             self._shown = None
             self._show_opened()
-        return True
+
+    @property
+    def is_idle(self) -> bool:
+        return self._reading.is_idle
 
     def may_close(self) -> bool:
         """Ask about unsaved changes, where there are any."""
         return not self._open or self.files.may_discard()
 
     def close(self) -> None:
+        self._reading.close()
         self._live.close()
         self.recovery.close(keep=True)
 
@@ -125,11 +145,17 @@ class StudioControl(ViewerFeature):
 
     def restore_saved(self, item: Recovered[LightDocument]) -> None:
         """Open a saved studio of an earlier run, with its history where that ends at what the file holds."""
-        if item.path is None or self._open or not self._edit_file(item.path):
+        if item.path is None or self._open:
             return
-        history, store = item.history, self.store
-        if history is not None and item.value == store.value:
-            store.restore(history.states, history.place, store.path, saved=history.place, stamp=store.stamp)
+
+        def restore() -> None:
+            history, store = item.history, self.store
+            if history is not None and item.value == store.value:
+                store.restore(
+                    history.states, history.place, store.path, saved=history.place, stamp=store.stamp
+                )
+
+        self._edit_file(item.path, restore)
 
     def _show_opened(self, *, draw: bool = True) -> None:
         self._open, self._index = True, 0

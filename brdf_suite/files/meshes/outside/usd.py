@@ -2,6 +2,8 @@
 
 Sources: OpenUSD, UsdGeom and UsdPreviewSurface. Meshes that are drawn are read, with those of instances; subsets of
 other materials are parts of their own. Of a subdivision surface the cage is read; curves, points and solids are not.
+Layers that a stage is composed of are read where they lie in the folder of the file or below. Value clips, which hold
+animation, are not read.
 """
 
 from __future__ import annotations
@@ -13,12 +15,17 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused, named
+from brdf_suite.regular_files import check_regular, find_inside
 
 import_library("usd")
-Tf, Usd, UsdGeom, UsdShade = (import_module(f"pxr.{name}") for name in ("Tf", "Usd", "UsdGeom", "UsdShade"))
+Ar, Sdf, Tf, Usd, UsdGeom, UsdShade = (
+    import_module(f"pxr.{name}") for name in ("Ar", "Sdf", "Tf", "Usd", "UsdGeom", "UsdShade")
+)
 
+_MOST_LAYERS = 10_000
 _NOT_DRAWN = ("guide", "proxy")
 _BASE_INPUTS = {
     "colour": "diffuseColor",
@@ -32,7 +39,12 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
     """Return the meshes of the stage at the time that it starts with."""
     parts: list[ReadPart] = []
     try:
-        stage = Usd.Stage.Open(str(named(file, options["kind"], "usd")))
+        # Without links: the library looks for other layers beside the file as it is named.
+        opened = named(file.resolve(), options["kind"], "usd")
+        context = Ar.GetResolver().CreateDefaultContextForAsset(str(opened))
+        with Ar.ResolverContextBinder(context):
+            layers = _layers(opened)  # kept, so that the stage takes them as they are, without clips
+        stage = Usd.Stage.Open(layers[0], context)
         matrices = UsdGeom.XformCache()
         for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
             if prim.IsA(UsdGeom.Mesh) and _is_drawn(prim):
@@ -40,8 +52,64 @@ def read(file: Path, options: dict[str, Any]) -> ReadMesh:
                 parts += _parts(UsdGeom.Mesh(prim), matrix)
         up = "z" if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z else "y"
         return ReadMesh(parts, up, UsdGeom.GetStageMetersPerUnit(stage))
-    except (Tf.ErrorException, RuntimeError, ValueError, TypeError, OverflowError) as error:
+    except (Tf.ErrorException, RuntimeError, ValueError, TypeError, OverflowError, OSError) as error:
         raise Refused("damaged, or refers to files that are not there") from error
+
+
+def _layers(file: Path) -> list[Any]:
+    """Open the layer of a file and all those that a stage of it is composed of; return them, without value clips.
+
+    Raises :class:`Refused`: one of them is not a regular file in the folder of the file or below.
+    """
+    layers = [Sdf.Layer.FindOrOpen(str(file))]
+    if layers[0] is None:
+        raise ValueError("no layer")
+    seen = set(layers)
+    for layer in layers:
+        _remove_clips(layer)
+        for name in layer.GetCompositionAssetDependencies():
+            _check_reference(layer, name, file.parent)
+            other = Sdf.Layer.FindOrOpenRelativeToLayer(layer, name)
+            if other and other not in seen:
+                seen.add(other)
+                layers.append(other)
+            if len(layers) > _MOST_LAYERS:
+                raise Refused(f"refers to more than {_MOST_LAYERS:,} other files")
+    return layers
+
+
+def _check_reference(layer: Any, name: str, folder: Path) -> None:
+    """Refuse what a layer names, if need be, before anything opens it."""
+    # In a package, too: what would lead out of the package leads out of its folder.
+    start = Path(Sdf.Layer.SplitIdentifier(layer.identifier)[0]).parent
+    is_named_inside = not name.startswith("`") and find_inside(folder, _outer(name), start) is not None
+    # An expression may name anything; a name without "./" may be found elsewhere.
+    file = Path(_outer(layer.ComputeAbsolutePath(name))) if is_named_inside else None
+    if file is None or (file.is_absolute() and not file.resolve().is_relative_to(folder)):
+        raise Refused(f"refers to {name[:80]}, which is not in its folder")
+    if file.is_absolute() and file.exists():  # what is not there is left out
+        try:
+            check_regular(file)
+        except FileError as error:
+            raise Refused(f"needs {file.name} beside it, which {error.reason}") from error
+
+
+def _outer(name: str) -> str:
+    """Return the file that the name of a layer begins with: a package, or the layer itself."""
+    file: str = Sdf.Layer.SplitIdentifier(name)[0]
+    return str(Ar.SplitPackageRelativePathOuter(file)[0]) if Ar.IsPackageRelativePath(file) else file
+
+
+def _remove_clips(layer: Any) -> None:
+    """Remove value clips from a layer in memory: the library would open the files that they name."""
+
+    def remove(path: Any) -> None:
+        if path.IsPrimPath() or path.IsPrimVariantSelectionPath():
+            prim = layer.GetPrimAtPath(path)
+            if prim and prim.HasInfo("clips"):
+                prim.ClearInfo("clips")
+
+    layer.Traverse(Sdf.Path.absoluteRootPath, remove)
 
 
 def _is_drawn(prim: Any) -> bool:

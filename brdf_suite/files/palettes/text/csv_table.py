@@ -30,7 +30,7 @@ from brdf_suite.files.exports.csv_table import (
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import as_readings
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.foreign_text import FORMULA, guard_formula, unguard_formula
+from brdf_suite.foreign_text import guard_formula, unguard_formula
 
 _FIRST = ("name", "group", "code", "tags", "usage", "date", "entry_notes")
 _FLAT = ("model", "values", "space", "illuminant", "observer_deg", "wavelengths")
@@ -198,10 +198,13 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
 
 
 def _joined(parts: tuple[str, ...], mark: str) -> str:
-    """Return several texts as one cell: joined by a separator, or as JSON where one contains it or would be lost."""
+    """Return several texts as one cell: joined by a separator, or as JSON where one contains it or would be lost.
+
+    The JSON has no semicolon, after which a formula could begin.
+    """
     plain = mark.join(parts)
-    lossless = tuple(_parts(plain, mark)) == parts and not plain.startswith((*FORMULA, "'"))
-    return plain if lossless else json.dumps(list(parts), ensure_ascii=False)
+    lossless = tuple(_parts(plain, mark)) == parts and guard_formula(plain) == plain and plain[:1] != "'"
+    return plain if lossless else json.dumps(list(parts), ensure_ascii=False).replace(";", "\\u003b")
 
 
 def _parts(text: str, mark: str) -> tuple[str, ...]:

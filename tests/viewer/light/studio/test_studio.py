@@ -17,7 +17,7 @@ from brdf_viewer.light.studio.panel import lamp_line
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
 from PySide6.QtGui import QKeySequence, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QAbstractButton, QApplication, QWidget
 
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp, load_light, save_light
 from brdf_suite.documents.view import View
@@ -65,6 +65,7 @@ def edited(start, script, tmp_path, qtbot):
     save_light(PLAIN, path)
     viewer = start(dialogs=script, size=(900, 640), view=lit_by(path))
     viewer.window.environment.edit.click()
+    viewer.wait_idle()
     viewer.path, viewer.control, viewer.panel = path, viewer.controller.studio, viewer.window.studio
     assert viewer.window.studio_dock.isVisible()
     return viewer
@@ -244,6 +245,7 @@ def test_a_sky_is_edited_and_its_sun_dragged(start, script, tmp_path, qtbot) -> 
     save_light(Sky("s"), path)
     viewer = start(dialogs=script, view=lit_by(path))
     assert viewer.controller.studio.edit()
+    viewer.wait_idle()
     panel = viewer.window.studio
     assert panel.list.isHidden() or not panel.list.isVisible()
     panel.preview.dragged.emit(0, -30.0, 20.0)
@@ -320,6 +322,7 @@ def test_a_draft_of_another_studio_does_not_reach_the_light_that_is_edited(edite
     edited.state.contents_changed.connect(lambda: seen.append(edited.state.environment.value.name))
     assert edited.control.new("three")
     edited.window.environment.edit.click()
+    edited.qtbot.waitUntil(lambda: value(edited) == PLAIN)
     edited.panel.lamp.luminance.setValue(9.0)
     settle(edited)
     assert set(seen) == {"Plain"}
@@ -335,6 +338,24 @@ def test_keys_of_the_panel_are_the_documents(edited, qtbot) -> None:
     edited.panel.lamp.luminance.setValue(7.0)
     QTest.keySequence(edited.panel.list, QKeySequence(QKeySequence.StandardKey.Save))
     assert load_light(edited.path).lamps[0].luminance == 7.0
+
+
+def test_a_studio_that_is_slow_to_read_holds_nothing_up_and_is_cancelled(edited, slow) -> None:
+    reader = slow(edited.control.files, "read")
+    assert edited.control.new("three")
+    edited.window.environment.edit.click()
+    edited.qtbot.waitUntil(reader.begun.is_set)
+    assert edited.panel.name.text() != "Plain"
+    strip = edited.window.progress
+    edited.qtbot.waitUntil(strip.isVisible)
+    button = next(one for one in strip.findChildren(QAbstractButton) if one.isVisible())
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    assert edited.control.is_idle
+    reader.go.set()
+    edited.qtbot.wait(100)
+    assert value(edited) != PLAIN
+    edited.window.environment.edit.click()
+    edited.qtbot.waitUntil(lambda: value(edited) == PLAIN)
 
 
 def test_an_image_has_no_lamps_to_edit(start, script, tmp_path) -> None:
