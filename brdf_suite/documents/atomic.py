@@ -14,9 +14,8 @@ import re
 import secrets
 import stat
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from contextvars import ContextVar
 from glob import escape
 from pathlib import Path
 from typing import IO
@@ -35,8 +34,6 @@ _NOT_FLUSHED = (errno.EINVAL, errno.EBADF, errno.ENOTSUP, errno.EOPNOTSUPP, errn
 _UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?")
 _FORGOTTEN_S = 3600.0
 """Age from which a temporary file is taken for forgotten where there are no locks."""
-
-_SEES: ContextVar[Callable[[Path, Path], None] | None] = ContextVar("see", default=None)
 
 
 @contextmanager
@@ -67,9 +64,6 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
                 if mode is not None:
                     temporary.chmod(mode)
                 os.fsync(written.fileno())
-            see = _SEES.get()
-            if see is not None:
-                see(temporary, target)
             os.replace(temporary, target)  # noqa: PTH105 - tests interpose here as a full disk would
             temporary = None
         sync_folder(target.parent)
@@ -80,19 +74,6 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
             # Where even this fails, the first error is the one to report.
             with contextlib.suppress(OSError):
                 temporary.unlink()
-
-
-@contextmanager
-def seeing_replaced(see: Callable[[Path, Path], None]) -> Iterator[None]:
-    """Call ``see(temporary, target)`` for each file that this thread replaces in the block, when it is whole.
-
-    The temporary file is the one that is ``target`` afterwards; nothing but this process knows it.
-    """
-    before = _SEES.set(see)
-    try:
-        yield
-    finally:
-        _SEES.reset(before)
 
 
 def is_unfinished(path: Path) -> bool:

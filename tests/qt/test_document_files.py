@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -19,7 +18,6 @@ from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
-from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import DocumentError, FileError
 
 
@@ -366,25 +364,6 @@ def test_recovered_work_that_cannot_be_removed_is_reported(files):
     recovery.drop(Recovered("text", None, datetime.now(), stuck))
     assert "cannot be removed" in str(heard[0])
     recovery.close(keep=False)
-
-
-@pytest.mark.parametrize("is_link", [False, True])
-def test_what_another_program_writes_right_after_a_save_is_asked_about(dialogs, tmp_path, is_link) -> None:
-    path, real = tmp_path / "a.note", tmp_path / "elsewhere.note"
-    if is_link:
-        save("", real)
-        path.symlink_to(real)
-
-    def save_beside_another(value: str, path: Path) -> None:
-        write_atomically(path, json.dumps({"text": value}).encode())
-        save("by another program", path)
-
-    files = DocumentFiles(DocumentStore("first"), replace(NOTE, save=save_beside_another), dialogs)
-    assert files.save_to(path)
-    files.store.set("edited", "Edit")
-    assert not files.save()
-    assert dialogs.asked == ["changed a.note"]
-    assert load(path) == "by another program"
 
 
 def test_the_content_of_a_large_file_is_not_read_to_see_a_change(tmp_path: Path) -> None:

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
-from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_written
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -155,14 +154,13 @@ class Models(Feature, QObject):
                 return False
             settings().setValue(_FOLDER_KEY, str(path.parent))
         try:
-            text = kept.document.toPlainText().encode()
-            stamp = stamp_written(path, partial(write_atomically, path, text))
+            write_atomically(path, kept.document.toPlainText().encode())
         except SuiteError as error:
             self._window.show_message(message_of(error, "save model"))
             return False
         self._window.dismiss_message("save model")
         renamed = kept.path != path
-        kept.path, kept.stamp = path, stamp
+        kept.path, kept.stamp = path, stamp_of(path)
         kept.document.setModified(False)
         if renamed and self._session.subject(key) is not None:
             material = replace(subject.material, name=path.name, origin=str(path))

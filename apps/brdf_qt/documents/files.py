@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
-from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of, stamp_written
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
@@ -164,12 +164,12 @@ class DocumentFiles(QObject, Generic[T]):
     def save_to(self, path: Path) -> bool:
         """Write the document to a file, which is its own from then on; True where it was written."""
         try:
-            stamp = stamp_written(path, lambda: self.format.save(self.store.value, path))
+            self.format.save(self.store.value, path)
         except SuiteError as error:
             todo = tr("The document is still open with all changes. Choose another place with Save As.")
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
-        self.store.mark_clean(path, stamp)
+        self.store.mark_clean(path, stamp_of(path))
         self.remember(path)
         self.succeeded.emit("save")
         return True

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from brdf_suite.documents.atomic import seeing_replaced
 from brdf_suite.errors import FileError
 from brdf_suite.regular_files import open_regular
 
@@ -63,22 +61,6 @@ def stamp_of(path: Path) -> FileStamp | None:
     except FileError:  # It may still be replaced as a whole; size and time then have to do.
         digest = ""
     return FileStamp(found.st_size, found.st_mtime_ns, digest)
-
-
-def stamp_written(path: Path, write: Callable[[], object]) -> FileStamp | None:
-    """Call ``write``, and return the stamp of the file that it put at ``path``; errors as ``write``.
-
-    Of a file that is replaced in one step it is taken before the step: what another program writes right after it is
-    then another content.
-    """
-    stamps: dict[Path, FileStamp | None] = {}
-
-    def see(temporary: Path, target: Path) -> None:
-        stamps[target] = stamp_of(temporary)
-
-    with seeing_replaced(see):
-        write()
-    return stamps.get(path.resolve()) or stamp_of(path)
 
 
 def is_changed(path: Path, known: FileStamp | None) -> bool:

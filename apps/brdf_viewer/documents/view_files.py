@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles, folder_beside
-from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of, stamp_written
+from brdf_qt.documents.stamp import FileStamp, is_changed, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
@@ -111,11 +111,11 @@ class ViewFiles(ViewerFeature):
 
     def _write(self, path: Path) -> bool:
         try:
-            stamp = stamp_written(path, lambda: save_view(self.seen(), path))
+            save_view(self.seen(), path)
         except SuiteError as error:
             self._report(error, KIND, tr("Choose another name or folder."))
             return False
-        self._take(path, stamp)
+        self._take(path, stamp_of(path))
         self._window.status.showMessage(tr("Saved: {path}").format(path=path.name), _MESSAGE_MS)
         if self._state.edited_light:
             what = tr("{file} refers to the light without its unsaved edits.").format(file=path.name)
