@@ -77,8 +77,6 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
     check_extra(name, purpose=purpose, instead=instead)
     try:
         module = import_module(name)
-        _leave_working_folder(module)
-        return module
     except Exception as error:  # libraries fail to load with errors of many kinds
         library = _SYSTEM_LIBRARY.search(str(error))
         if library is not None:
@@ -89,13 +87,15 @@ def import_extra(name: str, *, purpose: str, instead: str = "") -> ModuleType:
         raise ExtraError(
             f"{purpose} needs {PACKAGES[name].title}, which is installed but cannot be loaded ({reason}); {way}"
         ) from error
+    _leave_working_folder(module)
+    return module
 
 
 def _leave_working_folder(module: ModuleType) -> None:
-    """Let a library load nothing of the working folder.
+    """Let a library load no code of the working folder.
 
-    Mitsuba looks for the libraries of its plug-ins there first, and numba for settings, which may name a folder of
-    compiled code.
+    Mitsuba looks for the libraries of its plug-ins there first. numba reads settings there when it is imported, which
+    may name a folder of compiled code; they are dropped.
     """
     if module.__name__ == "mitsuba":
         places = module.file_resolver()

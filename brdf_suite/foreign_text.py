@@ -10,26 +10,23 @@ from __future__ import annotations
 
 import html
 import re
-import unicodedata
 from collections.abc import Mapping
 
 FORMULA = tuple("=+-@\t\r\n＝＋－＠")
 """What begins a formula in a cell; tab and ends of lines are dropped by spreadsheets, and what follows begins it."""
-_BEGINS = "(\\A|;)%s(?='*[" + re.escape("".join(FORMULA)) + "])"
-"""A semicolon begins a cell where a spreadsheet divides the lines of a table there, as German ones do."""
+_BEGINS = "((?:\\A|[;\r\n])\"*)%s(?='*[" + re.escape("".join(FORMULA)) + "])"
+"""Semicolons and ends of lines begin cells where a spreadsheet divides a table at semicolons, as German ones do."""
 _UNGUARDED, _GUARDED = re.compile(_BEGINS % ""), re.compile(_BEGINS % "'")
 
-_MAYBE_UNSEEN = re.compile(r"[^\t\n -~]")
-# Controls; formats, which steer the direction of writing, join, or have no width; half surrogate pairs; separators of
-# lines and of paragraphs.
-_UNSEEN_KINDS = ("Cc", "Cf", "Cs", "Zl", "Zp")
-# Fillers and joiners that Unicode counts as letters and marks, and what is reserved for further formats.
-_UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u2065\u3164\uffa0") | {
-    chr(0xE0000 + k) for k in range(128)
-}
-# Signs that Unicode counts as formats, and that are seen around numbers and verses. Variation selectors, which choose
-# between glyphs that are seen, are marks.
-_SEEN = frozenset("\u0600\u0601\u0602\u0603\u0604\u0605\u06dd\u070f\u0890\u0891\u08e2\U000110bd\U000110cd")
+# Controls but for tab and line feed; half surrogate pairs; separators of lines and paragraphs; the marks, embeddings,
+# overrides and isolates of bidirectional text (Unicode Standard Annex 9); soft hyphen, joiners and fillers without
+# width; formats of hieroglyphs, shorthand and music; and tags. Variation selectors stay: they choose between glyphs
+# that are seen.
+_UNSEEN = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\ud800-\udfff\u2028\u2029\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
+    "\u00ad\u034f\u115f\u1160\u17b4\u17b5\u180e\u200b-\u200d\u2060-\u2065\u206a-\u206f\u3164\ufeff\uffa0\ufff9-\ufffb"
+    "\U00013430-\U0001343f\U0001bca0-\U0001bca3\U0001d173-\U0001d17a\U000e0000-\U000e007f]"
+)
 
 
 def make_visible(text: str) -> str:
@@ -38,12 +35,7 @@ def make_visible(text: str) -> str:
     >>> make_visible("Blue\\u202e 15°")
     'Blue[U+202E] 15°'
     """
-    return _MAYBE_UNSEEN.sub(lambda found: _visible(found[0]), text)
-
-
-def _visible(character: str) -> str:
-    is_unseen = unicodedata.category(character) in _UNSEEN_KINDS and character not in _SEEN
-    return f"[U+{ord(character):04X}]" if is_unseen or character in _UNSEEN else character
+    return _UNSEEN.sub(lambda found: f"[U+{ord(found[0]):04X}]", text)
 
 
 def file_title(name: str) -> str:

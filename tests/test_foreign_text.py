@@ -38,17 +38,21 @@ def test_a_guarded_text_is_no_formula_and_comes_back(text: str) -> None:
     assert unguard_formula(guarded) == text
 
 
-@pytest.mark.parametrize("text", ["Blue;=1+1;", ";@a", "Blue;＝1"])
+@pytest.mark.parametrize("text", ["Blue;=1+1;", ";@a", "Blue;＝1", 'x;"=1+2;', '"=1'])
 def test_a_table_that_is_divided_at_semicolons_holds_no_formulas(text: str, tmp_path: Path) -> None:
-    paint = replace(load_shipped_paint("blue"), name=text, notes=text)
-    palette = Palette("P", (Entry(paint, group=(text, "a"), tags=("a", text[1:], text), code=text),))
+    notes = f'{text}\n=1;x\n"=2\n- a'
+    paint = replace(load_shipped_paint("blue"), name=text, notes=notes)
+    palette = Palette(
+        "P", (Entry(paint, group=(text, "a"), tags=("a", text[1:], text), code=text, notes=notes),)
+    )
     path = tmp_path / "a.csv"
     write_palette(palette, path)
     rows = csv.reader(path.read_text("utf-8-sig").splitlines(), delimiter=";")
     assert not [cell for row in rows for cell in row if cell.startswith(BEGINNINGS)]
     (entry,) = read_palette(path).palette.entries
-    assert (entry.content.name, entry.group, entry.tags, entry.code) == (
+    assert (entry.content.name, entry.notes, entry.group, entry.tags, entry.code) == (
         text,
+        notes,
         (text, "a"),
         ("a", text[1:], text),
         text,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +89,29 @@ def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
     state.write_text("{")
     qtbot.waitUntil(lambda: BASIS in basis.window.messages.shown())
     assert len(basis.search.results) == 5  # what was read stays
+
+
+def test_the_name_is_that_of_the_search_that_is_shown(basis, qtbot, tmp_path: Path, monkeypatch) -> None:
+    import brdf_suite.fitting.basis_search.document as document
+
+    before, begun, go = basis.view.note.text(), threading.Event(), threading.Event()
+    other = tmp_path / "other.json"
+    other.write_bytes(STORED.read_bytes())
+    load = document.load_search
+
+    def hold(path: Path):
+        begun.set()
+        go.wait(60.0)
+        return load(path)
+
+    monkeypatch.setattr(document, "load_search", hold)
+    basis.show_file(other)
+    qtbot.waitUntil(begun.is_set)
+    basis.show_note()
+    assert basis.view.note.text() == before
+    go.set()
+    qtbot.waitUntil(lambda: basis.is_idle)
+    assert basis.view.note.text().startswith("other.json")
 
 
 def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_path: Path) -> None:

@@ -110,6 +110,7 @@ class Basis(Feature, QObject):
         self.search: StoredSearch | None = None
         self.run: BasisRun | None = None
         self._source: Path | None = None
+        self._shown_source: Path | None = None
         self._own_of: tuple[Any, Any] | None = None
         self._working = self._built = self._follows_run = self._wants_search = False
         self._reading = FileReading(window.progress, self)
@@ -226,23 +227,23 @@ class Basis(Feature, QObject):
         """Read the search that is shown, on a thread; on an error a message is shown and the old one stays."""
         source = self._source
         if source is None:
-            self._take(None)
+            self._take(None, None)
             return
 
         def done(search: StoredSearch) -> None:
             if source == self._source:
                 self._session.messages.dismiss_message(BASIS)
-                self._take(search)
+                self._take(search, source)
 
         def failed(error: Exception) -> None:
             if source == self._source:
                 self._session.messages.show_message(message_of(error, BASIS))
-                self._take(self.search)
+                self._take(self.search, self._shown_source)
 
         self._reading.begin(source, _load, done, failed)
 
-    def _take(self, search: StoredSearch | None) -> None:
-        self.search = search
+    def _take(self, search: StoredSearch | None, source: Path | None) -> None:
+        self.search, self._shown_source = search, source
         if self._built:
             self.view.plots.show_search(search)
             self.show_note()
@@ -268,13 +269,13 @@ class Basis(Feature, QObject):
 
     def _name(self) -> str:
         if self._is_other():
-            assert self._source is not None
-            return self._source.name
+            assert self._shown_source is not None
+            return self._shown_source.name
         return tr("Sample paints") if self.folder == _shipped() else self.folder.name
 
     def _is_other(self) -> bool:
         """Whether a search is shown that is neither the folder's nor the shipped one."""
-        return self._source is not None and self._source.parent not in (
+        return self._shown_source is not None and self._shown_source.parent not in (
             self._output().parent,
             Path(str(resource("basis", STORED_NAME))).parent,
         )

@@ -35,8 +35,8 @@ class FileWatch(QObject):
     def watch(self, path: str, known: FileStamp | None = None) -> None:
         """Watch this file from now on, and no other; the empty path ends watching.
 
-        ``known`` is what it held when it was read or written: only another content is a change. Without it the file is
-        looked at now.
+        ``known`` is what it held when it was read or written: only another content is a change, or another time of a
+        file over 64 MiB. Without it the file is looked at now.
         """
         watched = [*self._watcher.files(), *self._watcher.directories()]
         if watched:

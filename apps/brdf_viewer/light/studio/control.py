@@ -100,7 +100,11 @@ class StudioControl(ViewerFeature):
             self._show_panel()
             return True
 
+        asked = self._state.view.environment, self.store.value
+
         def done(answer: tuple[LightDocument, FileStamp | None]) -> None:
+            if asked != (self._state.view.environment, self.store.value):
+                return  # another light was chosen, or another studio opened, meanwhile
             if not self._open or self.files.may_discard():
                 self.files.take(path, *answer)
                 self._show_read(path)

@@ -358,6 +358,19 @@ def test_a_studio_that_is_slow_to_read_holds_nothing_up_and_is_cancelled(edited,
     edited.qtbot.waitUntil(lambda: value(edited) == PLAIN)
 
 
+def test_a_studio_that_is_read_too_late_leaves_one_that_was_made_meanwhile(edited, slow) -> None:
+    reader = slow(edited.control.files, "read")
+    assert edited.control.new("three")
+    edited.window.environment.edit.click()
+    edited.qtbot.waitUntil(reader.begun.is_set)
+    assert edited.control.new("tunnel")
+    made = value(edited)
+    reader.go.set()
+    edited.qtbot.waitUntil(lambda: edited.control.is_idle)
+    settle(edited)
+    assert value(edited) == made != PLAIN
+
+
 def test_an_image_has_no_lamps_to_edit(start, script, tmp_path) -> None:
     path = tmp_path / "x.exr"
     write_exr(path, np.ones((8, 16, 3), np.float32))
