@@ -238,6 +238,10 @@ def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
         (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
     ]  # fmt: skip
     assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+    read = read_content(b"name,hex\na,255\nb,128\n", "a.csv")
+    assert read.palette.entries[0].content.values == (0x22 / 255, 0x55 / 255, 0x55 / 255)
+    assert any("2 hex codes of three digits are taken for short ones" in note for note in read.notes)
+    assert read_content(b"name,hex\na,255\nb,12f\n", "a.csv").notes == ()
 
 
 @pytest.mark.parametrize("heading", ["L,a,b", "L,C,h"])
