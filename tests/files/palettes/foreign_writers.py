@@ -783,7 +783,7 @@ def scss() -> Iterator[Variant]:
     )
     flat = tuple(one for name, *rest in rgb_flat(names) for one in ((name, *rest), (f"x-{name}", *rest)))
     yield Variant("SCSS global", shared.encode(), flat)
-    lines = "".join(f"${name}: {value}\n" for name, value in pairs)
+    lines = "\n+big\n".join(f"${name}: {value}" for name, value in pairs)
     marks = "/* ; { */\n// ;\n$font: 'a; b'\n$image: url(data:image/png;base64,aGk=)\n"
     yield Variant("Sass with marks in texts", (marks + lines).encode(), rgb_flat(names))
     block = "\n".join(f".a {{ $other: red; color: red; ${name}: {value}; }}" for name, value in pairs)
