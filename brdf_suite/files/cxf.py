@@ -57,6 +57,8 @@ SETTING = "setting."
 """Goes before the names of settings among the tags, as in ``setting.flakes.size_um``."""
 TEXTURE = "texture."
 """Goes before the names of readings of the texture instrument, as in ``texture.sparkle_15.grade``."""
+UNNAMED = "unnamed"
+"""The name of a sample that has neither a name nor an identity."""
 VERSION = "paint version"
 SOURCE = "source"
 
@@ -127,12 +129,12 @@ def read_cxf(path: PathLike) -> SampleFile:
 def average_repeated(samples: Sequence[AngleSample]) -> list[tuple[list[int], AngleSample]]:
     """Return samples, those averaged that were measured repeatedly, each with the places of those it is the mean of.
 
-    These have one name and kind, and differ by no more than :data:`SAME_SAMPLE_DE`. Samples that this suite wrote, or
-    that are means already, stay as they are.
+    These have one name and kind, and differ by no more than :data:`SAME_SAMPLE_DE`. Samples without a name, that this
+    suite wrote, or that are means already stay as they are.
     """
     groups: dict[tuple[str, str] | int, list[int]] = {}
     for place, sample in enumerate(samples):
-        repeated = sample.version is None and sample.measurements == 1
+        repeated = sample.name != UNNAMED and sample.version is None and sample.measurements == 1
         groups.setdefault((sample.name, sample.kind) if repeated else place, []).append(place)
     found = []
     for places in groups.values():
@@ -170,7 +172,7 @@ class SampleReader:
     def __init__(self, element: Element, specifications: Mapping[str, Specification], path: PathLike) -> None:
         self._element, self._specifications, self._path = element, specifications, path
         identity = element.attributes.get("Id", "")
-        self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or "unnamed")
+        self.name = plain_name(element.attributes.get("Name", ""), identity[:200] or UNNAMED)
         self.refused: list[str] = []
         self.failed: list[FileError] = []
         self.measurements, self.spread = 1, 0.0

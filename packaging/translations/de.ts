@@ -17004,6 +17004,10 @@ h {hue}°</translation>
         <translation>Die Nummern vor den Codes gelten als Namen.</translation>
     </message>
     <message>
+        <source>has more than {0} variables</source>
+        <translation>hat mehr als {0} Variablen</translation>
+    </message>
+    <message>
         <source>{0} variable without effect, since it is set elsewhere, is left out.</source>
         <translation>{0} Variable ohne Wirkung, da sie anderswo gesetzt wird, ist ausgelassen.</translation>
     </message>
@@ -17022,6 +17026,14 @@ h {hue}°</translation>
     <message>
         <source>No number of {0} is above 1; hues are taken for shares of the circle.</source>
         <translation>Keine Zahl in {0} liegt über 1; Farbtöne gelten als Anteile des Kreises.</translation>
+    </message>
+    <message>
+        <source>{0} hex code of three digits is taken for a short one, as #369 for #336699, and not for a number that has lost its zeros.</source>
+        <translation>{0} Hex-Code aus drei Ziffern gilt als Kurzform, wie #369 für #336699, und nicht als Zahl, die ihre Nullen verloren hat.</translation>
+    </message>
+    <message>
+        <source>{0} hex codes of three digits are taken for short ones, as #369 for #336699, and not for numbers that have lost their zeros.</source>
+        <translation>{0} Hex-Codes aus drei Ziffern gelten als Kurzformen, wie #369 für #336699, und nicht als Zahlen, die ihre Nullen verloren haben.</translation>
     </message>
     <message>
         <source>Read only. Names, RGB, CMYK, Lab, grey, HSB and HLS, inks with their values in several models.</source>

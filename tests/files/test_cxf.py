@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -241,6 +242,8 @@ def test_samples_of_one_name_and_kind_are_averaged_where_they_agree(written) -> 
     assert [(s.measurements, s.readings[0].lab) for s in read_cxf(path).samples] == [(2, (50.5, 0.0, 0.0))]
     entries = read_palette(path).palette.entries
     assert [entry.content.lab_at(45.0) for entry in entries] == [(50.5, 0.0, 0.0)]
+    path = written(re.sub(r' Name="" Id="o\d"', "", multi(*(("", "Target", value) for value in values[:2]))))
+    assert len(read_cxf(path).samples) == len(read_palette(path).palette.entries) == 2
     path = written(multi(("Blue", "Standard", values[0]), ("Blue", "Sample", values[1])))
     assert len(read_cxf(path).samples) == len(read_palette(path).palette.entries) == 2
     path = written(multi(("Blue", "Target", values[0]), ("Blue", "Target", values[2])))

@@ -121,14 +121,15 @@ _STATISTICS: dict[str, str] = {
         "deviation": "delta deltas δ δe diff difference differences differenz differenzen abweichung abweichungen"
         " tolerance tolerances toleranz toleranzen limit limits grenze grenzen grenzwert grenzwerte sd sigma dev"
         " deviation deviations stddev stdev standarddeviation standardabweichung stabw variance varianz spread range",
-        "mean": "mean means average averages avg mittelwert mittelwerte durchschnitt min max minimum maximum statistic"
-        " statistics statistik",
+        "mean": "mean means average averages avg mittelwert mittelwerte durchschnitt",
+        "extreme": "min max minimum maximum statistic statistics statistik",
         "beside": "upper lower plus minus positive negative pos neg obere oberer untere unterer oben unten std standard"
         " value values wert werte of e lab cielab reading readings measurement measurements data list set",
     }.items()
     for word in words.split()
 }
 """Words of which the names of differences, tolerances and statistics are made, and what they are."""
+_FORMULA = re.compile(r"(?:\b|[dDΔδ])[eE][\W_]*(?:76|94|00|1976|1994|2000)(?!\d)")
 _LONGEST_HEADING = 80
 _LEAST_BANDS = 3
 
@@ -215,7 +216,8 @@ def plain_word(text: str) -> str:
 def is_statistic(text: str, *, means: bool = True) -> bool:
     """Return whether a name says no measurement: a difference, a tolerance or a deviation; with ``means`` a mean, too.
 
-    Every word must belong to it, so that a paint may be called as one with another word.
+    Every word must belong to it, so that a paint may be called as one with another word, or with a number, as in
+    ``SD-101``; only means may be numbered, as ``Average 2``, and differences have the year of their formula.
 
     >>> is_statistic("Tolerance +"), is_statistic("Delta Blue"), is_statistic("Mean value", means=False)
     (True, False, False)
@@ -223,7 +225,9 @@ def is_statistic(text: str, *, means: bool = True) -> bool:
     plain = unicodedata.normalize("NFKC", text[:_LONGEST_HEADING]).replace("∆", "δ")
     words = re.findall(r"[^\W\d_]+", re.sub(r"(?<=[^\W\d_A-Z]{2})(?=[A-Z])", " ", plain).casefold())
     kinds = {_STATISTICS.get(word, "") for word in words}
-    return "" not in kinds and ("deviation" in kinds or (means and "mean" in kinds))
+    if any(map(str.isdecimal, _FORMULA.sub("", plain))):
+        return means and {"mean"} <= kinds <= {"mean", "beside"}
+    return "" not in kinds and ("deviation" in kinds or (means and bool(kinds & {"mean", "extreme"})))
 
 
 @lru_cache(maxsize=1 << 14)

@@ -95,7 +95,7 @@ def find_table(rows: Sequence[TableRow]) -> Table | None:
     """Return the table in the rows of a file; None where there is none that is known here."""
     for index, row in enumerate(rows[:_HEAD_ROWS]):
         columns = interpret(row.cells)
-        if has_whole_colour(columns) or _has_hex(columns, rows[index + 1 :]):
+        if has_whole_colour(columns) or _hex_columns(columns, rows[index + 1 :]):
             return _table(columns, rows, index, index + 1)
         following = rows[index + 1] if index + 1 < len(rows) else None
         # Of lines above a heading that has its angles, numbers are none.
@@ -128,13 +128,11 @@ def _table(columns: tuple[TableColumn, ...], rows: Sequence[TableRow], before: i
 def _settled(columns: tuple[TableColumn, ...], rows: Sequence[TableRow]) -> tuple[TableColumn, ...]:
     """Say of a column ``Color`` whether it has hex codes or names; an unknown first column of texts has names."""
     found = list(columns)
-    known = {column.what for column in columns}
+    codes = _hex_columns(columns, rows)
     for index, column in enumerate(columns):
-        cells = [row.cell(index) for row in rows if row.cell(index)]
         if column.what == "colour":
-            codes = bool(cells) and all(map(_is_code, cells)) and "hex" not in known
-            other = "code" if plain_word(column.heading).endswith("code") else "name"
-            found[index] = TableColumn(column.heading, "hex" if codes else other)
+            other = "code" if _is_called_code(column) else "name"
+            found[index] = TableColumn(column.heading, "hex" if index in codes else other)
     if not any(column.what == "name" for column in found):
         for index, column in enumerate(found):
             cells = [row.cell(index) for row in rows if row.cell(index)]
@@ -177,14 +175,25 @@ def has_whole_colour(columns: Sequence[TableColumn]) -> bool:
     )
 
 
-def _has_hex(columns: Sequence[TableColumn], rows: Sequence[TableRow]) -> bool:
-    """Return whether a column that is called colour has hex codes, or colours as CSS writes them, below it."""
+def _hex_columns(columns: Sequence[TableColumn], rows: Sequence[TableRow]) -> list[int]:
+    """Return the places of columns called colour that have hex codes, or colours as CSS writes them, below them.
+
+    One that is called code has numbers of articles where all are digits, or where another column gives the colour.
+    """
+    found: dict[bool, list[int]] = {False: [], True: []}
     for index, column in enumerate(columns):
         if column.what == "colour":
             cells = [row.cell(index) for row in rows[:_HEAD_ROWS] if row.cell(index)]
-            if cells and all(map(_is_code, cells)):
-                return True
-    return False
+            numbers = _is_called_code(column) and all(map(str.isdecimal, cells))
+            if cells and not numbers and all(map(_is_code, cells)):
+                found[_is_called_code(column)].append(index)
+    if any(column.what == "hex" for column in columns):
+        return []
+    return found[False] or ([] if has_whole_colour(columns) else found[True])
+
+
+def _is_called_code(column: TableColumn) -> bool:
+    return plain_word(column.heading).endswith("code")
 
 
 def _is_code(cell: str) -> bool:

@@ -31,6 +31,7 @@ _STARTS = ("start", "startwl", "startwavelength", "first", "from")
 _STEPS = ("step", "increment", "interval", "delta")
 _WAVES = ("wl", "wavelength", "nm", "lambda")
 _FEWEST_BANDS = 3
+_DIGITS = re.compile(r"\d+")
 _MOST_COLUMNS = 600
 _MOST_SKIPPED = 1000
 
@@ -42,30 +43,23 @@ def xml_rows(root: Element, path: PathLike, most_rows: int) -> tuple[list[TableR
     """
     if root.namespace == SPREADSHEET:
         return list(_sheet(root, path, most_rows)), ()
-    rows, left_out = _tree(root, path, most_rows, means=True)
-    if not rows:  # the means may be all that there is
-        rows, left_out = _tree(root, path, most_rows, means=False)
-    note = f"Elements of differences, tolerances or statistics are left out: {left_out}."
-    return rows, (note,) if left_out and rows else ()
-
-
-def _tree(root: Element, path: PathLike, most_rows: int, *, means: bool) -> tuple[list[TableRow], int]:
-    """Return the rows of a tree, and how many elements :func:`is_statistic` has passed over."""
     records: list[tuple[int, dict[str, str]]] = []
     headings: dict[str, None] = {}
-    passed: list[int] = []
-    for line, fields in _records(root, passed, means=means):
+    left_out = 0
+    for line, fields in _records(root):
+        if fields is None:
+            left_out += 1
+            continue
         records.append((line, fields))
         headings |= dict.fromkeys(fields)
         if len(records) > most_rows or len(headings) > _MOST_COLUMNS:
             raise FileError(path, f"has more than {most_rows:,} readings, or too many fields", f"line {line}")
     if not records:
-        return [], len(passed)
+        return [], ()
     names = list(headings)
-    return [
-        TableRow(root.line, tuple(names)),
-        *(TableRow(line, tuple(fields.get(name, "") for name in names)) for line, fields in records),
-    ], len(passed)
+    rows = [TableRow(line, tuple(fields.get(name, "") for name in names)) for line, fields in records]
+    note = f"Elements of differences, tolerances or statistics are left out: {left_out}."
+    return [TableRow(root.line, tuple(names)), *rows], (note,) if left_out else ()
 
 
 def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[TableRow]:
@@ -85,17 +79,15 @@ def _sheet(root: Element, path: PathLike, most_rows: int) -> Iterator[TableRow]:
             yield TableRow(row.line, tuple(cells))
 
 
-def _records(root: Element, passed: list[int], *, means: bool) -> Iterator[tuple[int, dict[str, str]]]:
+def _records(root: Element) -> Iterator[tuple[int, dict[str, str] | None]]:
     """Yield line and fields of each element with a colour or an effect; the depth is that of the parser's bound.
 
-    ``passed`` takes the lines of the elements that are passed over.
+    There are no fields where the element is passed over: it is a difference, a tolerance or a deviation, or a mean
+    beside other readings.
     """
     waiting: list[tuple[Element, Mapping[str, str]]] = [(root, {})]
     while waiting:
         element, outer = waiting.pop()
-        if element is not root and is_statistic(element.name, means=means):
-            passed.append(element.line)
-            continue
         own = _fields(element)
         columns = interpret(list(own))
         whole = has_whole_colour(columns)
@@ -106,9 +98,37 @@ def _records(root: Element, passed: list[int], *, means: bool) -> Iterator[tuple
         # What stands around a colour says whose it is and where it was read.
         said = {heading: text for heading, text in own.items() if plain_word(heading) in TEXTS}
         inner = {**outer, **said}
-        waiting.extend(
-            (child, inner) for child in reversed(element.children) if child.children or child.attributes
-        )
+        kept: list[tuple[Element, Mapping[str, str]]] = []
+        means: list[Element] = []
+        for child in element.children:
+            if not (child.children or child.attributes):
+                continue
+            name = _DIGITS.sub("", child.name)  # a paint's name is no element's
+            if is_statistic(name, means=False):
+                yield child.line, None
+            elif is_statistic(name):
+                means.append(child)
+            else:
+                kept.append((child, inner))
+        if means and any(_holds_colour(child) for child, _ in kept):
+            for child in means:
+                yield child.line, None
+        else:
+            kept += [(child, inner) for child in means]
+        waiting.extend(reversed(kept))
+
+
+def _holds_colour(element: Element) -> bool:
+    """Return whether an element, or one in it that is no statistic, has a whole colour."""
+    waiting = [element]
+    while waiting:
+        one = waiting.pop()
+        if is_statistic(_DIGITS.sub("", one.name)):
+            continue
+        if has_whole_colour(interpret(list(_fields(one)))):
+            return True
+        waiting += one.children
+    return False
 
 
 def _fields(element: Element) -> dict[str, str]:

@@ -778,6 +778,14 @@ def scss() -> Iterator[Variant]:
     later += "".join(f"@x-{name}: {value};\n" for name, value in pairs)
     flat = (*rgb_flat(names), *rgb_flat(tuple(f"x-{name}" for name in names)))
     yield Variant("LESS set again", later.encode(), flat)
+    shared = "".join(
+        f".a {{\n${name}: {value} !global; }}\n.b {{ $x-{name}: ${name}; }}\n" for name, value in pairs
+    )
+    flat = tuple(one for name, *rest in rgb_flat(names) for one in ((name, *rest), (f"x-{name}", *rest)))
+    yield Variant("SCSS global", shared.encode(), flat)
+    lines = "\n+big\n".join(f"${name}: {value}" for name, value in pairs)
+    marks = "/* ; { */\n// ;\n$font: 'a; b'\n$image: url(data:image/png;base64,aGk=)\n"
+    yield Variant("Sass with marks in texts", (marks + lines).encode(), rgb_flat(names))
     block = "\n".join(f".a {{ $other: red; color: red; ${name}: {value}; }}" for name, value in pairs)
     flat = tuple(one for entry in rgb_flat(names) for one in (("other", "RGB", (1.0, 0.0, 0.0)), entry))
     yield Variant("within rules", f"{block}\n".encode(), flat)

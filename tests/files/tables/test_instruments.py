@@ -15,7 +15,7 @@ from brdf_suite.cli.main import main
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import FileError
 from brdf_suite.files.instruments import read_instrument
-from brdf_suite.files.palettes import read_content, read_palette, write_palette
+from brdf_suite.files.palettes import find_format, read_content, read_palette, write_palette
 from brdf_suite.files.palettes.sample_entries import kept_effects
 from brdf_suite.files.samples import SampleFile
 from brdf_suite.paint_design.standard_files import load_standards
@@ -71,7 +71,7 @@ def test_statistics_and_damaged_readings_are_left_out_with_their_line(tmp_path: 
 @pytest.mark.parametrize(
     "word",
     ["Delta", "ΔE", "Difference", "Differenz", "Tolerance +", "Toleranz -", "Upper limit", "Grenze oben", "SD", "Sigma",
-     "Mittelwert", "Mean value", "Average 2"],
+     "Mittelwert", "Mean value", "Average 2", "Mean of 3 measurements", "ΔE00", "Delta E 2000"],
 )  # fmt: skip
 def test_differences_tolerances_and_statistics_are_no_samples(tmp_path: Path, word: str) -> None:
     found = samples(tmp_path, "\n".join((HEAD, f"{word};1;1;1;1;1;1;1;1;1", SILVER)))
@@ -79,7 +79,10 @@ def test_differences_tolerances_and_statistics_are_no_samples(tmp_path: Path, wo
     assert found.refused == (f"line 2: {word!r} is a difference, tolerance or statistic, no measurement",)
 
 
-@pytest.mark.parametrize("name", ["Delta Blue", "Limit Red", "Range Rover", "Standard", "Maximal Orange"])
+@pytest.mark.parametrize(
+    "name",
+    ["Delta Blue", "Limit Red", "Range Rover", "Standard", "Maximal Orange", "SD-101", "Range 7", "Max 2"],
+)
 def test_a_paint_may_be_called_as_a_statistic_with_another_word(tmp_path: Path, name: str) -> None:
     found = samples(tmp_path, f"{HEAD}\n{SILVER.replace('Silver', name)}")
     assert [sample.name for sample in found.samples] == [name]
@@ -123,6 +126,10 @@ def test_means_are_read_where_there_is_nothing_else(tmp_path: Path) -> None:
     tree = "".join(f'<R Geometry="45as{at}"><L>50</L><a>0</a><b>0</b></R>' for at in (15, 45, 110))
     found = samples(tmp_path, f'<Export><Sample Name="Blue"><Mean>{tree}</Mean></Sample></Export>')
     assert len(found.samples[0].readings) == 3
+    red = f'<Sample Name="Red"><Reading1>{tree}</Reading1><Average1>{tree}</Average1></Sample>'
+    found = samples(tmp_path, f'<Export>{red}<Sample Name="Blue"><Average>{tree}</Average></Sample></Export>')
+    assert [(one.name, one.measurements) for one in found.samples] == [("Red", 1), ("Blue", 1)]
+    assert "Elements of differences, tolerances or statistics are left out: 1." in found.notes
 
 
 def test_rows_may_be_ordered_by_angle(tmp_path: Path) -> None:
@@ -231,6 +238,10 @@ def test_zeros_that_a_spreadsheet_took_away_come_back() -> None:
         (0.0, 0.0, 0.0), (0.0, 0x11 / 255, 0x22 / 255), (0xD4 / 255, 0.0, 0.0),
     ]  # fmt: skip
     assert any("2 hex codes had lost their zeros" in note for note in read.notes)
+    read = read_content(b"name,hex\na,255\nb,128\n", "a.csv")
+    assert read.palette.entries[0].content.values == (0x22 / 255, 0x55 / 255, 0x55 / 255)
+    assert any("2 hex codes of three digits are taken for short ones" in note for note in read.notes)
+    assert read_content(b"name,hex\na,255\nb,12f\n", "a.csv").notes == ()
 
 
 @pytest.mark.parametrize("heading", ["L,a,b", "L,C,h"])
@@ -251,6 +262,20 @@ def test_numbers_of_colours_stay_names_beside_codes_alone() -> None:
     read = read_content(b"100020,d40000\n100120,0000d4\n", "a.csv")
     assert [entry.name for entry in read.palette] == ["100020", "100120"]
     assert len(read_content(b"100020 300040\n100120 200020\n", "a.txt").palette.entries) == 4
+
+
+@pytest.mark.parametrize("heading", ["Color Code", "Colour Code", "Farbcode"])
+def test_a_column_called_code_has_numbers_of_articles_beside_colours(heading: str) -> None:
+    text = f"Name,{heading},Color\nA,100123,#ff0000\nB,A00223,#00ff00\n"
+    entries = read_content(text.encode(), "a.csv").palette.entries
+    assert [entry.code for entry in entries] == ["100123", "A00223"]
+    assert [entry.content.values for entry in entries] == [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
+    text = f"Name,{heading},R,G,B\nA,100123,255,0,0\nB,A00223,0,255,0\n"
+    assert [entry.code for entry in read_content(text.encode(), "a.csv").palette] == ["100123", "A00223"]
+    text = f"Name,{heading}\nA,100123\nB,#00ff00\n"
+    assert len(read_content(text.encode(), "a.csv").palette.entries) == 2
+    with pytest.raises(FileError):
+        read_content(text.replace("#00ff00", "200223").encode(), "a.csv", find_format("table"))
 
 
 def test_marks_between_numbers_in_one_cell_and_small_tristimulus_values() -> None:

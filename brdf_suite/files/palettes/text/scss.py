@@ -3,14 +3,16 @@
 ``$name: #336699;`` and ``@name: #336699;`` are entries; ``$map: ("red": #d40000, …)``, ``@map: { red: #d40000; }`` and
 a list are groups, whose members have numbers in a list. A value may be a variable: in SCSS as it was set last before,
 in LESS as it is set last in the file. Functions that make colours of others (``darken``, ``mix``) are not computed,
-and are left out with a notice.
+and are left out with a notice. ``!default`` and ``!global`` count behind a value, and not behind a list or a map in
+brackets.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import GroupPath, Palette
@@ -26,6 +28,8 @@ _TOKEN = re.compile(
     r"|(?P<word>#[\w-]+|[$@]?[\w.%+-]+(?:\([^()\n]*\))?|\"[^\"\n]*\"|'[^'\n]*'|!\w+)|\s+|.",
     re.DOTALL,
 )
+# What the tokens take for the end of a setting, without the others.
+_END = re.compile(r"/\*.*?(?:\*/|\Z)|//[^\n]*|\"[^\"\n]*\"|'[^'\n]*'|\([^()\n]*\)|(?P<end>[;{}])", re.DOTALL)
 _SNIFF = re.compile(rb"(?m)^\s*[$@][A-Za-z0-9_\x80-\xff-]+\s*:")
 _RULES = (
     "@import",
@@ -39,18 +43,19 @@ _RULES = (
     "@supports",
 )
 _DEEPEST = 16
+_MOST_SETTINGS = 100_000
 _REFERENCE = re.compile(r"([$@][\w-]+)|var\(\s*(--[\w-]+)\s*\)")
 
 
 _Colour = tuple[FlatColour, float]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class _Setting:
     """What a name is set to: ``parts`` are the members of a list, or one value, each in words.
 
     ``names`` are those of the maps around it and its own; ``mark`` is that of the outermost. ``block`` is 0 outside
-    rules, else the number of the rule.
+    rules, else the number of the rule. ``key`` is the name by which others refer to it, empty of a map's members.
     """
 
     line: int
@@ -59,25 +64,29 @@ class _Setting:
     parts: tuple[tuple[str, ...], ...]
     default: bool
     block: int
-
-    @property
-    def key(self) -> str:
-        return "" if len(self.names) > 1 else self.mark + self.names[0].replace("_", "-")
+    key: str
 
 
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a style sheet; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    settings = list(_Scanner().scan(decode_text(content, path, collector).replace("\r\n", "\n")))
-    values = _Values(settings)
+    values = _Values(collector)
+    settings: list[_Setting] = []
+    certain = 0
+    for setting in _Scanner().scan(decode_text(content, path, collector).replace("\r\n", "\n")):
+        settings.append(setting)
+        certain += values.prepare(setting)
+        collector.check_count(certain, f"line {setting.line}")
+        if len(settings) > _MOST_SETTINGS:
+            raise collector.fail(f"has more than {_MOST_SETTINGS:,} variables", f"line {setting.line}")
     groups: dict[tuple[str, ...], GroupPath] = {}
     for setting in settings:
-        if not values.take(setting):
+        found = values.take(setting)
+        if found is None:
             collector.note(
                 "{n} variable[|s] without effect, since [it is|they are] set elsewhere, [is|are] left out."
             )
             continue
-        found = values.colours(setting)
         if not any(found):
             collector.note("{n} value[ that is no colour|s that are no colours] known here skipped.")
             continue
@@ -102,44 +111,85 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 class _Values:
     """What variables are: in SCSS the latest setting before, in LESS the last of all."""
 
-    def __init__(self, settings: Sequence[_Setting]) -> None:
-        self._last = {(one.block, one.key): one for one in settings if one.key.startswith("@")}
+    def __init__(self, collector: Collector) -> None:
+        self._collector = collector
+        self._last: dict[tuple[int, str], _Setting] = {}
         self._known: dict[tuple[int, str], list[_Colour | None]] = {}
+        self._followed: dict[tuple[int, str], _Colour | None] = {}
+        self._parse = cache(parse_colour)
 
-    def take(self, setting: _Setting) -> bool:
-        """Set a variable; return whether that has an effect."""
+    def prepare(self, setting: _Setting) -> int:
+        """Remember a setting of LESS; return how many colours of any setting become entries whatever else is set."""
         at = (setting.block, setting.key)
-        if setting.mark == "@":
-            return not setting.key or self._last[at] is setting
-        if setting.key and setting.default and at in self._known:
-            return False
-        if setting.key:
-            self._known[at] = self.colours(setting)
-        return True
+        again = at in self._last
+        if setting.key.startswith("@"):
+            self._last[at] = setting
+        if again or setting.default:
+            return 0
+        return sum(one is not None for one in self._each(setting, self._parse))
 
-    def colours(self, setting: _Setting, depth: int = 0) -> list[_Colour | None]:
-        """Return the colour of each part; None for what is none."""
-        parts = setting.parts
-        found = [self._colour(" ".join(words), setting.block, depth) for words in parts]
-        if len(parts) == 1 and found == [None] and len(parts[0]) > 1:
-            members = [self._colour(word, setting.block, depth) for word in parts[0]]
-            return members if all(members) else found
+    def take(self, setting: _Setting) -> list[_Colour | None] | None:
+        """Set a variable, and return the colour of each part, None for what is none; None if that has no effect."""
+        at = (setting.block, setting.key)
+        less = setting.mark == "@"
+        if setting.key and (self._last[at] is not setting if less else setting.default and at in self._known):
+            return None
+        found = self._each(setting, lambda text: self._colour(text, setting.block))
+        if setting.key and not less:
+            self._known[at] = found
         return found
 
-    def _colour(self, text: str, block: int, depth: int) -> _Colour | None:
-        if found := parse_colour(text):
+    def _each(self, setting: _Setting, colour: Callable[[str], _Colour | None]) -> list[_Colour | None]:
+        """Return the colours of the parts, or of the words of the only one where all of them are colours.
+
+        Raises :class:`FileError`: they are more than a file may have.
+        """
+        found = self._counted(setting, colour, map(" ".join, setting.parts))
+        if found != [None] or len(setting.parts[0]) == 1:
             return found
-        named = _REFERENCE.fullmatch(text)
-        if named is None or depth > _DEEPEST:
-            return None
-        key = (named[1] or named[2]).replace("_", "-")
-        if key.startswith("@"):
-            last = self._last.get((block, key)) or self._last.get((0, key))
-            one_word = last is not None and [len(words) for words in last.parts] == [1]
-            colours = self.colours(last, depth + 1) if last is not None and one_word else []
-        else:
-            colours = self._known.get((block, key)) or self._known.get((0, key), [])
-        return colours[0] if len(colours) == 1 else None
+        members = self._counted(setting, colour, setting.parts[0], until_none=True)
+        return members if members[-1] is not None else found
+
+    def _counted(
+        self,
+        setting: _Setting,
+        colour: Callable[[str], _Colour | None],
+        texts: Iterable[str],
+        *,
+        until_none: bool = False,
+    ) -> list[_Colour | None]:
+        found: list[_Colour | None] = []
+        count = 0
+        for text in texts:
+            found.append(colour(text))
+            if found[-1] is not None:
+                count += 1
+                self._collector.check_count(count, f"line {setting.line}")
+            elif until_none:
+                break
+        return found
+
+    def _colour(self, text: str, block: int) -> _Colour | None:
+        """Return the colour of a value, through all variables of which each is the next one."""
+        passed: list[tuple[int, str]] = []
+        while (found := self._parse(text)) is None and (named := _REFERENCE.fullmatch(text)):
+            key = (named[1] or named[2]).replace("_", "-")
+            at = (block, key)
+            if at in self._followed:
+                found = self._followed[at]
+                break
+            if not key.startswith("@"):
+                colours = self._known.get(at) or self._known.get((0, key), [])
+                found = colours[0] if len(colours) == 1 else None
+                break
+            last = self._last.get(at) or self._last.get((0, key))
+            if last is None or [len(words) for words in last.parts] != [1]:
+                break
+            self._followed[at] = None  # until it is known; so it stays where it leads to itself
+            passed.append(at)
+            text, block = last.parts[0][0], last.block
+        self._followed.update(dict.fromkeys(passed, found))
+        return found
 
 
 @dataclass
@@ -165,7 +215,7 @@ class _Scanner:
     def scan(self, text: str) -> Iterator[_Setting]:
         """Yield the settings of a style sheet in their order."""
         # In the indented syntax of Sass, which has neither braces nor semicolons, a line is a setting.
-        indented = not any(token.lastgroup == "end" for token in _TOKEN.finditer(text))
+        indented = not any(token["end"] for token in _END.finditer(text))
         reached = 0
         for token in _TOKEN.finditer(text):
             self._line += text.count("\n", reached, token.start())
@@ -188,7 +238,7 @@ class _Scanner:
         yield from self._finish()
 
     def _clear(self) -> None:
-        self._key, self._default = "", False
+        self._key, self._default, self._global = "", False, False
         self._words: list[str] = []
         self._parts: list[tuple[str, ...]] = []
 
@@ -201,8 +251,9 @@ class _Scanner:
 
     def _setting(self, name: str, parts: Sequence[tuple[str, ...]]) -> _Setting:
         mark = self._outer_mark if self._names else self._mark
-        block = self._blocks if self._rules else 0
-        return _Setting(self._start, (*self._names, name), mark, tuple(parts), self._default, block)
+        block = self._blocks if self._rules and not self._global else 0
+        key = "" if self._names else mark + name.replace("_", "-")
+        return _Setting(self._start, (*self._names, name), mark, tuple(parts), self._default, block, key)
 
     def _finish(self) -> Iterator[_Setting]:
         """Yield the setting that has begun; without a name it is a member of a list."""
@@ -285,6 +336,7 @@ class _Scanner:
     def _word(self, text: str) -> None:
         if text.startswith("!"):
             self._default |= text == "!default"
+            self._global |= text == "!global"
         elif self._key or self._in(brace=False):
             if not self._key and not self._words:
                 self._start = self._line

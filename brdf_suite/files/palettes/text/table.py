@@ -89,6 +89,11 @@ class _FlatRows:
         self._table, self._collector = table, collector
         self._parts = self._find_parts()
         self._short = {index for index in table.of("hex") if self._is_short(index)}
+        self._decimal = {
+            index
+            for index in self._short
+            if all(_code(row, index).isdecimal() for row in table.rows if _code(row, index))
+        }
         self._hex = {index: self._opacity(index) for index in table.of("hex")}
         if not table.headed:
             collector.note("The table has no headings; its columns were recognised by what is in them.")
@@ -288,6 +293,11 @@ class _FlatRows:
             return None
         bare = _BARE_HEX.fullmatch(text)
         if index in self._short:
+            if index in self._decimal:
+                self._collector.note(
+                    "{n} hex code[|s] of three digits [is|are] taken for [a short one|short ones], as #369 for "
+                    "#336699, and not for [a number that has lost its|numbers that have lost their] zeros."
+                )
             text = f"#{text}"
         elif _SHORT_NUMBER.fullmatch(text):
             self._collector.note(
