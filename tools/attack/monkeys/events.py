@@ -360,13 +360,12 @@ def _name(widget: QWidget) -> str:
 
 
 def _strike(handle: QWindow, key: Qt.Key, keys: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
-    """Press and release a key; the press may end the window, and so may that of a modifier before it."""
+    """Press and release a key; each press may end the window, and the event before it may have done so."""
     for modifier, own in _MODIFIER_KEYS.items():
-        if keys & modifier:
+        if keys & modifier and isValid(handle):
             QTest.keyPress(handle, own)  # QTest itself would go on with a window that is gone
-            if not isValid(handle):
-                return
-    QTest.keyPress(handle, key, keys)
+    if isValid(handle):
+        QTest.keyPress(handle, key, keys)
     if isValid(handle):
         QTest.keyRelease(handle, key, keys)
 
