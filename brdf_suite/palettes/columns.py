@@ -7,6 +7,7 @@ for a paint once is not worked out again while the paint is the same.
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -187,15 +188,15 @@ class ColumnsWork:
     def _take_readings(self, rows: Sequence[int]) -> None:
         flat: list[int] = []
         colours: list[FlatColour] = []
-        read_rows: list[int] = []
-        readings: list[tuple[float, float, float, float, float]] = []
+        # Of many entries numpy would make an array of tuples in one step, which holds up the thread of a window.
+        read_rows, readings = array("q"), array("d")
         for row in rows:
             content = self._entries[row].content
             if isinstance(content, Paint):
                 self._gloss[row] = content.gloss.gu_20
                 for m in content.measurements:
                     read_rows.append(row)
-                    readings.append((m.illumination_deg, m.aspecular_deg, *m.lab))
+                    readings.extend((m.illumination_deg, m.aspecular_deg, *m.lab))
             elif isinstance(content, FlatColour):
                 flat.append(row)
                 colours.append(content)
@@ -204,7 +205,7 @@ class ColumnsWork:
             self._lab[flat] = flat_labs(colours)[:, None]
             self._read[flat] = True
         if read_rows:
-            of, table = np.array(read_rows), np.array(readings)
+            of, table = np.frombuffer(read_rows, np.int64), np.frombuffer(readings).reshape(-1, 5)
             under = np.abs(table[:, 0] - LIGHT_DEG) <= _SAME_DEG
             for place, angle in enumerate(self._angles):
                 off = np.abs(table[:, 1] - angle)
