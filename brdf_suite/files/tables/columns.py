@@ -289,22 +289,8 @@ def _channel(key: str) -> str:
     """Return the letter of a channel's heading, behind a letter for each family where the heading names one."""
     for unit in ("0255", "01", "0100", "value", "wert", "channel", "kanal"):
         key = key.removesuffix(unit) or key
-    families = (
-        "cmyk",
-        "srgb",
-        "rgb",
-        "cielab",
-        "lab",
-        "cielch",
-        "lch",
-        "xyz",
-        "hsl",
-        "hsv",
-        "hsb",
-        "colour",
-        "color",
-    )
-    for family in families:
+    families = "cmyk srgb rgb cielab lab cielch lch xyz hsl hsv hsb colour color"
+    for family in families.split():
         for rest in (key.removeprefix(family), key.removesuffix(family)):
             if rest != key and (rest in _LETTERS or rest in _WORDS):
                 return _WORDS.get(rest, rest)
