@@ -100,7 +100,7 @@ def start_batch(palette: Path, out: Path, address: str) -> subprocess.Popen[str]
     """Start the command that measures a palette on a cluster, an item at a time."""
     words = ("-o", str(out), "--scheduler", address, "--group", "1", "--json")
     return subprocess.Popen(
-        child_command("brdf_suite.cli.main", "batch", "measure", str(palette), *words),
+        child_command("brdf_suite", "batch", "measure", str(palette), *words),
         env=_ENVIRONMENT,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,

@@ -96,7 +96,7 @@ def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_trap_catches_a_process_that_is_started_without_the_option(hostile: Path) -> None:
-    run([sys.executable, "-m", "brdf_suite.cli.main", "--help"], hostile)
+    run([sys.executable, "-m", "brdf_suite", "--help"], hostile)
     assert (hostile / "ran").exists()
 
 
@@ -115,7 +115,7 @@ def test_no_file_of_the_working_folder_runs(module: str, hostile: Path, tmp_path
 
 
 def test_no_file_of_the_working_folder_runs_in_a_child_of_a_child(hostile: Path) -> None:
-    done = run(child_command("brdf_suite.cli.main", "designer", "--help"), hostile)
+    done = run(child_command("brdf_suite", "designer", "--help"), hostile)
     assert "usage: brdf-designer" in done.stdout
     assert not (hostile / "ran").exists()
 
@@ -157,13 +157,13 @@ def test_a_frozen_build_runs_modules_by_the_hidden_option(
     assert program == sys.executable
     # What stands for the frozen program here: the command.
     monkeypatch.delattr(sys, "frozen")
-    done = run([*child_command("brdf_suite.cli.main"), *arguments], hostile)
+    done = run([*child_command("brdf_suite"), *arguments], hostile)
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("usage: brdf-viewer")
 
 
 def test_a_program_runs_modules_by_the_hidden_option_too(hostile: Path) -> None:
-    done = run(child_command("brdf_designer", "--module", "brdf_suite.cli.main", "list", "formats"), hostile)
+    done = run(child_command("brdf_designer", "--module", "brdf_suite", "list", "formats"), hostile)
     assert done.returncode == 0, done.stderr
     assert "brdfpaint" in done.stdout
 
@@ -171,10 +171,10 @@ def test_a_program_runs_modules_by_the_hidden_option_too(hostile: Path) -> None:
 def test_no_folder_that_a_variable_names_runs(hostile: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PYTHONPATH", str(hostile))
     monkeypatch.setenv("PYTHONWARNINGS", "error::random.Warning")
-    run([sys.executable, "-P", "-m", "brdf_suite.cli.main", "--help"], hostile.parent)
+    run([sys.executable, "-P", "-m", "brdf_suite", "--help"], hostile.parent)
     assert (hostile / "ran").exists()
     (hostile / "ran").unlink()
-    done = run(child_command("brdf_suite.cli.main", "--help"), hostile.parent)
+    done = run(child_command("brdf_suite", "--help"), hostile.parent)
     assert done.returncode == 0, done.stderr
     assert not (hostile / "ran").exists()
 
@@ -183,8 +183,8 @@ def test_a_source_that_a_variable_names_is_found_by_its_children(
     hostile: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join(map(str, (CHECKOUT, CHECKOUT / "apps"))))
-    assert "-E" not in child_command("brdf_suite.cli.main")
-    done = run(child_command("brdf_suite.cli.main", "--help"), hostile)
+    assert "-E" not in child_command("brdf_suite")
+    done = run(child_command("brdf_suite", "--help"), hostile)
     assert done.returncode == 0, done.stderr
     assert not (hostile / "ran").exists()
 
@@ -233,7 +233,7 @@ def test_what_is_printed_for_programs_is_utf8_in_every_locale(tmp_path: Path) ->
         "PYTHONCOERCECLOCALE": "0",
         "PYTHONIOENCODING": "ascii:strict",
     }
-    words = ("-m", "brdf_suite.cli.main", "palette", "info", str(tmp_path / "a.gpl"), "--json")
+    words = ("-m", "brdf_suite", "palette", "info", str(tmp_path / "a.gpl"), "--json")
     done = run_in_shell("", *words, **ascii_only)
     assert done.returncode == 0, done.stderr
     assert name in done.stdout.decode("utf-8")

@@ -33,8 +33,13 @@ OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsub
 
 # Modules that may import inside functions, with the reason: what the import takes of the processor's time where it is
 # not needed.
+_INTERRUPTED = "an interrupt may come before it"
 LATE_IMPORTS: dict[str, str] = {
-    "apps/brdf_designer/__main__.py": "all of Designer: the start page is on the screen before it",
+    "apps/brdf_color_swatch/__main__.py": _INTERRUPTED,
+    "apps/brdf_designer/__main__.py": _INTERRUPTED,
+    "apps/brdf_lobe_visualizer/__main__.py": _INTERRUPTED,
+    "apps/brdf_viewer/__main__.py": _INTERRUPTED,
+    "apps/brdf_designer/command_line.py": "all of Designer: the start page is on the screen before it",
     "apps/brdf_designer/acquire/control.py": "80 ms, when the assistant is opened for the first time",
     "apps/brdf_designer/acquire/exposures/control.py": "0.2 s with numba, on a thread",
     "apps/brdf_designer/acquire/mask/control.py": "0.2 s with numba, on a thread",
@@ -49,6 +54,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_lobe_visualizer/model_text/part.py": "models, 40 ms, after the window is painted",
     "apps/brdf_qt/program/diagnostics.py": "importlib.metadata and platformdirs take 20 ms each",
     "apps/brdf_viewer/tracing/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
+    "brdf_suite/__main__.py": _INTERRUPTED,
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/files/images/icc.py": "Pillow's littleCMS takes 25 ms, and few monitors need it",
     "brdf_suite/files/palettes/cmyk_profile.py": "Pillow's littleCMS takes 25 ms, and few palettes need it",

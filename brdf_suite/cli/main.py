@@ -14,11 +14,11 @@ from pathlib import Path
 from time import perf_counter
 
 from brdf_suite.cli import default_action
-from brdf_suite.cli.interrupts import interrupts_between_imports
 from brdf_suite.cli.output import print_error
 from brdf_suite.cli.streams import closed_output, streams, visible_streams
 from brdf_suite.command_parser import LOG, CommandParser, set_loudness
 from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.interrupts import interrupts_between_imports
 from brdf_suite.processes import prepare_streams, run_named_module
 from brdf_suite.variables import VARIABLES
 
@@ -228,7 +228,3 @@ def _drop_output() -> None:
     """Discard buffered output, which would fail again at exit."""
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-if __name__ == "__main__":
-    sys.exit(main())

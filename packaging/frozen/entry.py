@@ -6,7 +6,7 @@ import multiprocessing
 import sys
 from pathlib import Path
 
-from brdf_suite.cli.main import main
+from brdf_suite.__main__ import main
 from brdf_suite.processes import MODULE_OPTION
 
 PROGRAMS = {

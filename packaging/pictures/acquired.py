@@ -48,7 +48,7 @@ def main() -> None:
 def command(*words: object) -> None:
     """Run ``brdf-suite`` and show what it says."""
     print("brdf-suite", *words, file=sys.stderr)
-    subprocess.run([sys.executable, "-m", "brdf_suite.cli.main", *map(str, words)], check=True)
+    subprocess.run([sys.executable, "-m", "brdf_suite", *map(str, words)], check=True)
 
 
 def draw(folder: Path, paint: str, size: str) -> None:

@@ -136,7 +136,7 @@ def main() -> int:
         for name, command in RENDERS.items():
             if name in wanted:
                 output = ["-o", str(IMAGES / f"{name}.png")]
-                run([sys.executable, "-m", "brdf_suite.cli.main", "render", *command, *output], environment)
+                run([sys.executable, "-m", "brdf_suite", "render", *command, *output], environment)
     return 0
 
 

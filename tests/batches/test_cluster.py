@@ -135,9 +135,7 @@ def test_an_address_without_a_protocol_is_refused_at_once() -> None:
 @pytest.mark.parametrize("system", sorted(set(JOB_SYSTEMS) - {"local"}))
 def test_a_job_system_that_is_not_configured_says_so(system: str, tmp_path: Path) -> None:
     words = ("batch", "measure", "blue", "-o", str(tmp_path), "--jobs", system)
-    done = subprocess.run(
-        child_command("brdf_suite.cli.main", *words), capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(child_command("brdf_suite", *words), capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert "Traceback" not in done.stderr
     assert done.stderr.splitlines()[-1].startswith(f"brdf-suite: {system}: You must specify how much cores")
@@ -161,7 +159,7 @@ def test_a_script_without_its_guard_says_what_is_missing(tmp_path: Path) -> None
 def test_ctrl_c_in_a_terminal_ends_in_one_line(clusters: ModuleType, palette: Path, tmp_path: Path) -> None:
     words = ("batch", "measure", str(palette), "-o", str(tmp_path / "out"), "--workers", "2", "--group", "1")
     running = subprocess.Popen(
-        child_command("brdf_suite.cli.main", *words),
+        child_command("brdf_suite", *words),
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
@@ -261,7 +259,7 @@ def measure_blue(folder: Path, variables: dict[str, str], *words: str) -> subpro
     """Run a batch of one paint in a folder, without the variable that alone would keep its files out."""
     kept = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
     return subprocess.run(
-        child_command("brdf_suite.cli.main", "batch", "measure", "blue", "-o", "out", *words),
+        child_command("brdf_suite", "batch", "measure", "blue", "-o", "out", *words),
         cwd=folder,
         env=kept | variables,
         capture_output=True,

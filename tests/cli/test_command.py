@@ -54,7 +54,7 @@ def command(tmp_path: Path):
             k: v for k, v in os.environ.items() if k not in {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}
         }
         return subprocess.run(
-            [sys.executable, "-m", "brdf_suite.cli.main", *map(str, arguments)],
+            [sys.executable, "-m", "brdf_suite", *map(str, arguments)],
             cwd=tmp_path,
             env=clean,
             capture_output=True,
@@ -236,7 +236,7 @@ def test_a_reader_that_ends_early_gets_no_traceback() -> None:
     os.close(reader)  # before anything is written, so that the first write fails
     with os.fdopen(writer, "wb") as closed:
         done = subprocess.run(
-            [sys.executable, "-m", "brdf_suite.cli.main", "fit", "blue", "--json"],
+            [sys.executable, "-m", "brdf_suite", "fit", "blue", "--json"],
             stdout=closed,
             stderr=subprocess.PIPE,
             text=True,
@@ -248,7 +248,7 @@ def test_a_reader_that_ends_early_gets_no_traceback() -> None:
 
 
 def in_a_shell(words: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    line = f"exec {shlex.quote(sys.executable)} -m brdf_suite.cli.main {words}"
+    line = f"exec {shlex.quote(sys.executable)} -m brdf_suite {words}"
     return subprocess.run(
         ["bash", "-c", line], cwd=folder, capture_output=True, text=True, timeout=240, check=False
     )
@@ -272,7 +272,7 @@ def test_what_prints_nothing_needs_no_output(tmp_path: Path) -> None:
 def test_output_that_cannot_be_written_is_reported_in_one_line(arguments: list[str]) -> None:
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "brdf_suite.cli.main", *arguments],
+            [sys.executable, "-m", "brdf_suite", *arguments],
             env={k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"},
             stdout=full,
             stderr=subprocess.PIPE,
@@ -387,7 +387,7 @@ def test_options_after_a_program_are_the_programs(command, tmp_path: Path) -> No
     assert helped.returncode == 0, helped.stderr
     assert "--screenshot" in helped.stdout
     done = subprocess.run(
-        [sys.executable, "-m", "brdf_suite.cli.main", "designer", "--report-startup", "--quit-after", "0"],
+        [sys.executable, "-m", "brdf_suite", "designer", "--report-startup", "--quit-after", "0"],
         env={**os.environ, "QT_QPA_PLATFORM": "offscreen", "BRDF_SUITE_SETTINGS": str(tmp_path)},
         capture_output=True,
         text=True,
@@ -434,7 +434,7 @@ def test_a_program_ends_with_the_command_that_started_it(tmp_path: Path) -> None
         "BRDF_SUITE_SETTINGS": str(tmp_path),
         "BRDF_SUITE_LINK": tmp_path.name,
     }
-    start = [sys.executable, "-m", "brdf_suite.cli.main", "swatch"]
+    start = [sys.executable, "-m", "brdf_suite", "swatch"]
     with subprocess.Popen(start, env={**os.environ, **own}, stderr=subprocess.PIPE, text=True) as command:
         listed = Path(f"/proc/{command.pid}/task/{command.pid}/children")
         while command.poll() is None and not listed.read_text():

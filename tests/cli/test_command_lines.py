@@ -490,7 +490,7 @@ def test_the_bench_is_hidden_where_there_is_none(monkeypatch: pytest.MonkeyPatch
     ],
 )
 def test_in_a_shell(line: str, status: int, out: str, err: str, folder: Path) -> None:
-    command = f"{shlex.quote(sys.executable)} -m brdf_suite.cli.main"
+    command = f"{shlex.quote(sys.executable)} -m brdf_suite"
     done = subprocess.run(
         ["bash", "-c", line.format(command)],
         capture_output=True,

@@ -52,7 +52,7 @@ def documented(page: Path) -> Iterator[tuple[str, list[str]]]:
 
 def parse(program: str, words: list[str]) -> None:
     if program == "brdf-lobes":
-        from brdf_lobe_visualizer.__main__ import parser as lobes
+        from brdf_lobe_visualizer.command_line import parser as lobes
 
         lobes().parse_args(words)
     elif program == "brdf-suite" and words[:1] == ["lobes"]:
@@ -153,7 +153,7 @@ def run(line: str) -> int:
             return main(words[1:])
         except SystemExit as end:
             return int(str(end.code or 0))
-    command = f"{shlex.quote(sys.executable)} -m brdf_suite.cli.main "
+    command = f"{shlex.quote(sys.executable)} -m brdf_suite "
     shell = re.sub(r"(^|\| )brdf-suite ", lambda match: match[1] + command, line)
     return subprocess.run(
         ["bash", "-o", "pipefail", "-c", shell], check=False, timeout=240, env=os.environ

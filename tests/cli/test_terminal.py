@@ -31,7 +31,7 @@ def on_a_terminal(*arguments: str) -> str:
     """What the command writes to a terminal that is its standard output and its standard error."""
     ours, its = pty.openpty()
     process = subprocess.Popen(
-        child_command("brdf_suite.cli.main", *arguments), stdin=subprocess.DEVNULL, stdout=its, stderr=its
+        child_command("brdf_suite", *arguments), stdin=subprocess.DEVNULL, stdout=its, stderr=its
     )
     os.close(its)
     said = b""

@@ -60,7 +60,7 @@ def test_start_up_is_reported():
 
 def test_start_up_imports_nothing_slow():
     code = (
-        "import sys; from brdf_designer.__main__ import main; status = main(['--quit-after', '0']);"
+        "import sys; from brdf_designer.command_line import main; status = main(['--quit-after', '0']);"
         "print(sorted(sys.modules)); sys.exit(status)"
     )
     done = subprocess.run(

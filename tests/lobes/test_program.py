@@ -10,7 +10,7 @@ import sys
 
 import pytest
 from brdf_lobe_visualizer import remembered
-from brdf_lobe_visualizer.__main__ import parser
+from brdf_lobe_visualizer.command_line import parser
 from brdf_lobe_visualizer.script import apply_subjects, apply_view, incidence, shown
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from PySide6.QtGui import QImage
@@ -38,7 +38,7 @@ def test_a_run_reports_its_start_imports_nothing_slow_and_saves_its_picture(tmp_
     picture = tmp_path / "a.png"
     # The modules are looked at when the window has been painted, before a file is read.
     code = (
-        "import sys; from brdf_lobe_visualizer import __main__ as m; from brdf_lobe_visualizer import assembly;"
+        "import sys; from brdf_lobe_visualizer import command_line as m; from brdf_lobe_visualizer import assembly;"
         "start = assembly.LobeVisualizer.start;"
         "assembly.LobeVisualizer.start = lambda self: (print(sorted(sys.modules)), start(self));"
         f"status = m.main(['lambertian', 'blue', '--theme', 'light', '--size', '900x600', '--report-startup',"

@@ -156,7 +156,7 @@ def test_a_thumbnailer_draws_paints_and_palettes(share, tmp_path) -> None:
         places = {"%i": str(tmp_path / name), "%o": str(tmp_path / f"{name}.png"), "%s": "64"}
         arguments = [places.get(word, word) for word in words[1:]]
         done = subprocess.run(
-            child_command("brdf_suite.cli.main", *arguments), capture_output=True, text=True, check=False
+            child_command("brdf_suite", *arguments), capture_output=True, text=True, check=False
         )
         assert (done.returncode, done.stdout) == (0, ""), done.stderr
         pixels = np.asarray(Image.open(tmp_path / f"{name}.png"))
@@ -170,9 +170,7 @@ def test_a_thumbnailer_draws_paints_and_palettes(share, tmp_path) -> None:
 def test_a_thumbnail_of_something_else_is_one_line(tmp_path) -> None:
     (tmp_path / "a.brdfpaint").write_text("{", encoding="utf-8")
     words = ("thumbnail", str(tmp_path / "a.brdfpaint"), "-o", str(tmp_path / "a.png"))
-    done = subprocess.run(
-        child_command("brdf_suite.cli.main", *words), capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(child_command("brdf_suite", *words), capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert len(done.stderr.splitlines()) == 1
     assert not (tmp_path / "a.png").exists()

@@ -65,7 +65,7 @@ def environment(folder: Path) -> dict[str, str]:
 def command(folder: Path, *words: str | Path) -> subprocess.CompletedProcess[str]:
     """Run ``brdf-suite`` with the packages of a folder."""
     return subprocess.run(
-        [sys.executable, "-m", "brdf_suite.cli.main", *map(str, words)],
+        [sys.executable, "-m", "brdf_suite", *map(str, words)],
         env=environment(folder),
         capture_output=True,
         text=True,

@@ -51,7 +51,7 @@ def wait_for_both(process: subprocess.Popen[str]) -> dict[str, int]:
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
 def test_both_programs_open_and_end_with_the_command(number) -> None:
-    command = [sys.executable, "-m", "brdf_suite.cli.main"]
+    command = [sys.executable, "-m", "brdf_suite"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         try:
             started = wait_for_both(process)
@@ -64,7 +64,7 @@ def test_both_programs_open_and_end_with_the_command(number) -> None:
 
 
 def test_the_viewer_follows_designer_also_on_a_paint_that_was_named() -> None:
-    command = [sys.executable, "-m", "brdf_suite.cli.main", "open", "copper"]
+    command = [sys.executable, "-m", "brdf_suite", "open", "copper"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         try:
             started = wait_for_both(process)
@@ -80,7 +80,7 @@ def test_the_viewer_follows_designer_also_on_a_paint_that_was_named() -> None:
 
 
 def test_when_one_program_is_killed_the_other_lives_on() -> None:
-    command = [sys.executable, "-m", "brdf_suite.cli.main"]
+    command = [sys.executable, "-m", "brdf_suite"]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
         try:
             started = wait_for_both(process)

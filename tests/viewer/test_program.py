@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from brdf_qt.program import theme
 from brdf_qt.program.settings import settings
-from brdf_viewer import __main__ as program
+from brdf_viewer import command_line as program
 from brdf_viewer.documents import first_view, view_files
 from brdf_viewer.documents.remembered import recall, remember
 from brdf_viewer.paint import control

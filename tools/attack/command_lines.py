@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import random
+import re
 import resource
 import signal
 import subprocess
@@ -169,9 +170,9 @@ def wrong(count: int, seed: int, report: Callable[[str], None]) -> Lines:
 
 
 _STARTS = (
-    ("brdf_suite.cli.main", "list", "paints"),
-    ("brdf_suite.cli.main", "measure", "blue"),
-    ("brdf_suite.cli.main", "fit", "copper"),
+    ("brdf_suite", "list", "paints"),
+    ("brdf_suite", "measure", "blue"),
+    ("brdf_suite", "fit", "copper"),
     ("brdf_designer", "--quit-after", "0"),
     ("brdf_viewer", "--quit-after", "0"),
     ("brdf_lobe_visualizer", "--quit-after", "0"),
@@ -195,10 +196,13 @@ def signals(count: int, seed: int, report: Callable[[str], None]) -> Lines:
                 found.judge(f"{' '.join(line)} with {_PIPES[kind]}", status, said)
             else:
                 sent = rng.choice(_SIGNALS)
-                after = rng.uniform(0.0, 2.0)
-                status, said = _with_signal(child_command(*line), environment, sent, after)
+                after, to_group = rng.uniform(0.0, 2.0), rng.random() < 0.5
+                status, said = _with_signal(child_command(*line), environment, sent, after, to_group=to_group)
                 found.judge(
-                    f"{' '.join(line)}, {sent.name} after {after:.2f} s", status, said, killed=status == -sent
+                    f"{' '.join(line)}, {sent.name} after {after:.3f} s" + " to its group" * to_group,
+                    status,
+                    said,
+                    killed=status == -sent,
                 )
             if len(found.faults) > before:
                 report(f"{list(found.faults)[-1]}: {said.strip()[-300:]}")
@@ -206,16 +210,41 @@ def signals(count: int, seed: int, report: Callable[[str], None]) -> Lines:
 
 
 def _with_signal(
-    command: list[str], environment: dict[str, str], sent: signal.Signals, after_s: float
+    command: list[str], environment: dict[str, str], sent: signal.Signals, after_s: float, *, to_group: bool
 ) -> tuple[int, str]:
+    """Signal a process, or it and its children as a terminal does."""
     process = subprocess.Popen(
-        command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
+        command,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
     )
+    _await_entry_point(process)
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(after_s)
     if process.poll() is None:
-        process.send_signal(sent)
+        if to_group:
+            os.killpg(process.pid, sent)
+        else:
+            process.send_signal(sent)
     return _ended(process)
+
+
+def _await_entry_point(process: subprocess.Popen[bytes]) -> None:
+    """Wait until the suite's entry point has given SIGINT its default action.
+
+    While the interpreter starts, it answers an interrupt with a traceback, and nothing of the suite has run.
+    """
+    was_handled = False
+    while process.poll() is None:
+        found = re.search(r"^SigCgt:\s*(\w+)", Path(f"/proc/{process.pid}/status").read_text(), re.MULTILINE)
+        is_handled = found is not None and bool(int(found[1], 16) >> (signal.SIGINT - 1) & 1)
+        if was_handled and not is_handled:
+            return
+        was_handled = was_handled or is_handled
+        time.sleep(0.001)
 
 
 def _ended(process: subprocess.Popen[bytes]) -> tuple[int, str]:

@@ -7,6 +7,7 @@ the window through :class:`ErrorRelay`.
 from __future__ import annotations
 
 import atexit
+import ctypes
 import logging
 import os
 import signal
@@ -36,6 +37,7 @@ from brdf_qt.program.diagnostics import start_log
 from brdf_qt.program.settings import ORGANISATION
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.tasks import end_all_tasks
 from brdf_suite.errors import Cancelled
 from brdf_suite.foreign_text import make_visible
 from brdf_suite.resources import resource
@@ -136,6 +138,8 @@ def create_application(
     # Libraries of Qt also report when they are unloaded, after the interpreter has ended: the process would die of it.
     atexit.register(qInstallMessageHandler, None)
     _quit_on_signals(app)
+    _end_with_x_server()
+    atexit.register(end_all_tasks)
     return app
 
 
@@ -198,4 +202,31 @@ def _quit_on_signals(app: QApplication) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         # Queued, so that a signal that comes before the event loop ends it as soon as it runs.
         signal.signal(number, lambda *_: QTimer.singleShot(0, app, lambda: app.exit(0)))
+
+    def ignore_signals() -> None:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, signal.SIG_IGN)
+        signal.set_wakeup_fd(-1)
+        notifier.setEnabled(False)
+
+    atexit.register(
+        ignore_signals
+    )  # the process ends already, and the application object goes before the handlers
     app.setProperty("signal_sockets", (reader, writer))
+
+
+def _end_with_x_server() -> None:
+    """End the process at once where Xlib finds that the server is gone; unsaved work stays in the autosave.
+
+    Xlib would call ``exit`` of C, which destroys what threads still use: the process breaks down, or never ends.
+    """
+    if QGuiApplication.platformName() != "xcb":
+        return
+    try:
+        x11 = ctypes.CDLL("libX11.so.6")  # by its own name, as Qt's plug-in has loaded it
+    except OSError:
+        return
+    x11.XSetIOErrorHandler(_X_SERVER_GONE)
+
+
+_X_SERVER_GONE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(lambda _display: os._exit(1))

@@ -23,7 +23,7 @@ from brdf_suite.progress import Progress
 
 PATIENCE_MS = 20_000
 """A cancelled command ends at its next step; one that does not by then is ended by force."""
-_COMMAND = "brdf_suite.cli.main"
+_COMMAND = "brdf_suite"
 _CANCELLED = 130
 _LONGEST_ERROR = 4000
 """Characters kept of what a process prints to standard error: the last ones are what a crash leaves."""

@@ -10,8 +10,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from threading import Event
 from typing import Any
+from weakref import WeakSet
 
 from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal
+from shiboken6 import isValid
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.progress import Progress
@@ -58,6 +60,21 @@ def _stop_all(tasks: dict[str, _Task]) -> None:
         task.stop.set()
 
 
+_runners: WeakSet[TaskRunner] = WeakSet()
+
+
+def end_all_tasks() -> None:
+    """Cancel the work of all runners and wait for the threads; at the end of a process, before Qt's objects go.
+
+    A thread that uses them while they are destroyed can wait for the main thread, which waits for it.
+    """
+    runners = [runner for runner in _runners if isValid(runner)]
+    for runner in runners:
+        _stop_all(runner._tasks)
+    for pool in (*(runner._pool for runner in runners), QThreadPool.globalInstance()):
+        pool.waitForDone()
+
+
 class TaskRunner(QObject):
     """Runs work on threads; ``busy_changed`` reports when the first starts and the last ends."""
 
@@ -68,6 +85,7 @@ class TaskRunner(QObject):
     def __init__(self, parent: QObject | None = None, threads: int = 2) -> None:
         super().__init__(parent)
         self._pool = QThreadPool(self)
+        _runners.add(self)
         self._pool.setMaxThreadCount(threads)
         self._generation = 0
         self._tasks: dict[str, _Task] = {}

@@ -17,7 +17,7 @@ from brdf_suite.reflectance import registry
 
 def command(*arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "brdf_suite.cli.main", "check", *map(str, arguments)],
+        [sys.executable, "-m", "brdf_suite", "check", *map(str, arguments)],
         capture_output=True,
         text=True,
         timeout=240,

@@ -342,7 +342,7 @@ def test_wrong_arguments_are_a_usage_error(capsys: pytest.CaptureFixture[str]) -
 
 def test_the_process_itself() -> None:
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-m", "brdf_suite.cli.main", "measure", "table1_bmw_339"],
+        [sys.executable, "-W", "error", "-m", "brdf_suite", "measure", "table1_bmw_339"],
         capture_output=True,
         text=True,
         timeout=240,

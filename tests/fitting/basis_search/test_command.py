@@ -45,7 +45,7 @@ sys.exit(main(sys.argv[1:]))
 
 
 def start(folder: Path, database: Path, *more: str, held: bool = False) -> subprocess.Popen[str]:
-    program = ["-c", HELD] if held else ["-m", "brdf_suite.cli.main"]
+    program = ["-c", HELD] if held else ["-m", "brdf_suite"]
     command = [sys.executable, *program, "basis", "--database", str(database), *ORDER, *more]
     return subprocess.Popen(
         command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True

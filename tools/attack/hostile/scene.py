@@ -27,7 +27,7 @@ T = TypeVar("T")
 WINDOWS = {"brdf_designer": "p.brdfpaint", "brdf_viewer": "p.brdfpaint", "brdf_color_swatch": "p.brdfpalette",
            "brdf_lobe_visualizer": "p.brdfpaint"}  # fmt: skip
 """The programs, and the document that each is opened with."""
-COMMAND = "brdf_suite.cli.main"
+COMMAND = "brdf_suite"
 _PATIENCE_S = 180.0
 _ORDINARY = ("setpriv", "--bounding-set=-dac_override,-dac_read_search,-fowner")
 _TRACES = re.compile(r"Traceback|Fatal Python error|Exception ignored|Internal error")

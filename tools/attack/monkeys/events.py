@@ -43,10 +43,10 @@ from brdf_suite.errors import SuiteError
 from tools.attack.monkeys.answers import TEXTS, Answers
 
 _MAINS = {
-    "designer": ("brdf_designer.__main__", ("--no-start-page", "p.brdfpaint")),
-    "viewer": ("brdf_viewer.__main__", ("--no-start-page", "p.brdfpaint")),
-    "lobes": ("brdf_lobe_visualizer.__main__", ("--no-start-page", "p.brdfpaint", "blue")),
-    "swatch": ("brdf_color_swatch.__main__", ("--no-start-page", "p.brdfpalette")),
+    "designer": ("brdf_designer.command_line", ("--no-start-page", "p.brdfpaint")),
+    "viewer": ("brdf_viewer.command_line", ("--no-start-page", "p.brdfpaint")),
+    "lobes": ("brdf_lobe_visualizer.command_line", ("--no-start-page", "p.brdfpaint", "blue")),
+    "swatch": ("brdf_color_swatch.command_line", ("--no-start-page", "p.brdfpalette")),
 }
 SILENCE_S = 150.0
 """Of the clock, after which a turn of the event loop that does not end is taken for one without end."""

@@ -1,7 +1,7 @@
-"""Ctrl-C while modules are imported: it takes effect once they are.
+"""What Ctrl-C does: it ends a process that starts, and takes effect in a command only between imports.
 
 ``KeyboardInterrupt`` in the initialization of a library in C becomes an ``ImportError`` that blames the installation,
-or leaves a module that is half there.
+ends the process with a message for developers, or leaves a module that is half there.
 """
 
 from __future__ import annotations
@@ -19,22 +19,34 @@ _put_off = threading.Event()
 """Set while an interrupt waits for the end of an import."""
 
 
+def end_at_interrupt() -> None:
+    """Let SIGINT end this process at once and in silence, as other signals do; for entry points, before they import.
+
+    What has more to do on an interrupt sets its own handler later. Nothing changes where SIGINT is handled or ignored.
+    """
+    if _is_unhandled() and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @contextmanager
 def interrupts_between_imports() -> Iterator[None]:
     """Raise ``KeyboardInterrupt`` for SIGINT within the block, but in no import; nothing where SIGINT is handled."""
-    is_default = signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    if not is_default or threading.current_thread() is not threading.main_thread():
+    if not _is_unhandled() or threading.current_thread() is not threading.main_thread():
         yield
         return
-    signal.signal(signal.SIGINT, _interrupt)
     _put_off.clear()
+    before = signal.signal(signal.SIGINT, _interrupt)
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGINT, before)
     if _put_off.is_set():  # the block ended before it came again
         _put_off.clear()
         raise KeyboardInterrupt
+
+
+def _is_unhandled() -> bool:
+    return signal.getsignal(signal.SIGINT) in (signal.default_int_handler, signal.SIG_DFL)
 
 
 def _interrupt(number: int, frame: FrameType | None) -> None:
