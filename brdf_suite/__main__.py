@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 
 from brdf_suite.interrupts import end_at_interrupt
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command with ``arguments`` (default: those of this process); return the exit status."""
+def main() -> int:
+    """Run the command with the arguments of this process; return the exit status."""
     end_at_interrupt()
     from brdf_suite.cli.main import main as run
 
-    return run(arguments)
+    return run()
 
 
 if __name__ == "__main__":

@@ -20,9 +20,10 @@ _put_off = threading.Event()
 
 
 def end_at_interrupt() -> None:
-    """Let SIGINT end this process at once and in silence, as other signals do; for entry points, before they import.
+    """Let SIGINT end this process at once and in silence; for entry points, before they import what takes long.
 
-    What has more to do on an interrupt sets its own handler later. Nothing changes where SIGINT is handled or ignored.
+    The command and the windows set handlers of their own later. Nothing changes where SIGINT is handled or ignored
+    already. Before it, while the interpreter and this package are loaded, Python answers with a traceback.
     """
     if _is_unhandled() and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_DFL)

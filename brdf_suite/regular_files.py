@@ -53,6 +53,30 @@ def check_regular(path: PathLike, largest: int | None = None) -> None:
         pass
 
 
+def exists(path: PathLike) -> bool:
+    """Return whether there is such a file or folder; :class:`FileError` where the file system refuses to look."""
+    try:
+        return Path(path).exists()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def is_file(path: PathLike) -> bool:
+    """Return whether there is such a file; False also for a name that the file system does not take."""
+    try:
+        return Path(path).is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def is_folder(path: PathLike) -> bool:
+    """Return whether there is such a folder; False also for a name that the file system does not take."""
+    try:
+        return Path(path).is_dir()
+    except (OSError, ValueError):
+        return False
+
+
 def read_bytes(path: PathLike, largest: int | None = None) -> bytes:
     """Return the content of a regular file of at most ``largest`` bytes, or raise :class:`FileError`."""
     with open_regular(path, largest) as stream:

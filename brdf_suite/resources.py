@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_suite.errors import FileError, SuiteError, did_you_mean
+from brdf_suite.regular_files import exists
 
 _PACKAGE = Path(__file__).resolve().parent
 _FEW = 12
@@ -83,14 +84,6 @@ def check_exists(asked: str, kind: str, names: Sequence[str]) -> None:
 def _few(kind: str, names: Sequence[str]) -> str:
     """Return the names for a message, of many the command that lists them."""
     return ", ".join(names) if len(names) <= _FEW else f"`brdf-suite list {kind}s` names all {len(names)}"
-
-
-def exists(asked: str) -> bool:
-    """Return whether there is such a file or folder; :class:`FileError` where the file system refuses to look."""
-    try:
-        return Path(asked).exists()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
-        raise FileError(asked, f"cannot be read: {error.strerror or error}") from error
 
 
 def document_root() -> Path:

@@ -36,11 +36,16 @@ NEEDED = (
     "brdf_suite/_resources/schemas/brdfpaint.schema.json",
     "brdf_suite/_documents/images/designer.png",
     "brdf_suite/realtime/shaders/",
+    "brdf_suite/__main__.py",
     "brdf_designer/__main__.py",
+    "brdf_designer/command_line.py",
     "brdf_viewer/__main__.py",
+    "brdf_viewer/command_line.py",
     "brdf_lobe_visualizer/__main__.py",
+    "brdf_lobe_visualizer/command_line.py",
     "brdf_lobe_visualizer/view3d/shaders/",
     "brdf_color_swatch/__main__.py",
+    "brdf_color_swatch/command_line.py",
     "brdf_qt/gl/shaders/",
 )
 _SPREAD = """

@@ -54,7 +54,8 @@ from brdf_suite.documents.store import (
     save_paint,
 )
 from brdf_suite.pipeline.lobe_fit import PaintFitter
-from brdf_suite.pipeline.material import is_file, load_document, load_shipped_paint, paint_names
+from brdf_suite.pipeline.material import load_document, load_shipped_paint, paint_names
+from brdf_suite.regular_files import is_file
 
 FIRST_PAINT = "blue"
 NEW_READINGS = tuple(

@@ -26,13 +26,11 @@ from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
     file_kind,
-    is_file,
-    is_folder,
     load_material,
     load_palette_file,
     material_of_entry,
 )
-from brdf_suite.regular_files import open_regular
+from brdf_suite.regular_files import is_file, is_folder, open_regular
 
 JOURNAL = "finished.jsonl"
 """Of finished items, in the folder of a batch's results."""
@@ -110,7 +108,7 @@ def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
 def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:
     """Return the environments of sources: shipped names, files and folders; otherwise as :func:`list_paints`."""
     return _without_repeats(
-        _file_item(path) if path.is_file() else _named_item(str(path))
+        _file_item(path) if is_file(path) else _named_item(str(path))
         for source in sources
         for path in _files_of(Path(source), LIGHTS, besides)
     )
@@ -187,7 +185,7 @@ def _paints_in(source: str) -> Iterator[BatchItem]:
 
 
 def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> list[Path]:
-    if not is_folder(str(source)):
+    if not is_folder(source):
         return [source]
     below = [*source.rglob("*")]
     # Results of other batches are no sources.
@@ -199,7 +197,7 @@ def _files_of(source: Path, endings: Iterable[str], besides: Path | None) -> lis
         and not any(part.startswith(".") for part in path.relative_to(source).parts)
         and results.isdisjoint(path.parents)
         and (besides is None or not path.absolute().is_relative_to(besides.absolute()))
-        and path.is_file()
+        and is_file(path)
     )
     if not found:
         raise FileError(source, "holds no file that a batch can work on")

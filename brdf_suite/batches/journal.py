@@ -19,6 +19,7 @@ from brdf_suite.batches.items import JOURNAL, BatchItem
 from brdf_suite.batches.steps import Value
 from brdf_suite.documents.atomic import make_folder, sync_folder
 from brdf_suite.errors import FileError
+from brdf_suite.regular_files import exists, is_file
 
 _LOCK = ".lock"
 
@@ -59,7 +60,7 @@ class Journal:
             self.finished[one.key] = one
             lines.append(json.dumps({"step": self._step, **vars(one)}))
         try:
-            is_new = not self.path.exists()
+            is_new = not exists(self.path)
             with self.path.open("a", encoding="utf-8") as file:
                 file.write("".join(line + "\n" for line in lines))
                 file.flush()
@@ -71,7 +72,7 @@ class Journal:
 
     def _read(self) -> None:
         """Take the finished items of this step; cut off what the last writer left unfinished."""
-        if not self.path.exists():
+        if not exists(self.path):
             return
         try:
             with self.path.open("rb+") as file:
@@ -96,7 +97,7 @@ class Journal:
         except (ValueError, KeyError, TypeError, AttributeError):  # damaged: the item is done again
             return
         # A problem may have been the machine's; such items are tried again.
-        if not one.problem and all((self.path.parent / file).is_file() for file in one.files):
+        if not one.problem and all(is_file(self.path.parent / file) for file in one.files):
             self.finished[one.key] = one
 
 

@@ -21,7 +21,8 @@ from brdf_suite.documents.palette_store import entry_from_json, save_palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.extras import import_extra
 from brdf_suite.foreign_text import escape_html, guard_formula
-from brdf_suite.pipeline.material import document_kind, is_file, load_document
+from brdf_suite.pipeline.material import document_kind, load_document
+from brdf_suite.regular_files import is_file
 from brdf_suite.release import __version__
 
 CSV, PARQUET, PALETTE, SUMMARY = "results.csv", "results.parquet", "results.brdfpalette", "summary.html"

@@ -31,10 +31,11 @@ from brdf_suite.output.picture_file import PictureSettings, picture_metadata, wr
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
-from brdf_suite.pipeline.material import is_file, under_illuminant
+from brdf_suite.pipeline.material import under_illuminant
 from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.instruments.aperture import aperture
+from brdf_suite.regular_files import is_file
 from brdf_suite.release import __version__
 from brdf_suite.reports.handover import export, format_named, item_of, item_of_material
 

@@ -19,6 +19,7 @@ from brdf_suite.batches.items import JOURNAL, BatchItem
 from brdf_suite.batches.journal import Finished
 from brdf_suite.batches.steps import BatchStep, Work
 from brdf_suite.errors import SuiteError
+from brdf_suite.regular_files import is_file
 from brdf_suite.release import __version__
 
 IDLE_S = 60.0
@@ -61,7 +62,7 @@ def _do_items(
         raise SuiteError(
             f"The worker on {gethostname()} has BRDF Suite {__version__}, the batch is of {release}; install the same."
         )
-    if not (Path(folder) / JOURNAL).is_file():
+    if not is_file(Path(folder) / JOURNAL):
         raise SuiteError(
             f"The worker on {gethostname()} does not see {folder}; results go to a folder that all workers share."
         )

@@ -228,3 +228,7 @@ def _drop_output() -> None:
     """Discard buffered output, which would fail again at exit."""
     if sys.stdout is not None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+if __name__ == "__main__":
+    sys.exit(main())

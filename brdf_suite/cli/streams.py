@@ -15,6 +15,7 @@ from typing import Any, TextIO
 from brdf_suite.command_parser import CommandParser
 from brdf_suite.errors import SuiteError
 from brdf_suite.foreign_text import make_visible
+from brdf_suite.regular_files import exists
 
 _READ = ("PAINT", "PALETTE", "FILE")
 """An argument is read from a file, but for ``-o``, where one of these is in the word that stands for it."""
@@ -50,7 +51,7 @@ def streams(options: argparse.Namespace) -> Iterator[None]:
         renamed = _Renaming(sys.stderr, str(options.output), "standard output")
         with redirect_stdout(renamed), redirect_stderr(renamed):
             yield
-        if options.output.exists():
+        if exists(options.output):
             out.flush()
             out.buffer.write(options.output.read_bytes())
             out.flush()

@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import IO
 
 from brdf_suite.errors import FileError
+from brdf_suite.regular_files import exists
 
 try:
     import fcntl
@@ -86,7 +87,12 @@ def is_unfinished(path: Path) -> bool:
 
 
 def documents_in(folder: Path, ending: str, *, within: bool = False) -> Iterator[Path]:
-    """Yield the files of a folder, with ``within`` also of those in it, whose names have this ending."""
+    """Yield the files of a folder, with ``within`` also of those in it, whose names have this ending.
+
+    Raises :class:`FileError`: the file system refuses to look.
+    """
+    if not exists(folder):
+        return iter(())
     found = folder.rglob(f"*{ending}") if within else folder.glob(f"*{ending}")
     return (path for path in found if not is_unfinished(path))
 

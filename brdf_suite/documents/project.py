@@ -43,7 +43,7 @@ from brdf_suite.documents.studio import LightDocument, Sky, Studio, light_from_j
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError, PathLike, ValueRangeError
 from brdf_suite.progress import Progress, report
-from brdf_suite.regular_files import open_regular, within_memory
+from brdf_suite.regular_files import exists, is_file, is_folder, open_regular, within_memory
 
 PROJECT_ENDING = ".brdfproject"
 FORMAT = "brdfproject"
@@ -235,8 +235,8 @@ def load_project(path: PathLike, unpack_into: PathLike | None = None) -> Project
         It is no project, is damaged, or cannot be unpacked.
     """
     source = Path(path)
-    if source.is_dir():
-        if not (source / MANIFEST).is_file():
+    if is_folder(source):
+        if not is_file(source / MANIFEST):
             raise FileError(path, f"is a folder without {MANIFEST}")
         names = {file.name for file in _collected(source)}
         return project_from_json(read_json(source / MANIFEST), source / MANIFEST, source, names)
@@ -253,7 +253,7 @@ def load_project(path: PathLike, unpack_into: PathLike | None = None) -> Project
 def project_parts(path: PathLike) -> tuple[tuple[str, int], ...]:
     """Return name and size in bytes of each collected file, unread; errors as :func:`load_project`."""
     source = Path(path)
-    if source.is_dir():
+    if is_folder(source):
         try:
             return tuple((file.name, file.stat().st_size) for file in _collected(source))
         except OSError as error:
@@ -267,7 +267,7 @@ def _collected(folder: Path) -> list[Path]:
     """Return the collected files of a project that is a folder, by their names."""
     files = folder / FILES
     try:
-        return sorted(files.iterdir()) if files.is_dir() else []
+        return sorted(files.iterdir()) if is_folder(files) else []
     except OSError as error:
         raise FileError(files, f"cannot be read: {error.strerror or error}") from error
 
@@ -385,7 +385,7 @@ def _part_names(paths: Sequence[str], home: Path | None) -> dict[str, str]:
     """
     names: dict[str, str] = {}
     for path in paths:
-        if not Path(path).is_file():
+        if not is_file(path):
             raise FileError(path, "is named in the project and is not there; it cannot be collected")
         if home is not None and Path(path).parent == home:
             names[path] = Path(path).name
@@ -406,7 +406,7 @@ def _part_names(paths: Sequence[str], home: Path | None) -> dict[str, str]:
 
 def _holds_other(home: Path | None, name: str, path: str) -> bool:
     """Whether a folder of collected files has something else under a name."""
-    if home is None or not (home / name).exists():
+    if home is None or not exists(home / name):
         return False
     try:
         return not filecmp.cmp(home / name, path, shallow=False)
@@ -458,12 +458,12 @@ def _write_folder(folder: Path, content: bytes, parts: Mapping[str, str], copyin
     try:
         make_folder(folder)
         others = {entry.name for entry in folder.iterdir()} - {FILES}  # which may have been unpacked just now
-        if others and not (folder / MANIFEST).is_file():
+        if others and not is_file(folder / MANIFEST):
             raise FileError(folder, "is not empty and holds no project; name another folder")
         for file, name in parts.items():
             target = folder / FILES / name
             make_folder(target.parent)
-            if target.exists():
+            if exists(target):
                 continue  # the same content, as its name says
             with replacing(target) as temporary, temporary.open("wb") as out:
                 copying.copy(file, out)

@@ -29,12 +29,13 @@ from brdf_suite.fitting.metrics import ErrorFigures, value_errors
 from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.inspection.texture.readings import texture_of
 from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
-from brdf_suite.pipeline.material import file_kind, is_file, load_material
+from brdf_suite.pipeline.material import file_kind, load_material
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, Reading, measure
 from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import has_spectra
+from brdf_suite.regular_files import exists, is_file
 
 Cell: TypeAlias = str | float | None
 """What a column of a table of readings holds."""
@@ -300,12 +301,12 @@ def convert(
     Raises :class:`SuiteError`: one of the files cannot be read or written, or the target's format cannot hold the data.
     """
     read_from, write_to = Path(source), Path(target)
-    if write_to.exists() and read_from.exists() and write_to.samefile(read_from):
+    if exists(write_to) and exists(read_from) and write_to.samefile(read_from):
         raise SuiteError(f"{write_to}: the target is the source itself; name another file.")
     options = ReadOptions(
         observer_deg=observer_deg, scale_factors=scale_factors, average_reciprocal=average_reciprocal
     )
-    if is_file(os.fspath(source)) and file_kind(source) == "measured":
+    if is_file(source) and file_kind(source) == "measured":
         value = read_measured(read_from, options=options)
         written = write_measured(value, write_to, format_name or "")
         return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)

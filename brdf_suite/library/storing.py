@@ -32,7 +32,6 @@ from brdf_suite.pipeline.material import (
     Material,
     document_kind,
     file_kind,
-    is_file,
     load_document,
     load_material,
     load_palette_file,
@@ -42,6 +41,7 @@ from brdf_suite.pipeline.scene import environment_names, find_environment, surfa
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.regular_files import is_file
 from brdf_suite.reports.handover import (
     Exported,
     format_named,
@@ -282,7 +282,7 @@ def convert(source: PathLike, target: PathLike) -> Conversion:
     palettes = {end for known in PALETTE_FORMATS if known.write is not None for end in known.endings}
     if ending in measured or ending not in palettes:
         return convert_measured(source, target)
-    if is_file(str(source)) and document_kind(source) != "paint" and file_kind(source) == "palette":
+    if is_file(source) and document_kind(source) != "paint" and file_kind(source) == "palette":
         found = read_palette(source)
         palette, notes = found.palette, found.notes
     else:

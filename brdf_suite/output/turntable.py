@@ -26,6 +26,7 @@ from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds, resolve
+from brdf_suite.regular_files import exists, is_folder
 
 Size = tuple[int, int]
 MOST_FRAMES = 7200
@@ -160,7 +161,7 @@ def check_folder(path: Path) -> None:
         raise FileError(
             path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
         )
-    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+    if exists(path) and (not is_folder(path) or any(path.iterdir())):
         raise FileError(path, "is there already and not an empty folder; name a new one")
 
 
@@ -174,12 +175,12 @@ def _new_folder(path: Path) -> Iterator[Path]:
         raise FileError(path, f"cannot be made: {error.strerror or error}") from error
     try:
         yield temporary
-        if path.is_dir():
+        if is_folder(path):
             path.rmdir()
         temporary.rename(path)
         sync_folder(temporary.parent)
     except OSError as error:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:
-        if temporary.exists():
+        if exists(temporary):
             shutil.rmtree(temporary, ignore_errors=True)  # the first error is the one to report

@@ -18,14 +18,13 @@ from brdf_suite.paint_design.standard import Standard, standard_of
 from brdf_suite.pipeline.material import (
     Material,
     file_kind,
-    is_file,
     load_document,
     load_material,
     load_palette_file,
     material_of,
 )
 from brdf_suite.progress import Progress, report
-from brdf_suite.regular_files import open_regular
+from brdf_suite.regular_files import is_file, open_regular
 
 _HEAD = 1 << 16
 BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
@@ -64,7 +63,7 @@ def load_standards(
 
 def _is_foreign_palette(path: Path) -> bool:
     own = path.suffix.lower() == PAINT_ENDING
-    return not own and is_file(os.fspath(path)) and file_kind(path) == "palette"
+    return not own and is_file(path) and file_kind(path) == "palette"
 
 
 def _of_paint(paint: AnyPaint, origin: str) -> Standard:
@@ -88,7 +87,7 @@ def _of_palette(palette: Palette, path: Path, notes: tuple[str, ...] = ()) -> tu
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:
     """The paints of a file that was handed over, known by its content; none where it is something else."""
-    if path.suffix.lower() == PAINT_ENDING or not is_file(os.fspath(path)):
+    if path.suffix.lower() == PAINT_ENDING or not is_file(path):
         return ()
     with open_regular(path) as stream:
         head = stream.read(_HEAD)

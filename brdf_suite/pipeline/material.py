@@ -31,7 +31,7 @@ from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance, has_spectra
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-from brdf_suite.regular_files import open_regular, read_bytes, within_memory
+from brdf_suite.regular_files import is_file, is_folder, open_regular, read_bytes, within_memory
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def file_kind(path: str | os.PathLike[str]) -> FileKind:
     :class:`~brdf_suite.errors.UnreadFormatError`: it is of one that is known and not read.
     """
     known = document_kind(path)
-    if known is None and is_file(os.fspath(path)):
+    if known is None and is_file(path):
         with open_regular(path) as stream:
             if not stream.read(1):
                 raise FileError(path, "is empty", "byte 0")
@@ -343,19 +343,3 @@ def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
             raise FileError(path, reason, no_measurement.place) from no_measurement
         return "palette"
     return "measured"
-
-
-def is_folder(text: str) -> bool:
-    """Return whether there is such a folder; False also for a name that the file system does not take."""
-    try:
-        return Path(text).is_dir()
-    except (OSError, ValueError):
-        return False
-
-
-def is_file(text: str) -> bool:
-    """Return whether there is such a file; False also for a name that the file system does not take."""
-    try:
-        return Path(text).is_file()
-    except (OSError, ValueError):
-        return False

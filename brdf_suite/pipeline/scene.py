@@ -24,7 +24,8 @@ from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.pipeline.environments import AUTOMATIC, draw_light, read_environment
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
-from brdf_suite.resources import check_exists, exists, packaged_name, resource, resource_names
+from brdf_suite.regular_files import exists
+from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 from brdf_suite.surface.mesh import Mesh
 
 STACK_RATIO = 1.35

@@ -29,7 +29,7 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET
-from brdf_suite.regular_files import read_bytes
+from brdf_suite.regular_files import exists, is_file, is_folder, read_bytes
 
 if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.table_split import TableSplit
@@ -135,7 +135,7 @@ def write_traced_turntable(
     else:
         try:
             (folder / _STATE).unlink(missing_ok=True)
-            if path.is_dir():
+            if is_folder(path):
                 path.rmdir()
             folder.rename(path)
             sync_folder(path.absolute().parent)
@@ -179,17 +179,17 @@ def _raytraced(paint: str | os.PathLike[str], view: View, size: Size, budget: Bu
 def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:
     """Return how many frames are there from before, and their exposure; the folder is made, or emptied."""
     try:
-        if folder.is_dir() and not fresh:
+        if is_folder(folder) and not fresh:
             state = json.loads(read_bytes(folder / _STATE))
             if state["key"] == key:
                 done = 0
-                while _frame(folder, done).exists():
+                while is_file(_frame(folder, done)):
                     done += 1
                 return done, float(state["exposure_ev"])
     except (FileError, ValueError, KeyError, TypeError):
         pass  # a folder that was begun and holds no frame yet: it is begun anew
     try:
-        if folder.exists():
+        if exists(folder):
             shutil.rmtree(folder)
         folder.mkdir()
     except OSError as error:

@@ -6,7 +6,7 @@ import multiprocessing
 import sys
 from pathlib import Path
 
-from brdf_suite.__main__ import main
+from brdf_suite.interrupts import end_at_interrupt
 from brdf_suite.processes import MODULE_OPTION
 
 PROGRAMS = {
@@ -43,4 +43,7 @@ def command_words(called: str, words: list[str]) -> list[str]:
 
 if __name__ == "__main__":
     multiprocessing.freeze_support()
+    end_at_interrupt()
+    from brdf_suite.cli.main import main
+
     sys.exit(main(command_words(sys.argv[0], sys.argv[1:])))

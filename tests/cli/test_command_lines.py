@@ -513,3 +513,32 @@ def test_a_missing_extra_is_named_in_one_line(
     assert (status, out) == (1, "")
     assert len(err.splitlines()) == 1, err
     assert "needs Mitsuba" in err
+
+
+_LONG = "x" * 300
+"""A name that no file system takes."""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        f"turntable blue -o {_LONG}",
+        f"convert blue -o {_LONG}.astm",
+        f"project list {_LONG}",
+        f"project collect {_LONG} -o out",
+        f"project unpack {_LONG} -o out",
+        f"acquire {_LONG} -o out.astm",
+        f"fit-cook-torrance blue -o out.brdfpaint --state {_LONG}",
+        f"basis --database {_LONG} -o out.json",
+        f"basis --database {_LONG}/x -o out.json",
+        f"basis -o {_LONG}",
+        f"sheet {_LONG} -o out.png",
+    ],
+)
+def test_a_name_that_no_file_system_takes_is_reported_in_one_line(run: Run, words: str) -> None:
+    """Whether such a file is there cannot be asked: the question itself is an error."""
+    status, _out, err = run(words, None)
+    assert status == 1
+    (line,) = [line for line in err.splitlines() if not line.endswith(STAGE_END)]
+    assert line.startswith("brdf-suite: ")
+    assert _LONG in line

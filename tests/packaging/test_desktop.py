@@ -144,6 +144,15 @@ def test_what_the_executable_is_called_says_what_it_opens() -> None:
     assert opened == {"brdfpalette": "swatch", "brdfview": "viewer", "brdfproject": "viewer"}
 
 
+@pytest.mark.parametrize("module", ["brdf_suite", "brdf_viewer"])
+def test_the_frozen_command_runs_modules_of_its_own_without_a_warning(module: str) -> None:
+    """Windows take what a command prints on standard error for its fault."""
+    command = [sys.executable, str(SCRIPT.with_name("entry.py")), "--module", module, "--help"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("usage: ")
+
+
 def test_a_thumbnailer_draws_paints_and_palettes(share, tmp_path) -> None:
     bs.save(
         Palette("p", tuple(Entry(bs.load(name, bs.Paint), name) for name in ("blue", "red", "copper"))),

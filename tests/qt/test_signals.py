@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 
@@ -51,35 +52,33 @@ def test_a_signal_before_the_event_loop_is_not_lost():
 
 
 _AFTER = """
-import atexit, os, signal, sys
-def interrupt():
-    for number in (signal.SIGINT, signal.SIGTERM):
-        os.kill(os.getpid(), number)
-    print("ended")
-atexit.register(interrupt)  # before PySide is imported: the application object is destroyed before it
-from brdf_qt.program.application import create_application
+import os, signal, sys
 from PySide6.QtCore import QTimer
+from brdf_qt.program.application import create_application, run_event_loop
 app = create_application("Signals", ["signals"], theme_name="dark")
 QTimer.singleShot(0, app.quit)
-sys.exit(app.exec())
+status = run_event_loop(app)
+print(status, flush=True)
+os.kill(os.getpid(), getattr(signal, sys.argv[1]))
 """
 
 
-def test_signals_that_come_when_the_application_has_gone_are_ignored():
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_a_signal_after_the_event_loop_ends_the_process_in_silence(name: str):
+    """A handler would use an application object that may be destroyed by then."""
     done = subprocess.run(
-        [sys.executable, "-c", _AFTER], capture_output=True, text=True, timeout=240, check=False
+        [sys.executable, "-c", _AFTER, name], capture_output=True, text=True, timeout=240, check=False
     )
-    assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
+    assert (done.returncode, done.stdout, done.stderr) == (-getattr(signal, name), "0\n", "")
 
 
 _WORKING = """
-import atexit, sys, threading
+import sys, threading, time
 from PySide6.QtCore import QTimer
-from brdf_qt.program.application import create_application
+from brdf_qt.program import application
 from brdf_qt.work.tasks import TaskRunner
 
 begun, ended = threading.Event(), threading.Event()
-atexit.register(lambda: print("ended" if ended.is_set() else "runs"))  # after what the application registers
 
 def work(request, progress):
     begun.set()
@@ -89,18 +88,26 @@ def work(request, progress):
     finally:
         ended.set()
 
-app = create_application("Work", ["work"], theme_name="dark")
+def hang(request, progress):
+    begun.set()
+    while True:
+        time.sleep(1.0)
+
+app = application.create_application("Work", ["work"], theme_name="dark")
 runner = TaskRunner()
-runner.submit("key", work, None, print, print)
+runner.submit("key", work if sys.argv[1] == "work" else hang, None, print, print)
 begun.wait()
-QTimer.singleShot(0, app.quit)
-sys.exit(app.exec())
+QTimer.singleShot(0, lambda: app.exit(3))
+status = application.run_event_loop(app)
+print(ended.is_set())
+sys.exit(status)
 """
 
 
-def test_work_ends_before_the_application_is_destroyed():
+@pytest.mark.parametrize(("work", "printed"), [("work", "True\n"), ("hang", "")])
+def test_work_ends_before_the_application_is_destroyed_and_else_with_the_process(work: str, printed: str):
     """A thread that reports its progress meanwhile can hold the process up for ever."""
     done = subprocess.run(
-        [sys.executable, "-c", _WORKING], capture_output=True, text=True, timeout=240, check=False
+        [sys.executable, "-c", _WORKING, work], capture_output=True, text=True, timeout=240, check=False
     )
-    assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
+    assert (done.returncode, done.stdout, done.stderr) == (3, printed, "")

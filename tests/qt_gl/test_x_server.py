@@ -42,4 +42,5 @@ def test_the_process_ends_with_its_x_server_and_destroys_nothing_that_threads_us
         timeout=240,
         check=False,
     )
-    assert (done.returncode, done.stdout) == (1, ""), done.stderr
+    said = "The connection to the X server broke.\n"
+    assert (done.returncode, done.stdout, done.stderr) == (1, "", said)

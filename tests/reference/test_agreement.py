@@ -28,6 +28,7 @@ from brdf_suite.tracing.agreement.comparison import (
     compare,
     errors_of,
     flip_of,
+    make_kept_folder,
     summary,
 )
 from brdf_suite.tracing.agreement.flakes import block_means, compare_flakes
@@ -202,6 +203,18 @@ def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> Non
         check_page(tmp_path / "a.html")
     with pytest.raises(FileError, match="does not exist"):
         check_page(tmp_path / "none" / "a.md")
+    (tmp_path / "images").write_text("")
+    with pytest.raises(
+        FileError, match="is no folder, and the pictures of the page go into one of this name"
+    ):
+        check_page(tmp_path / "a.md")
+
+
+@pytest.mark.parametrize("name", ["file", "x" * 300])
+def test_what_is_traced_is_kept_in_a_folder(name: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(FileError, match="cannot be made"):
+        make_kept_folder(Order((), (), keep=tmp_path / name))
 
 
 def test_means_over_blocks_take_the_object_alone() -> None:

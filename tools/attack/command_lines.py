@@ -8,6 +8,7 @@ fault. Signals and pipes need real processes.
 from __future__ import annotations
 
 import contextlib
+import itertools
 import os
 import random
 import re
@@ -62,6 +63,41 @@ def home(folder: Path) -> dict[str, str]:
     return {**os.environ, **own, "QT_QPA_PLATFORM": "offscreen", variables.LINK: f"attack{os.getpid()}"}
 
 
+_LONG_NAMES = ("x" * 300, "x" * 300 + "/y", "d/" * 3000 + "x")
+"""Names that no file system takes."""
+
+
+def long_names() -> list[list[str]]:
+    """Return lines of the commands that start no workers, each with a name that no file system takes."""
+    found: list[list[str]] = []
+    waiting = [(parser((name,)), [name]) for name in COMMANDS if name not in ("bench", "batch")]
+    while waiting:
+        parsing, words = waiting.pop()
+        inner = next(
+            (action.choices for action in parsing._actions if isinstance(action.choices, dict)), None
+        )
+        if inner is not None:
+            named = {words[0]} & set(inner) or set(inner)
+            waiting += [(inner[name], [*words, name] if name != words[0] else words) for name in named]
+            continue
+        places = [action for action in parsing._actions if not action.option_strings]
+        options = [action for action in parsing._actions if action.option_strings and action.nargs != 0]
+        usual = [next(iter(action.choices)) if action.choices else "blue" for action in places]
+        needed = {
+            action.option_strings[-1]: "out.x"
+            for action in options
+            if action.required or action.dest == "output"
+        }
+        for name in _LONG_NAMES:
+            for number in range(len(places)):
+                given = [*usual[:number], name, *usual[number + 1 :]]
+                found.append([*words, *given, *itertools.chain(*needed.items())])
+            for action in options:
+                chosen = {**needed, action.option_strings[-1]: name}
+                found.append([*words, *usual, *itertools.chain(*chosen.items())])
+    return found
+
+
 def options_of(command: str) -> list[str]:
     """Return the options that a command declares, subcommands' among them."""
     found: list[str] = []
@@ -82,7 +118,10 @@ def wrong_lines(seed: int) -> Iterator[list[str]]:
     rng = random.Random(seed)
     commands = [name for name in COMMANDS if name != "bench"]
     known = {name: options_of(name) for name in commands}
+    with_long_names = long_names()
     while True:
+        if rng.random() < 0.25:
+            yield rng.choice(with_long_names)
         command = rng.choice(commands)
         line = [command]
         if command == "basis":  # in this process, so that its processor time counts
@@ -232,13 +271,17 @@ def _with_signal(
     return _ended(process)
 
 
+_ENTRY_S = 10.0
+"""Where the entry point was not seen by then, it has been passed."""
+
+
 def _await_entry_point(process: subprocess.Popen[bytes]) -> None:
     """Wait until the suite's entry point has given SIGINT its default action.
 
     While the interpreter starts, it answers an interrupt with a traceback, and nothing of the suite has run.
     """
-    was_handled = False
-    while process.poll() is None:
+    was_handled, ends = False, time.monotonic() + _ENTRY_S
+    while process.poll() is None and time.monotonic() < ends:
         found = re.search(r"^SigCgt:\s*(\w+)", Path(f"/proc/{process.pid}/status").read_text(), re.MULTILINE)
         is_handled = found is not None and bool(int(found[1], 16) >> (signal.SIGINT - 1) & 1)
         if was_handled and not is_handled:

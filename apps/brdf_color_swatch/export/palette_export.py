@@ -19,6 +19,7 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import exists
 
 if TYPE_CHECKING:
     # With it come the parsers of every format, which a start need not wait for.
@@ -87,7 +88,7 @@ class PaletteExport(SwatchFeature):
             named, chosen = answer
             wanted = with_ending(named, chosen, FORMATS)
             # The dialog has asked about the file of its own name alone: about another that is there, it asks again.
-            if wanted == named or not wanted.exists():
+            if wanted == named or not exists(wanted):
                 break
         self.begin(palette, wanted, chosen.form)
 

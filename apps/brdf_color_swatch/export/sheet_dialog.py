@@ -30,6 +30,7 @@ from PySide6.QtWidgets import (
 from brdf_color_swatch.export.sheet_page import SheetPreview, cell_texts
 from brdf_color_swatch.grid.rows import Rows, group_title
 from brdf_suite.palettes.swatches.look import SwatchLook
+from brdf_suite.regular_files import is_file
 from brdf_suite.reports.contact_sheet.page_layout import FIELDS, CellText, PageLayout, PageStyle
 
 ENDINGS = (".pdf", ".png")
@@ -284,7 +285,7 @@ class SheetDialog(QDialog):
         entries = [self._source.rows.entries[place] for place in self.places]
         waiting = sum(not self._pictures.is_settled(entry.content, self._look) for entry in entries)
         path, words = self.path, []
-        replaces = path is not None and path.exists()
+        replaces = path is not None and is_file(path)
         if path is None:
             words.append(tr("Give the file a name."))
         elif replaces:

@@ -38,6 +38,7 @@ from brdf_suite.documents.palette_store import (
 )
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_file
 
 _MANY = 300
 """Fewer swatches are written within a frame or two."""
@@ -111,7 +112,7 @@ class PaletteRecovery(Recovery[Palette]):
             older = found.get(path)
             if older is not None:
                 remove_autosave(min((when, file), older)[1])
-            if path.is_file():
+            if is_file(path):
                 found[path] = max((when, file), older or ("", file))
             else:
                 remove_autosave(file)

@@ -22,15 +22,9 @@ from brdf_suite.documents.palette import Entry, Palette, new_id
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.material import (
-    ENTRY_MARK,
-    file_kind,
-    is_file,
-    load_document,
-    load_shipped_paint,
-    paint_names,
-)
+from brdf_suite.pipeline.material import ENTRY_MARK, file_kind, load_document, load_shipped_paint, paint_names
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_file
 
 
 def new_palette() -> Palette:
@@ -221,7 +215,7 @@ class FileCommands(SwatchFeature):
 
 def _names_material(path: Path) -> bool:
     """Whether a material is asked for, and not a palette; files that cannot be read count as palettes."""
-    if not is_file(str(path)):
+    if not is_file(path):
         return not path.suffix or ENTRY_MARK in path.name or path.suffix.lower() == PAINT_ENDING
     try:
         return file_kind(path) != "palette"

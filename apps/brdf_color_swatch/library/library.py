@@ -26,6 +26,7 @@ from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
 from brdf_color_swatch.library.autosave import KeptPalette, PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
 from brdf_suite.documents.palette import Palette
+from brdf_suite.regular_files import is_file
 
 State = Literal["closed", "reading", "open", "wrong"]
 
@@ -379,5 +380,5 @@ class Library(QObject):
         found: Any = settings().value(KEY, [])
         names = [found] if isinstance(found, str) else list(found or [])
         for path in map(Path, names):
-            if path.is_file():
+            if is_file(path):
                 self.add_path(path)

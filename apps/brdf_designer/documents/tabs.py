@@ -26,6 +26,7 @@ from PySide6.QtCore import QObject, Signal
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_file
 
 Opener = Callable[[], None]
 """Shows what was read of a file; called on the thread of the window."""
@@ -215,7 +216,7 @@ class Documents(QObject):
             found: _Files = {}
             for place, path in enumerate(paths):
                 progress(place / len(paths), path.name)
-                if path.is_file():
+                if is_file(path):
                     try:
                         found[path] = files.read(path)
                     except SuiteError as error:
@@ -257,7 +258,7 @@ class Documents(QObject):
     def title_of_left(self, tab: OpenTab) -> str:
         """Return the name of a saved tab of a run that was ended; empty where it cannot come back."""
         if tab.path is not None:
-            return tab.path.name if tab.path.is_file() else ""
+            return tab.path.name if is_file(tab.path) else ""
         history = self._front.recovery.saved_history(tab.autosave)
         return "" if history is None else history.states[history.place][1].name
 

@@ -24,6 +24,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.paint_design.standard import paint_like
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import exists, is_folder
 
 KEY = "handover"
 _LOSSES = "handover-losses"
@@ -74,7 +75,7 @@ class HandoverControl(Feature, QObject):
         """Ask for a file, or where several formats are ticked for a folder, and write."""
         names, endings = self.section.chosen, dict(NAMES)
         kept = Path(str(settings().value(_FOLDER, "", type=str)) or Path.home())
-        folder = kept if kept.is_dir() else Path.home()
+        folder = kept if is_folder(kept) else Path.home()
         stem, dialogs = file_name(self._session.paint.name), self._session.documents.dialogs
         if len(names) == 1:
             ending = endings[names[0]]
@@ -200,7 +201,7 @@ def free_paths(folder: Path, stem: str, endings: Sequence[str]) -> list[Path]:
     for number in itertools.count(1):
         name = stem if number == 1 else f"{stem} {number}"
         paths = [folder / f"{name}{ending}" for ending in endings]
-        if not any(path.exists() for path in paths):
+        if not any(exists(path) for path in paths):
             return paths
     raise AssertionError
 

@@ -33,6 +33,7 @@ from brdf_suite.paint_design.standard import BatchReport, Standard, judge_batch,
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import paint_names
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_file
 
 KEY = "standard"
 _BATCHES, _KEPT = "standard batches", "standard kept"
@@ -115,7 +116,7 @@ class StandardControl(Feature, QObject):
         the standard gets it.
         """
         path = Path(name_or_path)
-        source = str(path.absolute()) if path.is_file() else ""
+        source = str(path.absolute()) if is_file(path) else ""
         focused = focused or self._window.focusWidget()
 
         def take(found: tuple[Standard, ...]) -> None:

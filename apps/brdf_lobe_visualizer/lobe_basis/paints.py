@@ -17,6 +17,7 @@ from brdf_suite.documents.atomic import documents_in
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
+from brdf_suite.regular_files import is_folder
 
 _TASK = "basis/paints"
 
@@ -85,7 +86,7 @@ class FolderPaints(QObject):
         watched = self._watch.directories()
         if watched:
             self._watch.removePaths(watched)
-        if folder.is_dir():
+        if is_folder(folder):
             self._watch.addPath(str(folder))
         self._folder = folder
         self.look()

@@ -34,6 +34,7 @@ from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_file, is_folder
 from brdf_suite.resources import resource, resource_root
 
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ class Basis(Feature, QObject):
         self._session, self.window = session, window
         self.view = BasisView()
         kept = str(settings().value(_FOLDER_KEY, "") or "")
-        self.folder = Path(kept) if kept and Path(kept).is_dir() else _shipped()
+        self.folder = Path(kept) if kept and is_folder(kept) else _shipped()
         self.search: StoredSearch | None = None
         self.run: BasisRun | None = None
         self._source: Path | None = None
@@ -219,7 +220,7 @@ class Basis(Feature, QObject):
             return
         output = self._output()
         state = output.with_name(output.name + ".part")
-        self._source = output if output.exists() else state if state.exists() else None
+        self._source = output if is_file(output) else state if is_file(state) else None
         self._watch.watch("" if self._source is None else str(self._source))
         self._read()
 
@@ -341,7 +342,7 @@ class Basis(Feature, QObject):
         run = self.run
         if run is not None:
             self.view.progress.set_job(BASIS, fraction, words, run.cancel)
-            if self._follows_run and self._source != run.state and run.state.exists():
+            if self._follows_run and self._source != run.state and is_file(run.state):
                 self.show_file(run.state)
 
     def _done(self) -> None:

@@ -11,6 +11,7 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_suite.documents.project import Project
 from brdf_suite.documents.store import AnyPaint
+from brdf_suite.regular_files import is_file
 
 
 class LobesProject:
@@ -32,7 +33,7 @@ class LobesProject:
             document = subject.material.document
             if document is not None and document not in paints:
                 paints.append(document)
-            elif document is None and not source and Path(subject.material.origin).is_file():
+            elif document is None and not source and is_file(subject.material.origin):
                 source = str(Path(subject.material.origin).absolute())
         return replace(project, paints=tuple(paints), source=source)
 

@@ -25,7 +25,6 @@ from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
     file_kind,
-    is_file,
     load_material,
     load_palette_file,
     material_of_entry,
@@ -40,6 +39,7 @@ from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.registry import ENTRIES
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from brdf_suite.regular_files import is_file
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""

@@ -24,6 +24,7 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.material import Material
+from brdf_suite.regular_files import is_file
 
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.subjects.sources import Opened
@@ -181,7 +182,7 @@ class Sources(Feature, QObject):
         keys = [self.add(subject, turn) for subject in found.subjects]
         if keys and select:
             self._session.set_front(keys[0])
-        if remember and Path(name).is_file():
+        if remember and is_file(name):
             self._recent.add(name)
             self.recent_changed.emit()
         if found.entries:

@@ -16,6 +16,7 @@ from brdf_suite.documents.palette_store import palette_to_json
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.foreign_text import guard_cell
 from brdf_suite.palettes.swatches.look import Content, measured_labs
+from brdf_suite.regular_files import is_file
 
 MIME = "application/x-brdf-swatches"
 SOURCE_MIME = "application/x-brdf-swatches-source"
@@ -49,7 +50,7 @@ def carry_paint(content: Content, key: str) -> QMimeData:
     """Return one paint as it is dragged; where ``key`` is a file of its own, the file goes with it."""
     lab = measured_labs(to_paint(content), (_MIDDLE_DEG,))[0]
     data = carry([Entry(content, id=new_id())], [_UNKNOWN if lab is None else lab_to_hex(lab)], "", "")
-    if Path(key).is_absolute() and Path(key).is_file():
+    if Path(key).is_absolute() and is_file(key):
         data.setUrls([QUrl.fromLocalFile(key)])
     return data
 

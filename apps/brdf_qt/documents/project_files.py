@@ -22,6 +22,7 @@ from brdf_qt.work.tasks import TaskRunner
 from brdf_suite.documents.project import MANIFEST, PROJECT_ENDING, Project, save_project
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import is_folder
 
 KEY = "project"
 _CLOSING_MS = 20_000
@@ -162,7 +163,7 @@ class ProjectFiles(Feature, QObject):
     def _target(self, name: str) -> Path | None:
         """Return where to write, None: nowhere; asks again about what another program has changed meanwhile."""
         opened = self.opened
-        path = opened.path if opened is not None and opened.path.is_dir() else self._ask_target(name)
+        path = opened.path if opened is not None and is_folder(opened.path) else self._ask_target(name)
         while path is not None and self._is_changed(path):
             answer = self._dialogs.changed_file(path)
             if answer is Overwrite.OVERWRITE:
@@ -190,7 +191,7 @@ class ProjectFiles(Feature, QObject):
 
 
 def _stamp(path: Path) -> FileStamp | None:
-    return stamp_of(path / MANIFEST if path.is_dir() else path)
+    return stamp_of(path / MANIFEST if is_folder(path) else path)
 
 
 def _read(path: Path, progress: Progress) -> tuple[OpenedProject, FileStamp | None]:
@@ -209,7 +210,7 @@ def _save(request: _Request, progress: Progress) -> tuple[OpenedProject, int]:
         request.project,
         request.path,
         collect=request.collect,
-        folder=request.path.is_dir(),
+        folder=is_folder(request.path),
         unpacked=projects_folder(),
         progress=progress,
     )

@@ -10,6 +10,7 @@ from brdf_qt.program.settings import state_folder
 from brdf_suite.documents.project import MANIFEST, PROJECT_ENDING, Project, load_project
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
 from brdf_suite.documents.studio import STUDIO_ENDING, save_light
+from brdf_suite.regular_files import is_file
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,7 @@ class OpenedProject:
 
 def is_project(path: str | Path) -> bool:
     """Whether a file or folder is called as projects are, or is a folder with the manifest of one."""
-    return Path(path).suffix.lower() == PROJECT_ENDING or (Path(path) / MANIFEST).is_file()
+    return Path(path).suffix.lower() == PROJECT_ENDING or is_file(Path(path) / MANIFEST)
 
 
 def open_project(path: str | Path) -> OpenedProject:

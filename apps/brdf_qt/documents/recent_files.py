@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QStandardPaths
 
 from brdf_qt.program.settings import SHARED, settings
+from brdf_suite.regular_files import is_file, is_folder
 
 MOST_RECENT = 10
 
@@ -22,7 +23,7 @@ class RecentFiles:
         """Return absolute paths, newest first; files that are gone are left out."""
         stored = settings(self._program).value(self._key, [])
         stored = stored if isinstance(stored, list) else [stored]
-        return [path for path in stored if isinstance(path, str) and Path(path).exists()]
+        return [path for path in stored if isinstance(path, str) and (is_file(path) or is_folder(path))]
 
     def add(self, path: str | Path) -> None:
         """Put ``path`` first."""
@@ -51,4 +52,4 @@ def folder_beside(path: Path | None, recent: Sequence[str]) -> Path:
     if recent:
         return Path(recent[0]).parent
     documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
-    return Path(documents) if Path(documents).is_dir() else Path.home()
+    return Path(documents) if is_folder(documents) else Path.home()

@@ -17,6 +17,7 @@ import time
 from functools import cache
 from pathlib import Path
 from types import TracebackType
+from typing import Any
 
 from PySide6.QtCore import (
     QEvent,
@@ -46,6 +47,7 @@ from brdf_suite.screen import screen_missing
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()
 _SCALE = "QT_SCALE_FACTOR"
+_PATIENCE_MS = 10_000
 
 
 class ErrorRelay(QObject):
@@ -139,8 +141,26 @@ def create_application(
     atexit.register(qInstallMessageHandler, None)
     _quit_on_signals(app)
     _end_with_x_server()
-    atexit.register(end_all_tasks)
     return app
+
+
+def run_event_loop(app: SuiteApplication) -> int:
+    """Run the application until it ends, end what would use Qt's objects while they are destroyed, return the status.
+
+    Documents are closed or kept by then: a signal ends the process at once, and so does work that does not end in time.
+    """
+    status = int(app.exec())
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
+    signal.set_wakeup_fd(-1)
+    if QGuiApplication.platformName() == "offscreen":
+        # Its clipboard outlives the interpreter, and would then have to destroy what Python has made.
+        QGuiApplication.clipboard().clear()
+    if not end_all_tasks(_PATIENCE_MS):
+        log.warning("Work in the background does not end; the program ends without it.")
+        sys.stdout.flush()
+        os._exit(status)
+    return status
 
 
 def _check_scale() -> None:
@@ -202,16 +222,6 @@ def _quit_on_signals(app: QApplication) -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         # Queued, so that a signal that comes before the event loop ends it as soon as it runs.
         signal.signal(number, lambda *_: QTimer.singleShot(0, app, lambda: app.exit(0)))
-
-    def ignore_signals() -> None:
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, signal.SIG_IGN)
-        signal.set_wakeup_fd(-1)
-        notifier.setEnabled(False)
-
-    atexit.register(
-        ignore_signals
-    )  # the process ends already, and the application object goes before the handlers
     app.setProperty("signal_sockets", (reader, writer))
 
 
@@ -226,7 +236,13 @@ def _end_with_x_server() -> None:
         x11 = ctypes.CDLL("libX11.so.6")  # by its own name, as Qt's plug-in has loaded it
     except OSError:
         return
-    x11.XSetIOErrorHandler(_X_SERVER_GONE)
+    x11.XSetIOErrorHandler(_x_server_gone())
 
 
-_X_SERVER_GONE = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(lambda _display: os._exit(1))
+@cache
+def _x_server_gone() -> Any:
+    def end(_display: int) -> None:
+        os.write(2, b"The connection to the X server broke.\n")
+        os._exit(1)
+
+    return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(end)

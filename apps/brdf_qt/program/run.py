@@ -10,11 +10,10 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QRect, Qt, QTimer
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.link.open_files import OpenFiles, hand_over
-from brdf_qt.program.application import create_application, process_age_s
+from brdf_qt.program.application import create_application, process_age_s, run_event_loop
 from brdf_qt.program.program import Program
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.program.theme import THEMES
@@ -171,11 +170,7 @@ def run_program(
         program.window.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         program.window.show()
         launch.hand_over(program.window.start)
-    status = app.exec()
-    if QGuiApplication.platformName() == "offscreen":
-        # Its clipboard outlives the interpreter, and would then have to destroy what Python has made.
-        QGuiApplication.clipboard().clear()
-    return status
+    return run_event_loop(app)
 
 
 def _begins_with_page(options: argparse.Namespace, is_asked: bool, actions: Sequence[str]) -> bool:

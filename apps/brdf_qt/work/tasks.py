@@ -12,7 +12,7 @@ from threading import Event
 from typing import Any
 from weakref import WeakSet
 
-from PySide6.QtCore import QObject, QRunnable, Qt, QThreadPool, Signal
+from PySide6.QtCore import QDeadlineTimer, QObject, QRunnable, Qt, QThreadPool, Signal
 from shiboken6 import isValid
 
 from brdf_suite.errors import Cancelled
@@ -61,18 +61,6 @@ def _stop_all(tasks: dict[str, _Task]) -> None:
 
 
 _runners: WeakSet[TaskRunner] = WeakSet()
-
-
-def end_all_tasks() -> None:
-    """Cancel the work of all runners and wait for the threads; at the end of a process, before Qt's objects go.
-
-    A thread that uses them while they are destroyed can wait for the main thread, which waits for it.
-    """
-    runners = [runner for runner in _runners if isValid(runner)]
-    for runner in runners:
-        _stop_all(runner._tasks)
-    for pool in (*(runner._pool for runner in runners), QThreadPool.globalInstance()):
-        pool.waitForDone()
 
 
 class TaskRunner(QObject):
@@ -160,3 +148,17 @@ class TaskRunner(QObject):
             task.done(answer)
         elif not isinstance(error, Cancelled):
             task.failed(error)
+
+
+def end_all_tasks(timeout_ms: int) -> bool:
+    """Cancel the work of all runners and wait for the threads; True where all have ended in time.
+
+    For the end of a process: a thread that sends a signal of Qt while objects are destroyed waits for the main thread,
+    which waits for it.
+    """
+    ends = QDeadlineTimer(timeout_ms)
+    runners = [runner for runner in _runners if isValid(runner)]
+    for runner in runners:
+        _stop_all(runner._tasks)
+    pools = (*(runner._pool for runner in runners), QThreadPool.globalInstance())
+    return all(pool.waitForDone(ends) for pool in pools)

@@ -21,8 +21,9 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.output.compared import load_compared
-from brdf_suite.pipeline.material import ENTRY_MARK, is_file, paint_names
+from brdf_suite.pipeline.material import ENTRY_MARK, paint_names
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
+from brdf_suite.regular_files import is_file
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.file_kinds import AskFile

@@ -8,7 +8,6 @@ like a fault.
 from __future__ import annotations
 
 import dataclasses
-from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import QSettings
@@ -16,6 +15,7 @@ from PySide6.QtCore import QSettings
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, in_environment, surface_names
+from brdf_suite.regular_files import is_file
 
 if TYPE_CHECKING:
     from _typeshed import DataclassInstance
@@ -54,7 +54,7 @@ def recall(store: QSettings) -> View:
     shipped = environment_names()
     for field, names in (("environment", shipped), ("surface", surface_names())):
         found = str(store.value(f"view/{field}", ""))
-        if found in names or Path(found).is_file():
+        if found in names or is_file(found):
             view = _with(view, store, "view", (field,))
     view = in_environment(dataclasses.replace(view, environment=default.environment), view.environment)
     view = _with(view, store, "view", (*_FIELDS, "background_colour"))

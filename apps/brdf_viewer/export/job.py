@@ -18,6 +18,7 @@ from PySide6.QtCore import QObject
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING, AnyPaint, save_paint, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lens
+from brdf_suite.regular_files import is_folder
 
 Kind = Literal["picture", "turntable", "sheet"]
 KIND_TITLES: dict[str, str] = {
@@ -156,5 +157,5 @@ class ExportProcess(CommandProcess):
         if forced:
             for path in self.job.leftovers():
                 with contextlib.suppress(OSError):  # another process may still hold it
-                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+                    shutil.rmtree(path) if is_folder(path) else path.unlink()
         self.job.tidy()

@@ -32,7 +32,6 @@ from brdf_suite.pipeline.material import (
     default_paint_name,
     document_kind,
     file_kind,
-    is_file,
     load_document,
     load_material,
     load_palette_file,
@@ -41,6 +40,7 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.regular_files import is_file
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState

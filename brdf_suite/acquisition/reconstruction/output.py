@@ -13,6 +13,7 @@ from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.files.measured.merl import write_merl
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.regular_files import exists, is_folder
 
 
 def work_path(output: Path) -> Path:
@@ -93,9 +94,9 @@ def check_output(output: Path, overwrite: bool = False) -> None:
     if output.suffix.lower() not in WRITERS:
         reason = f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
         raise FileError(output, reason)
-    if output.exists() and not overwrite:
+    if exists(output) and not overwrite:
         raise FileError(output, "exists already and is left as it is; choose another name, or --overwrite")
-    if not output.parent.is_dir():
+    if not is_folder(output.parent):
         raise FileError(output, "cannot be written: there is no such folder")
 
 

@@ -24,6 +24,7 @@ from brdf_suite.acquisition.session.session import Session
 from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.regular_files import is_file
 
 _LEAST_LIGHT = 0.03
 """Of the scale of codes above black, for a highlight to count as seen."""
@@ -221,7 +222,7 @@ class _Check:
 
     def read_headers(self, progress: Progress | None) -> None:
         files = self.session.files()
-        if self.session.mask is None and (self.folder / MASK_FILE).is_file():
+        if self.session.mask is None and is_file(self.folder / MASK_FILE):
             files += (("mask", MASK_FILE),)
         self.names = dict(files)
         for i, (place, name) in enumerate(files):

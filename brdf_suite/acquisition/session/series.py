@@ -15,6 +15,7 @@ from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.regular_files import is_file
 
 SeriesKind = Literal["dark", "white", "flat_field"]
 
@@ -166,7 +167,7 @@ def read_mask(folder: PathLike, session: Session, position: int | None = None) -
     FileError
         A mask that is named cannot be read, or the two have different sizes.
     """
-    names = [session.mask or (MASK_FILE if (Path(folder) / MASK_FILE).is_file() else None)]
+    names = [session.mask or (MASK_FILE if is_file(Path(folder) / MASK_FILE) else None)]
     if position is not None:
         names.append(session.positions[position].mask)
     used: Bools | None = None

@@ -23,6 +23,7 @@ from brdf_suite.acquisition.session.session import (
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envelope, read_json
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.regular_files import exists, is_folder
 
 _T = TypeVar("_T")
 
@@ -30,7 +31,7 @@ _T = TypeVar("_T")
 def session_path(folder: PathLike) -> Path:
     """Return the path of a folder's ``session.json``; the file itself may be given as well."""
     path = Path(folder)
-    return path if path.name == SESSION_FILE and not path.is_dir() else path / SESSION_FILE
+    return path if path.name == SESSION_FILE and not is_folder(path) else path / SESSION_FILE
 
 
 def read_session(folder: PathLike) -> Session:
@@ -44,9 +45,9 @@ def read_session(folder: PathLike) -> Session:
         There is no folder, no ``session.json`` in it, or it cannot be read.
     """
     path = session_path(folder)
-    if not path.parent.is_dir():
+    if not is_folder(path.parent):
         raise FileError(path.parent, "is not a folder; expected a folder of photographs with a session.json")
-    if not path.exists():
+    if not exists(path):
         command = f"brdf-suite acquire --template {path.parent}"
         raise FileError(path.parent, f"holds no {SESSION_FILE}; {command} writes one to fill in")
     return session_from_json(read_json(path), path)

@@ -33,6 +33,7 @@ from brdf_suite.acquisition.session.session import (
 from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.documents.atomic import make_folder
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.regular_files import exists, is_file
 
 EXPOSURES = 16
 SHORTEST_S, LONGEST_S = 0.00025, 0.328
@@ -69,7 +70,7 @@ def write_template(folder: PathLike) -> Template:
         The folder has a ``session.json`` already, a photograph in it is damaged, or it cannot be written.
     """
     target = Path(folder)
-    if (target / SESSION_FILE).exists():
+    if exists(target / SESSION_FILE):
         raise FileError(target / SESSION_FILE, "is there already, and is not overwritten")
     try:
         make_folder(target)
@@ -151,7 +152,7 @@ def _groups(folder: Path) -> dict[str, list[Path]]:
     """Return the photographs of each folder below, in the order of the numbers in their names."""
     groups: dict[str, list[Path]] = {}
     for file in sorted(folder.glob("*/*"), key=_natural):
-        if file.suffix.lower() in ENDINGS and file.is_file() and not file.name.startswith("."):
+        if file.suffix.lower() in ENDINGS and is_file(file) and not file.name.startswith("."):
             groups.setdefault(file.parent.name, []).append(file)
     if not groups and any(f.suffix.lower() in ENDINGS and f.stem != "mask" for f in folder.iterdir()):
         advice = "put those of each position of the lamp into a folder of their own"

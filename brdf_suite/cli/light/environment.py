@@ -27,6 +27,7 @@ from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram, env
 from brdf_suite.pipeline.environments import draw_light, read_environment, read_environment_file
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.regular_files import exists
 
 
 def add_light(actions: argparse._SubParsersAction[CommandParser]) -> None:
@@ -86,7 +87,7 @@ def run_studio(options: argparse.Namespace) -> int:
     if options.new:
         if path.suffix.lower() != STUDIO_ENDING:
             raise FileError(path, f"must end in {STUDIO_ENDING}")
-        if path.exists():
+        if exists(path):
             raise FileError(path, "is there already, and --new writes over nothing")
 
         light: LightDocument = BOOTH if options.booth else EXAMPLE

@@ -21,6 +21,7 @@ from brdf_suite.fitting.homomorphic.reflectance_fit import (
 )
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
+from brdf_suite.regular_files import exists
 
 
 def add(command: CommandParser) -> None:
@@ -87,7 +88,7 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}; give it one of these endings",
         )
-    if options.output.exists() and not options.overwrite:
+    if exists(options.output) and not options.overwrite:
         raise FileError(options.output, "is there already; give another name, or --overwrite")
     check_target(options.output)
     with progress_bar("factoring", quiet=options.json) as progress:

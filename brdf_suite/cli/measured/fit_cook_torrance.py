@@ -26,6 +26,7 @@ from brdf_suite.fitting.cook_torrance.samples import FitErrors
 from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
+from brdf_suite.regular_files import exists, is_folder
 
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
@@ -173,9 +174,9 @@ def _check_output(options: argparse.Namespace) -> None:
         raise FileError(
             output, f"lobes of the model {options.model} are no paint; name a {_TABLE}, or fit cook-torrance"
         )
-    if output.exists() and not options.overwrite:
+    if exists(output) and not options.overwrite:
         raise FileError(output, "exists already; name another file, or add --overwrite")
-    if not output.parent.is_dir():
+    if not is_folder(output.parent):
         raise FileError(output, "cannot be written: its folder does not exist")
 
 

@@ -23,6 +23,7 @@ from brdf_suite.documents.store import AnyPaint, load_view
 from brdf_suite.documents.studio import load_light
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.pipeline.material import load_document
+from brdf_suite.regular_files import exists, is_folder
 
 
 def add(command: CommandParser) -> None:
@@ -147,7 +148,7 @@ def run_collect(options: argparse.Namespace) -> int:
 def run_unpack(options: argparse.Namespace) -> int:
     """Make a folder of a project; its files become files of the folder."""
     folder = Path(options.output)
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+    if exists(folder) and (not is_folder(folder) or any(folder.iterdir())):
         raise FileError(folder, "is not an empty folder; name a new one")
     project = load_project(options.project, folder)
     # What was unpacked is named within the folder; what lies elsewhere stays there.

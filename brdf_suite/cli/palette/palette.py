@@ -40,13 +40,8 @@ from brdf_suite.files.palettes.format import OWN, ReadPalette
 from brdf_suite.paint_design.measured_start import load_paint_or_start
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, labs_of
 from brdf_suite.palettes.nearest_entries import colours_of_material, nearest_entries
-from brdf_suite.pipeline.material import (
-    document_kind,
-    is_file,
-    load_document,
-    load_material,
-    paints_of,
-)
+from brdf_suite.pipeline.material import document_kind, load_document, load_material, paints_of
+from brdf_suite.regular_files import is_file
 
 _MOST = 1000
 

@@ -13,6 +13,7 @@ from brdf_suite.command_parser import CommandParser
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, SuiteError, did_you_mean
 from brdf_suite.processes import child_command
+from brdf_suite.regular_files import is_folder
 
 _ENDING = ".1"
 _NO_COMMANDS = {"help"}
@@ -22,7 +23,7 @@ def print_manual(top: CommandParser, output: Path | None) -> int:
     """Print the page of ``top``, or write the one that ``output`` is called after, or all into the folder."""
     if output is None:
         print(manual_page(top, top.prog), end="")
-    elif output.suffix == _ENDING and not output.is_dir():
+    elif output.suffix == _ENDING and not is_folder(output):
         name = top.prog if output.stem == "standard output" else output.stem
         write_atomically(output, manual_page(top, name).encode())
     else:

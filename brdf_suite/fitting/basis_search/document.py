@@ -20,6 +20,7 @@ from brdf_suite.fitting.basis_search.database import Database
 from brdf_suite.fitting.basis_search.error import MEANING
 from brdf_suite.fitting.basis_search.search import CountResult
 from brdf_suite.fitting.lobes.basis import STORED_FORMAT, STORED_VERSION, LobeBasis
+from brdf_suite.regular_files import exists
 
 STATE_FORMAT, STATE_VERSION = "lobe_basis_search", 1
 #: The default is the smallest count whose equation 4 is within this factor of the lowest that the search found: each
@@ -48,7 +49,7 @@ def load_state(path: Path, settings: Mapping[str, object]) -> list[CountResult]:
     FileError
         It cannot be read.
     """
-    if not path.exists():
+    if not exists(path):
         return []
     reader = FieldReader(read_json(path), path)
     if reader.take("format") != STATE_FORMAT or reader.take("version") != STATE_VERSION:

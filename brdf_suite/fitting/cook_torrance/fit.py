@@ -42,7 +42,7 @@ from brdf_suite.fitting.cook_torrance.uncertainty import (
     widened,
 )
 from brdf_suite.progress import Progress, report
-from brdf_suite.regular_files import read_bytes
+from brdf_suite.regular_files import exists, read_bytes
 
 VERSION = 1
 """Of the search; kept starts of another one are of no use."""
@@ -325,7 +325,7 @@ class StartsFile:
             A file of this name holds something other than starts; it is left unchanged.
         """
         try:
-            if not self._path.is_symlink() and not self._path.exists():
+            if not exists(self._path) and not self._path.is_symlink():
                 return {}
             value = json.loads(read_bytes(self._path, _LARGEST))
         except (ValueError, RecursionError) as error:  # of the size, the encoding or the form

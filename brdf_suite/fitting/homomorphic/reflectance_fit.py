@@ -57,6 +57,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.factored.model import Factored, build_factored
 from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.regular_files import exists, is_file, is_folder
 
 PeakChoice = Literal["auto", "off", "radial", "map"]
 PEAK_CHOICES: tuple[str, ...] = get_args(PeakChoice)
@@ -332,9 +333,9 @@ def _normalized(product: Factorization) -> tuple[dict[str, Floats], Floats]:
 def check_target(path: PathLike) -> None:
     """Raise :class:`FileError` where nothing can be written: its folder is missing, or what is there is no file."""
     target = Path(path)
-    if not target.absolute().parent.is_dir():
+    if not is_folder(target.absolute().parent):
         raise FileError(target, "its folder is not there; make it first")
-    if target.exists() and not target.is_file():
+    if exists(target) and not is_file(target):
         raise FileError(target, "is there already and is no file; give another name")
 
 

@@ -21,9 +21,10 @@ from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.paint_design.measured_start import load_paint_or_start
 from brdf_suite.palettes.swatches.look import Form
-from brdf_suite.pipeline.material import file_kind, is_file, load_palette_file
+from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
+from brdf_suite.regular_files import is_file, is_folder
 from brdf_suite.reports.contact_sheet.page_layout import MOST_COLUMNS, PageStyle
 from brdf_suite.reports.contact_sheet.painter import SheetLayout, SheetPainter, Size
 from brdf_suite.reports.contact_sheet.pictures import SheetItem, item_pictures
@@ -41,14 +42,14 @@ def sheet_items(source: Path, cmyk_profile: Path | None = None) -> tuple[str, li
 
     Raises :class:`FileError`: there is no such file or folder, or nothing in it.
     """
-    if source.is_dir():
+    if is_folder(source):
         files = sorted(documents_in(source, PAINT_ENDING), key=lambda path: (path.name.casefold(), path.name))
         if not files:
             raise FileError(source, f"holds no {PAINT_ENDING} file")
         if len(files) > MOST_PAINTS:
             raise FileError(source, f"holds {len(files)} paints; a sheet takes {MOST_PAINTS}")
         return source.absolute().name, [_item_of(file) for file in files]
-    if is_file(str(source)) and file_kind(source) == "palette":
+    if is_file(source) and file_kind(source) == "palette":
         palette = load_palette_file(source, cmyk_profile=cmyk_profile).palette
         items = palette_items(palette)
         if not items:

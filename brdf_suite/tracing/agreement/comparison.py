@@ -27,10 +27,11 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colour.colorimetry import display_to_lab, srgb_encode
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import make_folder
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
-from brdf_suite.errors import ValueRangeError
+from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.extras import import_extra
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import ev_of
@@ -52,6 +53,7 @@ from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
+from brdf_suite.regular_files import exists
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, coarser, fit_for, settings_of
@@ -241,6 +243,15 @@ class _Truth:
         return errors_of(one, other, self.inside)
 
 
+def make_kept_folder(order: Order) -> None:
+    """Make the folder in which what is traced is kept; raise :class:`FileError` where that is not possible."""
+    if order.keep is not None:
+        try:
+            make_folder(order.keep)
+        except OSError as error:
+            raise FileError(order.keep, f"cannot be made: {error.strerror or error}") from error
+
+
 def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     """Yield the cases of an order, one environment after the other.
 
@@ -258,8 +269,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         A paint or an environment cannot be read.
     """
     flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # a missing package is reported before the work begins
-    if order.keep is not None:
-        order.keep.mkdir(parents=True, exist_ok=True)
+    make_kept_folder(order)
     view = _plain(order)
     mesh, baked = load_baked(view)
     fits = {
@@ -480,7 +490,7 @@ def trace_kept(
     kept = None
     stem = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
     path = None if order.keep is None else order.keep / f"{stem}.exr"
-    if path is not None and path.exists():
+    if path is not None and exists(path):
         kept = read_estimate(path, scene.key)
     if kept is not None and kept.samples >= order.samples:
         return kept

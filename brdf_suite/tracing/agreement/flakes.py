@@ -36,6 +36,7 @@ from brdf_suite.tracing.agreement.comparison import (
     delta_e_of,
     displayed,
     load_baked,
+    make_kept_folder,
     pixel_means,
     trace_kept,
 )
@@ -96,8 +97,7 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
     check_size(order.size)
     every = {paint: fit_material(load_material(paint), order.fitting) for paint in order.paints}
     fits = {paint: fit for paint, fit in every.items() if fit.flakes is not None}
-    if order.keep is not None:
-        order.keep.mkdir(parents=True, exist_ok=True)
+    make_kept_folder(order)
     view = View(surface=order.surface, surface_look=SurfaceLook(scale=_SCALE))
     mesh, baked = load_baked(view)
     count, done = len(order.environments) * len(fits), 0

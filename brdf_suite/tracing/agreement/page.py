@@ -13,6 +13,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.scene import environment_names
+from brdf_suite.regular_files import exists, is_folder
 from brdf_suite.tracing.agreement.comparison import (
     LARGE_DELTA_E,
     Case,
@@ -48,18 +49,25 @@ def check_page(path: Path) -> None:
     """Raise :class:`FileError` where no page could be written at ``path``."""
     if path.suffix.lower() != ".md":
         raise FileError(path, "the page is written as Markdown; give a name that ends in .md")
-    if not path.absolute().parent.is_dir():
+    if not is_folder(path.absolute().parent):
         raise FileError(path, "its folder does not exist")
+    images = _images(path)
+    if exists(images) and not is_folder(images):
+        raise FileError(images, "is no folder, and the pictures of the page go into one of this name")
 
 
 def write_page(path: Path, cases: Sequence[Case], order: Order, flakes: Sequence[FlakeCase] = ()) -> None:
     """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
-    images = path.absolute().parent / "images"
+    images = _images(path)
     images.mkdir(exist_ok=True)
     for title, group in groups(cases):
         metadata = {"Software": "BRDF Suite", "Title": "Agreement of the renderers"}
         write_png(images / sheet_name(title), sheet(chosen(group)), metadata)
     write_atomically(path, page(cases, order, flakes).encode())
+
+
+def _images(path: Path) -> Path:
+    return path.absolute().parent / "images"
 
 
 def groups(cases: Sequence[Case]) -> list[tuple[str, list[Case]]]:

@@ -17,6 +17,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.picture import read_sums, write_sums
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
 from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.regular_files import exists
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
 from brdf_suite.tracing.traced_picture import Size, TracedFile, too_large
 
@@ -71,7 +72,7 @@ def render_raytraced(
     loading = subrange(progress, 0.0, 0.05)
     scene = session.show(paint, view, size, chosen, loading, tables=tables, environment=environment)
     kept = path.with_name(path.name + ".raytraced.part.exr")
-    begun = None if fresh or not kept.exists() else read_sums(kept, scene.key)
+    begun = None if fresh or not exists(kept) else read_sums(kept, scene.key)
     end = samples or chosen.samples
     if begun is not None and begun.samples > end:
         begun = None

@@ -21,6 +21,7 @@ from brdf_suite.realtime.pictures.tone_curves import tone_curve
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, check_denoiser, denoise_picture, trace
 from brdf_suite.reference.variant import start
+from brdf_suite.regular_files import exists
 from brdf_suite.tracing.reference.scene import ReferenceScene, prepare_reference
 from brdf_suite.tracing.traced_picture import Size, TracedFile, too_large
 
@@ -133,7 +134,7 @@ def render_reference(
     except MemoryError as error:
         raise too_large(size) from error
     state = path.with_name(path.name + ".part.exr")
-    begun = None if fresh or not state.exists() else read_estimate(state, scene.key)
+    begun = None if fresh or not exists(state) else read_estimate(state, scene.key)
     if samples is None and seconds is None:
         samples = DEFAULT_SAMPLES
     last = perf_counter()

@@ -26,6 +26,7 @@ from brdf_suite.arrays import Bools
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
+from brdf_suite.regular_files import exists
 
 MASK_FILE = "mask.png"
 _MOST_NAMES = 100
@@ -167,7 +168,7 @@ def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
     name = session.mask or MASK_FILE
     if name != MASK_FILE and not (name.startswith("mask_") and name.endswith(".png")):
         names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
-        name = next((free for free in names if not (folder / free).exists()), MASK_FILE)
+        name = next((free for free in names if not exists(folder / free)), MASK_FILE)
     stream = io.BytesIO()
     Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
     write_atomically(folder / name, stream.getvalue())

@@ -22,6 +22,7 @@ from brdf_suite.acquisition.session.session import SESSION_FILE, Session
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
+from brdf_suite.regular_files import is_file, is_folder
 
 _LAST = "acquire/folder"
 _PAUSE_MS = 500
@@ -67,7 +68,7 @@ class SessionControl(QObject):
     def open_sample(self) -> None:
         """Open photographs of a simulated rig; they are made where they are not there yet."""
         folder = sample_folder()
-        if (folder / SESSION_FILE).is_file():
+        if is_file(folder / SESSION_FILE):
             self.open(folder)
             return
         todo = tr("No session was opened.")
@@ -85,7 +86,7 @@ class SessionControl(QObject):
     def open(self, path: Path) -> None:
         """Read a session by its folder or its session.json, and check it."""
         self.write_pending()
-        folder = path if path.is_dir() else path.parent
+        folder = path if is_folder(path) else path.parent
         todo = tr("The open session is unchanged.") if self._bench.session is not None else ""
         self._bench.run("open", _open, folder, self._taken, todo=todo)
 
@@ -195,7 +196,7 @@ class SessionControl(QObject):
         if self._bench.folder is not None:
             return self._bench.folder
         kept = Path(str(settings().value(_LAST, "", type=str)) or Path.home())
-        return kept if kept.is_dir() else Path.home()
+        return kept if is_folder(kept) else Path.home()
 
 
 def sample_folder() -> Path:

@@ -18,7 +18,7 @@ import numpy as np
 from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.outside.child import import_library
 from brdf_suite.files.meshes.outside.values import ReadMesh, ReadPart, Refused, named
-from brdf_suite.regular_files import check_regular, find_inside
+from brdf_suite.regular_files import check_regular, exists, find_inside
 
 import_library("usd")
 Ar, Sdf, Tf, Usd, UsdGeom, UsdShade = (
@@ -87,9 +87,10 @@ def _check_reference(layer: Any, name: str, folder: Path) -> None:
     file = Path(_outer(layer.ComputeAbsolutePath(name))) if is_named_inside else None
     if file is None or (file.is_absolute() and not file.resolve().is_relative_to(folder)):
         raise Refused(f"refers to {name[:80]}, which is not in its folder")
-    if file.is_absolute() and file.exists():  # what is not there is left out
+    if file.is_absolute():
         try:
-            check_regular(file)
+            if exists(file):  # what is not there is left out
+                check_regular(file)
         except FileError as error:
             raise Refused(f"needs {file.name} beside it, which {error.reason}") from error
 
