@@ -23,7 +23,7 @@ def end_at_interrupt() -> None:
     """Let SIGINT end this process at once and in silence; for entry points, before they import what takes long.
 
     The command and the windows set handlers of their own later. Nothing changes where SIGINT is handled or ignored
-    already. Before it, while the interpreter and this package are loaded, Python answers with a traceback.
+    already. While the interpreter and this package are loaded, Python still answers with a traceback.
     """
     if _is_unhandled() and threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_DFL)

@@ -6,6 +6,7 @@ to read. Libraries that take a name instead of an open file get it after :func:`
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from collections.abc import Callable, Iterator
@@ -53,16 +54,25 @@ def check_regular(path: PathLike, largest: int | None = None) -> None:
         pass
 
 
+_NOT_THERE = {errno.ENOENT, errno.ENOTDIR, errno.EBADF, errno.ELOOP}
+
+
 def exists(path: PathLike) -> bool:
     """Return whether there is such a file or folder; :class:`FileError` where the file system refuses to look."""
     try:
-        return Path(path).exists()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        Path(path).stat()
+    except ValueError:  # NUL in the name
+        return False
+    except OSError as error:
+        if error.errno in _NOT_THERE:
+            return False
+        # A name that the file system does not take, a folder that may not be entered.
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    return True
 
 
 def is_file(path: PathLike) -> bool:
-    """Return whether there is such a file; False also for a name that the file system does not take."""
+    """Return whether there is such a file; False also where the file system refuses to look."""
     try:
         return Path(path).is_file()
     except (OSError, ValueError):
@@ -70,7 +80,7 @@ def is_file(path: PathLike) -> bool:
 
 
 def is_folder(path: PathLike) -> bool:
-    """Return whether there is such a folder; False also for a name that the file system does not take."""
+    """Return whether there is such a folder; False also where the file system refuses to look."""
     try:
         return Path(path).is_dir()
     except (OSError, ValueError):

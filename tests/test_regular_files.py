@@ -32,7 +32,15 @@ from brdf_suite.files.palettes.cmyk_profile import read_profile
 from brdf_suite.fitting.cook_torrance.fit import StartsFile
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reference.state_file import reading_state
-from brdf_suite.regular_files import check_regular, open_regular, read_bytes, read_text
+from brdf_suite.regular_files import (
+    check_regular,
+    exists,
+    is_file,
+    is_folder,
+    open_regular,
+    read_bytes,
+    read_text,
+)
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
 
@@ -229,3 +237,36 @@ def test_the_pipes_of_these_tests_would_hang(tmp_path: Path) -> None:
     with (tmp_path / "a").open("wb"):
         pass
     waiting.join()
+
+
+@pytest.mark.parametrize(
+    ("name", "answers"),
+    [
+        ("file", (True, True, False)),
+        ("folder", (True, False, True)),
+        ("pipe", (True, False, False)),
+        ("link", (True, True, False)),
+        ("dangling", (False, False, False)),
+        ("loop", (False, False, False)),
+        ("none", (False, False, False)),
+        ("file/below", (False, False, False)),
+        ("nul\0", (False, False, False)),
+    ],
+)
+def test_whether_a_file_is_there(name: str, answers: tuple[bool, ...], tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    (tmp_path / "folder").mkdir()
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "link").symlink_to("file")
+    (tmp_path / "dangling").symlink_to("none")
+    (tmp_path / "loop").symlink_to("loop")
+    assert tuple(ask(tmp_path / name) for ask in (exists, is_file, is_folder)) == answers
+    assert exists(str(tmp_path / name)) == answers[0]
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "x" * 300 + "/y", "d/" * 3000 + "x"])
+def test_a_name_that_no_file_system_takes_is_an_error_and_no_file(name: str, tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="cannot be read: File name too long"):
+        exists(tmp_path / name)
+    assert not is_file(tmp_path / name)
+    assert not is_folder(tmp_path / name)

@@ -535,7 +535,7 @@ _LONG = "x" * 300
         f"sheet {_LONG} -o out.png",
     ],
 )
-def test_a_name_that_no_file_system_takes_is_reported_in_one_line(run: Run, words: str) -> None:
+def test_a_name_that_no_file_system_takes_is_reported_in_one_line(run: Run, folder: Path, words: str) -> None:
     """Whether such a file is there cannot be asked: the question itself is an error."""
     status, _out, err = run(words, None)
     assert status == 1

@@ -54,10 +54,10 @@ def test_a_signal_before_the_event_loop_is_not_lost():
 _AFTER = """
 import os, signal, sys
 from PySide6.QtCore import QTimer
-from brdf_qt.program.application import create_application, run_event_loop
+from brdf_qt.program.application import create_application, end_application
 app = create_application("Signals", ["signals"], theme_name="dark")
 QTimer.singleShot(0, app.quit)
-status = run_event_loop(app)
+status = end_application(app.exec())
 print(status, flush=True)
 os.kill(os.getpid(), getattr(signal, sys.argv[1]))
 """
@@ -98,16 +98,27 @@ runner = TaskRunner()
 runner.submit("key", work if sys.argv[1] == "work" else hang, None, print, print)
 begun.wait()
 QTimer.singleShot(0, lambda: app.exit(3))
-status = application.run_event_loop(app)
+status = application.end_application(app.exec(), int(sys.argv[2]))
 print(ended.is_set())
 sys.exit(status)
 """
 
 
-@pytest.mark.parametrize(("work", "printed"), [("work", "True\n"), ("hang", "")])
-def test_work_ends_before_the_application_is_destroyed_and_else_with_the_process(work: str, printed: str):
+@pytest.mark.parametrize(("work", "patience", "printed"), [("work", "200000", "True\n"), ("hang", "300", "")])
+def test_work_ends_before_the_application_is_destroyed_or_with_the_process(
+    work: str, patience: str, printed: str
+):
     """A thread that reports its progress meanwhile can hold the process up for ever."""
     done = subprocess.run(
-        [sys.executable, "-c", _WORKING, work], capture_output=True, text=True, timeout=240, check=False
+        [sys.executable, "-c", _WORKING, work, patience],
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
     )
     assert (done.returncode, done.stdout, done.stderr) == (3, printed, "")
+
+
+def test_a_program_without_standard_output_ends_too():
+    command = ["sh", "-c", 'exec "$@" >&-', "sh", sys.executable, "-c", _WORKING, "hang", "300"]
+    assert subprocess.run(command, timeout=240, check=False).returncode == 3

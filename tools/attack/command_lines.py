@@ -77,7 +77,7 @@ def long_names() -> list[list[str]]:
             (action.choices for action in parsing._actions if isinstance(action.choices, dict)), None
         )
         if inner is not None:
-            named = {words[0]} & set(inner) or set(inner)
+            named = words[:1] if words[0] in inner else sorted(inner)
             waiting += [(inner[name], [*words, name] if name != words[0] else words) for name in named]
             continue
         places = [action for action in parsing._actions if not action.option_strings]

@@ -38,7 +38,7 @@ from brdf_suite.documents.palette_store import (
 )
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
-from brdf_suite.regular_files import is_file
+from brdf_suite.regular_files import exists
 
 _MANY = 300
 """Fewer swatches are written within a frame or two."""
@@ -112,7 +112,11 @@ class PaletteRecovery(Recovery[Palette]):
             older = found.get(path)
             if older is not None:
                 remove_autosave(min((when, file), older)[1])
-            if is_file(path):
+            try:
+                is_there = exists(path)
+            except FileError:  # it may be there, on a drive that does not answer
+                continue
+            if is_there:
                 found[path] = max((when, file), older or ("", file))
             else:
                 remove_autosave(file)

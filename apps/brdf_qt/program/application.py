@@ -47,7 +47,6 @@ from brdf_suite.screen import screen_missing
 log = logging.getLogger("brdf_qt")
 _STARTED = time.monotonic()
 _SCALE = "QT_SCALE_FACTOR"
-_PATIENCE_MS = 10_000
 
 
 class ErrorRelay(QObject):
@@ -144,21 +143,20 @@ def create_application(
     return app
 
 
-def run_event_loop(app: SuiteApplication) -> int:
-    """Run the application until it ends, end what would use Qt's objects while they are destroyed, return the status.
+def end_application(status: int, patience_ms: int = 30_000) -> int:
+    """End what would use Qt's objects while they are destroyed, after the event loop; return ``status``.
 
-    Documents are closed or kept by then: a signal ends the process at once, and so does work that does not end in time.
+    Documents are closed or kept by then: from here on a signal ends the process at once, and so does work in the
+    background that does not end in time.
     """
-    status = int(app.exec())
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)
     signal.set_wakeup_fd(-1)
     if QGuiApplication.platformName() == "offscreen":
         # Its clipboard outlives the interpreter, and would then have to destroy what Python has made.
         QGuiApplication.clipboard().clear()
-    if not end_all_tasks(_PATIENCE_MS):
+    if not end_all_tasks(patience_ms):
         log.warning("Work in the background does not end; the program ends without it.")
-        sys.stdout.flush()
         os._exit(status)
     return status
 
@@ -242,7 +240,9 @@ def _end_with_x_server() -> None:
 @cache
 def _x_server_gone() -> Any:
     def end(_display: int) -> None:
-        os.write(2, b"The connection to the X server broke.\n")
-        os._exit(1)
+        try:
+            os.write(2, b"The connection to the X server broke.\n")
+        finally:
+            os._exit(1)
 
     return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(end)

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, QRect, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from brdf_qt.link.open_files import OpenFiles, hand_over
-from brdf_qt.program.application import create_application, process_age_s, run_event_loop
+from brdf_qt.program.application import create_application, end_application, process_age_s
 from brdf_qt.program.program import Program
 from brdf_qt.program.suite import MEMBERS
 from brdf_qt.program.theme import THEMES
@@ -145,9 +145,9 @@ def run_program(
         program = make(options) if launch is None else launch.load(loads, partial(make, options))
     except SuiteError as error:
         print(f"{parser.prog}: {make_visible(str(error))}", file=sys.stderr)
-        return 1
+        return end_application(1)
     if program is None:
-        return 0
+        return end_application(0)
     if options.size is not None:
         program.window.resize(*options.size)
         program.window.fit_inspector()
@@ -170,7 +170,7 @@ def run_program(
         program.window.setAttribute(Qt.WidgetAttribute.WA_ShowWithoutActivating)
         program.window.show()
         launch.hand_over(program.window.start)
-    return run_event_loop(app)
+    return end_application(app.exec())
 
 
 def _begins_with_page(options: argparse.Namespace, is_asked: bool, actions: Sequence[str]) -> bool:

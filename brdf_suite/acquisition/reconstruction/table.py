@@ -45,6 +45,7 @@ from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import PIXEL_FACT, IsotropicTable
+from brdf_suite.regular_files import exists
 
 LEAST_PEAK_PIXELS = 4.0
 """Full width at half of its height at which a peak loses 3 % of its height, 7 % seen at 60°."""
@@ -179,7 +180,7 @@ def kept_work(acquisition: Acquisition, work: Path) -> tuple[Calibration, tuple[
     FileError
         The file belongs to other photographs or options, or is in use.
     """
-    if not work.exists():
+    if not exists(work):
         return None
     with open_work(work) as kept:
         if not kept.records:

@@ -52,7 +52,7 @@ def check_page(path: Path) -> None:
     if not is_folder(path.absolute().parent):
         raise FileError(path, "its folder does not exist")
     images = _images(path)
-    if exists(images) and not is_folder(images):
+    if not is_folder(images) and (exists(images) or images.is_symlink()):
         raise FileError(images, "is no folder, and the pictures of the page go into one of this name")
 
 
