@@ -45,15 +45,17 @@ def test_fresh_seeds_go_with_any_run(script: ModuleType) -> None:
 def test_changes_run_what_they_reach_each_on_its_platform(
     script: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(script, "changed_files", lambda _root, _commit: ["apps/brdf_qt/work/tasks.py"])
+    monkeypatch.setattr(
+        script, "changed_files", lambda _root, _commit: ["apps/brdf_qt/work/command_process.py"]
+    )
     screen, rest = script.runs_of(["--changed"])
     assert "tests/viewer/test_window.py" in screen
-    assert "tests/qt/test_tasks.py" in rest
+    assert "tests/qt/test_command_process.py" in rest
     assert not [word for word in rest if word.startswith(script.SCREEN)]
     assert "tests/appearance/test_spaces.py" not in rest
     printed = capsys.readouterr().out
     assert "1 changed files reach" in printed
-    assert "tests/qt/test_tasks.py" in printed
+    assert "tests/qt/test_command_process.py" in printed
 
 
 def test_without_a_change_nothing_runs(

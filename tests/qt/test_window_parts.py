@@ -370,3 +370,11 @@ def test_the_keys_of_the_chosen_command_have_the_colour_of_text_on_the_accent(wi
     assert [label.foregroundRole() for label in labels] == [roles.HighlightedText, roles.PlaceholderText]
     QTest.keyClick(palette.query, Qt.Key.Key_Down)
     assert [label.foregroundRole() for label in labels] == [roles.PlaceholderText, roles.HighlightedText]
+
+
+def test_an_icon_of_no_size_is_empty_and_says_nothing(qapp, qtlog):
+    """A tab that is squeezed to nothing asks for one."""
+    assert icon("folder-open").pixmap(QSize(0, 16)).isNull()
+    assert icon("folder-open").pixmap(QSize(0, 0)).isNull()
+    assert not icon("folder-open").pixmap(QSize(16, 16)).isNull()
+    assert [record.message for record in qtlog.records] == []
