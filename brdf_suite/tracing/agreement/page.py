@@ -12,6 +12,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.fitting.lobes.settings import FitSettings
+from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.regular_files import exists, is_folder
 from brdf_suite.tracing.agreement.comparison import (
@@ -49,8 +50,7 @@ def check_page(path: Path) -> None:
     """Raise :class:`FileError` where no page could be written at ``path``."""
     if path.suffix.lower() != ".md":
         raise FileError(path, "the page is written as Markdown; give a name that ends in .md")
-    if not is_folder(path.absolute().parent):
-        raise FileError(path, "its folder does not exist")
+    check_target(path)
     images = _images(path)
     if not is_folder(images) and (exists(images) or images.is_symlink()):
         raise FileError(images, "is no folder, and the pictures of the page go into one of this name")
