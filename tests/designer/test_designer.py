@@ -351,7 +351,7 @@ def test_every_edit_reaches_the_other_programs(own_designer, qtbot):
     other.start()
     qtbot.waitUntil(lambda: bool(heard))
     assert paint_from_json(heard[-1][1]) == own_designer.store.value
-    assert own_designer.window.status.cell("Link").text() == "Connected: Viewer"
+    qtbot.waitUntil(lambda: own_designer.window.status.cell("Link").text() == "Connected: Viewer")
     type_in(field(own_designer, 1, 0), "44")
     qtbot.waitUntil(lambda: paint_from_json(heard[-1][1]).lab_at(45.0)[0] == 44.0)
     other.close()
