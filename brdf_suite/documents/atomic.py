@@ -189,12 +189,15 @@ def _mode_of(target: Path) -> int | None:
 def make_folder(folder: Path) -> None:
     """Make a folder, and those that it lies in, where there are none, and force their names to the disk.
 
-    A file in a folder is lost with the name of the folder. Raises :class:`OSError`: it cannot be made.
+    A file in a folder is lost with the name of the folder. Raises :class:`FileError`: it cannot be made.
     """
-    missing = [one for one in (folder, *folder.parents) if not one.exists()]
-    folder.mkdir(parents=True, exist_ok=True)
-    for one in missing:
-        sync_folder(one.parent)
+    try:
+        missing = [one for one in (folder, *folder.parents) if not one.exists()]
+        folder.mkdir(parents=True, exist_ok=True)
+        for one in missing:
+            sync_folder(one.parent)
+    except (OSError, ValueError) as error:  # ValueError: NUL in the name
+        raise FileError(folder, f"cannot be made: {getattr(error, 'strerror', None) or error}") from error
 
 
 def sync_folder(folder: Path) -> None:

@@ -531,7 +531,7 @@ def _unpack(archive: zipfile.ZipFile, names: set[str], folder: Path, path: PathL
     """Write collected files into ``files/`` of a folder; the stated sizes may be wrong, so bytes are counted."""
     left = LARGEST_UNPACKED
     target = folder / FILES
-    target.mkdir(parents=True, exist_ok=True)
+    make_folder(target)
     for name in sorted(names):
         with (
             archive.open(f"{FILES}/{name}") as stream,

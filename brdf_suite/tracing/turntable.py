@@ -13,7 +13,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.arrays import Bytes
-from brdf_suite.documents.atomic import replacing, sync_folder
+from brdf_suite.documents.atomic import make_folder, replacing, sync_folder
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
@@ -191,9 +191,9 @@ def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:
     try:
         if exists(folder):
             shutil.rmtree(folder)
-        folder.mkdir()
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be emptied: {error.strerror or error}") from error
+    make_folder(folder)
     return 0, 0.0
 
 

@@ -11536,10 +11536,6 @@ h {hue}°</translation>
         <translation>gibt es schon und wird nicht überschrieben</translation>
     </message>
     <message>
-        <source>cannot be made ({0})</source>
-        <translation>lässt sich nicht anlegen ({0})</translation>
-    </message>
-    <message>
         <source>no session can be made of it: {0}: {1}</source>
         <translation>daraus lässt sich keine Sitzung machen: {0}: {1}</translation>
     </message>
@@ -19934,6 +19930,10 @@ h {hue}°</translation>
     <message>
         <source>writing the video</source>
         <translation>Video wird geschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be emptied: {0}</source>
+        <translation>lässt sich nicht leeren: {0}</translation>
     </message>
     <message>
         <source>shaders of {0}: {1}</source>

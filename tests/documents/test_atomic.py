@@ -18,7 +18,13 @@ import numpy as np
 import OpenEXR
 import pytest
 
-from brdf_suite.documents.atomic import documents_in, is_unfinished, remove_unfinished, replacing
+from brdf_suite.documents.atomic import (
+    documents_in,
+    is_unfinished,
+    make_folder,
+    remove_unfinished,
+    replacing,
+)
 from brdf_suite.documents.exr_writing import write_by_library
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_paint, save_paint
@@ -202,3 +208,18 @@ def test_whole_files_of_any_height_are_whole_and_none_that_is_cut_off(
             cut = SimpleNamespace(write=partial(write_content, content[:size]))
             with pytest.raises(FileError, match="cannot be written"):
                 write_by_library(cut, path, path)
+
+
+@pytest.mark.parametrize("name", ["file", "file/below", "x" * 300, "a\0b"])
+def test_a_folder_that_cannot_be_made_is_named(name: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(FileError, match=r": cannot be made: \w") as found:
+        make_folder(tmp_path / name)
+    assert found.value.path == str(tmp_path / name)
+
+
+def test_a_folder_is_made_with_those_that_it_lies_in(tmp_path: Path) -> None:
+    folder = tmp_path / "new" / "and" / "below"
+    make_folder(folder)
+    make_folder(folder)
+    assert folder.is_dir()

@@ -28,7 +28,6 @@ from brdf_suite.tracing.agreement.comparison import (
     compare,
     errors_of,
     flip_of,
-    make_kept_folder,
     summary,
 )
 from brdf_suite.tracing.agreement.flakes import block_means, compare_flakes
@@ -214,7 +213,7 @@ def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> Non
 def test_what_is_traced_is_kept_in_a_folder(name: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(FileError, match="cannot be made"):
-        make_kept_folder(Order((), (), keep=tmp_path / name))
+        list(compare(Order((), (), keep=tmp_path / name)))
 
 
 def test_means_over_blocks_take_the_object_alone() -> None:

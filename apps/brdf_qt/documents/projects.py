@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_qt.program.settings import state_folder
+from brdf_suite.documents.atomic import make_folder
 from brdf_suite.documents.project import MANIFEST, PROJECT_ENDING, Project, load_project
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
 from brdf_suite.documents.studio import STUDIO_ENDING, save_light
@@ -49,7 +50,7 @@ def projects_folder() -> Path:
 def _folder_of(path: Path) -> Path:
     mark = hashlib.sha256(str(path).encode("utf-8", "surrogateescape")).hexdigest()[:12]
     folder = projects_folder() / mark
-    folder.mkdir(exist_ok=True)
+    make_folder(folder)
     return folder
 
 

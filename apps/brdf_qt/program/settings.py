@@ -18,6 +18,7 @@ from PySide6.QtCore import QCoreApplication, QSettings
 
 from brdf_suite import variables
 from brdf_suite.documents.atomic import make_folder
+from brdf_suite.errors import FileError
 
 ORGANISATION = "BRDF Suite"
 _log = logging.getLogger(__name__)
@@ -43,8 +44,8 @@ def state_folder(kind: str, program: str = "") -> Path:
     folder = file.with_suffix("") / kind
     try:
         make_folder(folder)
-    except OSError as error:
-        folder = _temporary_state(file.parent, error.strerror or str(error)) / file.stem / kind
+    except FileError as error:
+        folder = _temporary_state(file.parent, error.reason) / file.stem / kind
         folder.mkdir(parents=True, exist_ok=True)
     return folder
 

@@ -72,10 +72,7 @@ def write_template(folder: PathLike) -> Template:
     target = Path(folder)
     if exists(target / SESSION_FILE):
         raise FileError(target / SESSION_FILE, "is there already, and is not overwritten")
-    try:
-        make_folder(target)
-    except OSError as error:
-        raise FileError(target, f"cannot be made ({error.strerror})") from error
+    make_folder(target)
     try:
         session, notes = _session(target)
     except ValueRangeError as error:

@@ -52,10 +52,7 @@ def simulate(
         for file, seconds, picture in zip(files, exposures_s, codes, strict=True):
             report(progress, done / total, f"photograph {done + 1:,} of {total:,}")
             path = target / file
-            try:
-                make_folder(path.parent)
-            except OSError as error:
-                raise FileError(path.parent, f"cannot be made ({error.strerror})") from error
+            make_folder(path.parent)
             write_photograph(path, picture, seconds)
             done += 1
     write_atomically(target / TRUTH_FILE, encode(rig.truth))
@@ -66,11 +63,11 @@ def simulate(
 
 def make_empty_folder(folder: Path) -> None:
     """Make the folder where there is none; refuse one that holds anything."""
+    make_folder(folder)
     try:
-        make_folder(folder)
         occupied = any(folder.iterdir())
     except OSError as error:
-        raise FileError(folder, f"cannot be made ({error.strerror})") from error
+        raise FileError(folder, f"cannot be read: {error.strerror or error}") from error
     if occupied:
         raise FileError(folder, f"is not empty; name a new folder for the photographs and {SESSION_FILE}")
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from brdf_suite.cli.default_action import PROGRAMS
 from brdf_suite.cli.output import print_done
 from brdf_suite.command_parser import CommandParser
-from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.errors import FileError, SuiteError, did_you_mean
+from brdf_suite.documents.atomic import make_folder, write_atomically
+from brdf_suite.errors import SuiteError, did_you_mean
 from brdf_suite.processes import child_command
 from brdf_suite.regular_files import is_folder
 
@@ -27,10 +27,7 @@ def print_manual(top: CommandParser, output: Path | None) -> int:
         name = top.prog if output.stem == "standard output" else output.stem
         write_atomically(output, manual_page(top, name).encode())
     else:
-        try:
-            output.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FileError(output, f"cannot be made: {error.strerror or error}") from error
+        make_folder(output)
         names = manual_names(top)
         for name in names:
             write_atomically(output / f"{name}{_ENDING}", manual_page(top, name).encode())

@@ -31,7 +31,7 @@ from brdf_suite.documents.atomic import make_folder
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.extras import import_extra
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.pipeline.exposure import ev_of
@@ -243,15 +243,6 @@ class _Truth:
         return errors_of(one, other, self.inside)
 
 
-def make_kept_folder(order: Order) -> None:
-    """Make the folder in which what is traced is kept; raise :class:`FileError` where that is not possible."""
-    if order.keep is not None:
-        try:
-            make_folder(order.keep)
-        except OSError as error:
-            raise FileError(order.keep, f"cannot be made: {error.strerror or error}") from error
-
-
 def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     """Yield the cases of an order, one environment after the other.
 
@@ -269,7 +260,8 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         A paint or an environment cannot be read.
     """
     flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # a missing package is reported before the work begins
-    make_kept_folder(order)
+    if order.keep is not None:
+        make_folder(order.keep)
     view = _plain(order)
     mesh, baked = load_baked(view)
     fits = {

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import make_folder
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import ValueRangeError
@@ -36,7 +37,6 @@ from brdf_suite.tracing.agreement.comparison import (
     delta_e_of,
     displayed,
     load_baked,
-    make_kept_folder,
     pixel_means,
     trace_kept,
 )
@@ -97,7 +97,8 @@ def compare_flakes(order: Order, progress: Progress | None = None) -> Iterator[F
     check_size(order.size)
     every = {paint: fit_material(load_material(paint), order.fitting) for paint in order.paints}
     fits = {paint: fit for paint, fit in every.items() if fit.flakes is not None}
-    make_kept_folder(order)
+    if order.keep is not None:
+        make_folder(order.keep)
     view = View(surface=order.surface, surface_look=SurfaceLook(scale=_SCALE))
     mesh, baked = load_baked(view)
     count, done = len(order.environments) * len(fits), 0

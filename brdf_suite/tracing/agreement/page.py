@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.arrays import Bytes, Floats
-from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.atomic import make_folder, write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.fitting.lobes.settings import FitSettings
@@ -59,7 +59,7 @@ def check_page(path: Path) -> None:
 def write_page(path: Path, cases: Sequence[Case], order: Order, flakes: Sequence[FlakeCase] = ()) -> None:
     """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
     images = _images(path)
-    images.mkdir(exist_ok=True)
+    make_folder(images)
     for title, group in groups(cases):
         metadata = {"Software": "BRDF Suite", "Title": "Agreement of the renderers"}
         write_png(images / sheet_name(title), sheet(chosen(group)), metadata)
