@@ -66,7 +66,7 @@ def test_a_paint_brings_its_own_orange_peel(ball, qtbot) -> None:
     smooth, before = ball.pixels(), state.paint
     fitter = PaintFitter(time_limit_s=60.0)
     waved = replace(before, orange_peel=OrangePeel(14.0, 2.5))
-    state.set_fit(fitter.fit(waved), waved)
+    state.set_fit(fitter.fit(waved))
     fitter.close()
     own = ball.pixels()
     assert not np.array_equal(own, smooth)
