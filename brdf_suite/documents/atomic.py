@@ -20,7 +20,7 @@ from glob import escape
 from pathlib import Path
 from typing import IO
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.regular_files import exists
 
 try:
@@ -35,6 +35,34 @@ _NOT_FLUSHED = (errno.EINVAL, errno.EBADF, errno.ENOTSUP, errno.EOPNOTSUPP, errn
 _UNFINISHED = re.compile(r"\..*\.[0-9a-f]{16}(?:\.[^.]*)?")
 _FORGOTTEN_S = 3600.0
 """Age from which a temporary file is taken for forgotten where there are no locks."""
+
+
+def check_target(path: PathLike, *, overwrite: bool = True) -> None:
+    """Refuse a name under which no file could be written, before any work is done for it.
+
+    Raises
+    ------
+    FileError
+        There is such a file and it may not be replaced, what is there is no plain file, its folder does not exist,
+        or the file system takes no such name.
+    """
+    check_folder_of(path)
+    try:
+        mode = _mode_of(Path(path))
+    except (OSError, ValueError) as error:  # ValueError: NUL in the name
+        raise FileError(path, f"cannot be written: {getattr(error, 'strerror', None) or error}") from error
+    if mode is not None and not overwrite:
+        raise FileError(path, "exists already; choose another name, or --overwrite")
+
+
+def check_folder_of(path: PathLike) -> None:
+    """Raise :class:`FileError` where the folder that is to hold ``path`` does not exist or cannot be looked for."""
+    try:
+        folder_exists = Path(path).absolute().parent.is_dir()
+    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
+        raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
+    if not folder_exists:
+        raise FileError(path, "its folder does not exist")
 
 
 @contextmanager

@@ -88,16 +88,6 @@ class PictureSettings:
         return bits, WORKING_SPACE if space == "rec2020" else SPACES[space]
 
 
-def check_target(path: Path) -> None:
-    """Raise :class:`FileError` where a picture could not be written for want of its folder."""
-    try:
-        folder_exists = path.absolute().parent.is_dir()
-    except OSError as error:  # a name that the file system does not take, a folder that may not be entered
-        raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
-    if not folder_exists:
-        raise FileError(path, "its folder does not exist")
-
-
 def write_picture(
     renderer: Renderer,
     view: View,

@@ -11,6 +11,7 @@ from time import perf_counter
 
 import numpy as np
 
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.view import View
 from brdf_suite.errors import PathLike
 from brdf_suite.fitting.lobes.settings import FitSettings
@@ -18,7 +19,7 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.lobe_maps import LobeMaps
 from brdf_suite.output.exposures import focused
-from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
+from brdf_suite.output.picture_file import PictureSettings, picture_metadata, write_picture
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material, refit_under
 from brdf_suite.pipeline.material import Material, load_material, under_illuminant

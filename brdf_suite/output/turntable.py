@@ -12,12 +12,12 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.documents.atomic import sync_folder
+from brdf_suite.documents.atomic import check_folder_of, check_target, sync_folder
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.output.exposures import exposures_of, focused
-from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
+from brdf_suite.output.picture_file import PictureSettings, picture_metadata, write_picture
 from brdf_suite.output.still import LoadedScene, loaded_scene
 from brdf_suite.output.turning import turned
 from brdf_suite.output.video import VIDEO_ENDINGS, check_video, ffmpeg, writing_video
@@ -114,8 +114,8 @@ def write_turntable(
     """
     turn, settings, path = turn or Turn(), settings or PictureSettings(), Path(path)
     video = path.suffix.lower() in VIDEO_ENDINGS
-    check_target(path)
     if video:
+        check_target(path)
         if settings != replace(PictureSettings(), samples=settings.samples, exposures=settings.exposures):
             raise FileError(path, "a video has 8 bits in sRGB and no transparency; a folder of PNG has them")
         check_video(size)
@@ -156,11 +156,12 @@ def _frames(loaded: LoadedScene, view: View, turn: Turn, progress: Progress | No
 
 
 def check_folder(path: Path) -> None:
-    """Raise :class:`FileError` where ``path`` is no name of a folder, or there and no empty folder."""
+    """Raise :class:`FileError` where ``path`` is no name of a folder that can be made, or there and no empty one."""
     if path.suffix:
         raise FileError(
             path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
         )
+    check_folder_of(path)
     if exists(path) and (not is_folder(path) or any(path.iterdir())):
         raise FileError(path, "is there already and not an empty folder; name a new one")
 

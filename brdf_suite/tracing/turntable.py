@@ -13,7 +13,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.arrays import Bytes
-from brdf_suite.documents.atomic import make_folder, replacing, sync_folder
+from brdf_suite.documents.atomic import check_target, make_folder, replacing, sync_folder
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
@@ -21,7 +21,6 @@ from brdf_suite.files.bounded_reading import most_made_bytes
 from brdf_suite.files.images.pictures import read_rgb
 from brdf_suite.files.images.png import write_png
 from brdf_suite.output.exposures import focused
-from brdf_suite.output.picture_file import check_target
 from brdf_suite.output.turning import turned
 from brdf_suite.output.turntable import Size, Turn, TurntableFiles, check_folder, framed_all_round
 from brdf_suite.output.video import VIDEO_ENDINGS, check_video, ffmpeg, writing_video
@@ -86,8 +85,8 @@ def write_traced_turntable(
     """
     turn, budget = turn or Turn(), budget or Budget()
     video = path.suffix.lower() in VIDEO_ENDINGS
-    check_target(path)
     if video:
+        check_target(path)
         check_video(size)
         ffmpeg()
     else:

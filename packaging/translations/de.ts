@@ -11152,14 +11152,6 @@ h {hue}°</translation>
         <translation>eine Tabelle kommt in eines von {0}; geben Sie ihr eine dieser Endungen</translation>
     </message>
     <message>
-        <source>exists already and is left as it is; choose another name, or --overwrite</source>
-        <translation>gibt es schon und bleibt, wie es ist; wählen Sie einen anderen Namen, oder --overwrite</translation>
-    </message>
-    <message>
-        <source>cannot be written: there is no such folder</source>
-        <translation>lässt sich nicht schreiben: Diesen Ordner gibt es nicht</translation>
-    </message>
-    <message>
         <source>coverage and uncertainty are not held by this format</source>
         <translation>Abdeckung und Unsicherheit speichert dieses Format nicht</translation>
     </message>
@@ -16544,14 +16536,6 @@ h {hue}°</translation>
         <translation>Produkt von Texturen</translation>
     </message>
     <message>
-        <source>its folder is not there; make it first</source>
-        <translation>sein Ordner ist nicht da; legen Sie ihn zuerst an</translation>
-    </message>
-    <message>
-        <source>is there already and is no file; give another name</source>
-        <translation>gibt es schon und ist keine Datei; geben Sie einen anderen Namen an</translation>
-    </message>
-    <message>
         <source>a product of textures goes into a {0} or a {1}</source>
         <translation>ein Produkt von Texturen kommt in eine {0} oder eine {1}</translation>
     </message>
@@ -17810,6 +17794,10 @@ h {hue}°</translation>
     <message>
         <source>cannot be made: {0}</source>
         <translation>lässt sich nicht anlegen: {0}</translation>
+    </message>
+    <message>
+        <source>exists already; choose another name, or --overwrite</source>
+        <translation>gibt es schon; wählen Sie einen anderen Namen oder --overwrite</translation>
     </message>
     <message>
         <source>a turntable as a folder of PNG pictures needs nothing more</source>

@@ -19,6 +19,7 @@ import OpenEXR
 import pytest
 
 from brdf_suite.documents.atomic import (
+    check_target,
     documents_in,
     is_unfinished,
     make_folder,
@@ -223,3 +224,30 @@ def test_a_folder_is_made_with_those_that_it_lies_in(tmp_path: Path) -> None:
     make_folder(folder)
     make_folder(folder)
     assert folder.is_dir()
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("none/new", "its folder does not exist"),
+        ("file/new", "its folder does not exist"),
+        (f"{'x' * 300}/new", "its folder cannot be used"),
+        ("x" * 300, "cannot be written"),
+        ("a\0b", "cannot be written"),
+        ("folder", "cannot be written: it is not a plain file"),
+    ],
+)
+def test_a_name_under_which_nothing_can_be_written_is_refused(name: str, reason: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(FileError, match=reason):
+        check_target(tmp_path / name)
+
+
+def test_a_file_is_replaced_only_where_that_was_asked_for(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("")
+    check_target(tmp_path / "new", overwrite=False)
+    check_target(file)
+    with pytest.raises(FileError, match="exists already.*--overwrite"):
+        check_target(file, overwrite=False)

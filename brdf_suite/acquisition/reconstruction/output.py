@@ -8,12 +8,12 @@ from pathlib import Path
 
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import Acquired, kept_work, reconstruct
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.files.measured.merl import write_merl
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.regular_files import exists, is_folder
 
 
 def work_path(output: Path) -> Path:
@@ -94,10 +94,7 @@ def check_output(output: Path, overwrite: bool = False) -> None:
     if output.suffix.lower() not in WRITERS:
         reason = f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
         raise FileError(output, reason)
-    if exists(output) and not overwrite:
-        raise FileError(output, "exists already and is left as it is; choose another name, or --overwrite")
-    if not is_folder(output.parent):
-        raise FileError(output, "cannot be written: there is no such folder")
+    check_target(output, overwrite=overwrite)
 
 
 def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) -> tuple[str, ...]:

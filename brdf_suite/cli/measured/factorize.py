@@ -8,6 +8,7 @@ from pathlib import Path
 from brdf_suite.cli.arguments import PAINT, add_arguments, add_json, add_output
 from brdf_suite.cli.output import print_done, print_json, progress_bar
 from brdf_suite.command_parser import CommandParser
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.fitting.homomorphic.factorization import SYMMETRIC
@@ -15,13 +16,11 @@ from brdf_suite.fitting.homomorphic.reflectance_fit import (
     TABLE_ENDING,
     FactoredFit,
     FactoringOptions,
-    check_target,
     factor_reflectance,
     save_factored,
 )
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
-from brdf_suite.regular_files import exists
 
 
 def add(command: CommandParser) -> None:
@@ -88,9 +87,7 @@ def run(options: argparse.Namespace) -> int:
             options.output,
             f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}; give it one of these endings",
         )
-    if exists(options.output) and not options.overwrite:
-        raise FileError(options.output, "is there already; give another name, or --overwrite")
-    check_target(options.output)
+    check_target(options.output, overwrite=options.overwrite)
     with progress_bar("factoring", quiet=options.json) as progress:
         report(progress, 0.0, "reading")
         material = load_material(options.reflectance)

@@ -14,6 +14,7 @@ from brdf_suite.appearance.flakes.lobes import flakes_of_lobes
 from brdf_suite.cli.arguments import PAINT, add_arguments, add_json, add_output
 from brdf_suite.cli.output import print_csv, print_done, print_json, print_notes, progress_bar
 from brdf_suite.command_parser import CommandParser
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.store import save_paint
@@ -26,7 +27,6 @@ from brdf_suite.fitting.cook_torrance.samples import FitErrors
 from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
-from brdf_suite.regular_files import exists, is_folder
 
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
@@ -174,10 +174,7 @@ def _check_output(options: argparse.Namespace) -> None:
         raise FileError(
             output, f"lobes of the model {options.model} are no paint; name a {_TABLE}, or fit cook-torrance"
         )
-    if exists(output) and not options.overwrite:
-        raise FileError(output, "exists already; name another file, or add --overwrite")
-    if not is_folder(output.parent):
-        raise FileError(output, "cannot be written: its folder does not exist")
+    check_target(output, overwrite=options.overwrite)
 
 
 def _print_summary(found: FileFit) -> None:

@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats, triple
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.factor_textures import write_textures
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
@@ -57,7 +58,6 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.factored.model import Factored, build_factored
 from brdf_suite.reflectance.isotropy import is_isotropic
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.regular_files import exists, is_file, is_folder
 
 PeakChoice = Literal["auto", "off", "radial", "map"]
 PEAK_CHOICES: tuple[str, ...] = get_args(PeakChoice)
@@ -328,15 +328,6 @@ def _normalized(product: Factorization) -> tuple[dict[str, Floats], Floats]:
         maps[once[0]] = maps[once[0]] * np.maximum(alpha / most, 1.0)
         alpha = np.minimum(alpha, most)
     return maps, alpha
-
-
-def check_target(path: PathLike) -> None:
-    """Raise :class:`FileError` where nothing can be written: its folder is missing, or what is there is no file."""
-    target = Path(path)
-    if not is_folder(target.absolute().parent):
-        raise FileError(target, "its folder is not there; make it first")
-    if exists(target) and not is_file(target):
-        raise FileError(target, "is there already and is no file; give another name")
 
 
 def save_factored(found: FactoredFit, path: PathLike, *, name: str | None = None) -> None:

@@ -12,13 +12,13 @@ from pathlib import Path
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
-from brdf_suite.documents.atomic import documents_in, write_atomically
+from brdf_suite.documents.atomic import check_target, documents_in, write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.images.environments import write_png_strips
-from brdf_suite.output.picture_file import PictureSettings, check_target
+from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.paint_design.measured_start import load_paint_or_start
 from brdf_suite.palettes.swatches.look import Form
 from brdf_suite.pipeline.material import file_kind, load_palette_file

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.arrays import Bytes, Floats
-from brdf_suite.documents.atomic import make_folder, write_atomically
+from brdf_suite.documents.atomic import check_target, make_folder, write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.fitting.lobes.settings import FitSettings
-from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.regular_files import exists, is_folder
 from brdf_suite.tracing.agreement.comparison import (

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.picture import read_sums, write_sums

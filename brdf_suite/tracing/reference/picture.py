@@ -10,11 +10,12 @@ import numpy as np
 
 from brdf_suite.appearance.colour.spaces import WORKING_SPACE, DisplaySpace
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import check_target
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.output.picture_file import PictureSettings, check_target
+from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
