@@ -30,6 +30,9 @@ _GROUP_S = 2.0
 MOST_IN_A_GROUP = 1024
 _LOOK_S = 1.0
 _LOST_S = 30.0
+"""Time without an answer from the workers after which a batch ends."""
+NO_WORKER_S = 600.0
+"""Time without any worker after which a batch ends: on a cluster they may wait for their turn."""
 
 
 @dataclass(frozen=True)
@@ -135,12 +138,12 @@ class _Run:
         """Groups whose workers died."""
         self._out: dict[Future[list[Finished]], list[BatchItem]] = {}
         self._start = monotonic()
+        self._lost_since: float | None = None
 
     def do(self, items: Sequence[BatchItem]) -> None:
         """Do all items; see :func:`run_batch`."""
         self._waiting.extend(items)
         count = done = problems = 0
-        lost_since: float | None = None
         self._start, count = monotonic(), len(items)
         try:
             while self._waiting or self._suspects or self._out:
@@ -152,13 +155,23 @@ class _Run:
                     self._journal.append(back)
                     done += len(back)
                     problems += sum(bool(one.problem) for one in back)
+                self._check_workers()
                 report(self._progress, done / count, self._words(done, count, problems))
-                lost_since = None if self._workers.reached() else lost_since or monotonic()
-                if lost_since is not None and monotonic() - lost_since > _LOST_S:
-                    raise self._lost()
         finally:
             for future in self._out:
                 future.cancel()
+
+    def _check_workers(self) -> None:
+        """Have lost workers replaced; raise :class:`SuiteError` where none answers or is there for long."""
+        reached = self._workers.reached()
+        if reached:
+            self._workers.replace_lost()
+            if self._workers.width() > 0:
+                self._lost_since = None
+                return
+        self._lost_since = self._lost_since or monotonic()
+        if monotonic() - self._lost_since > (NO_WORKER_S if reached else _LOST_S):
+            raise self._lost()
 
     def _hand_out(self, done: int) -> None:
         if self._suspects:
@@ -166,7 +179,7 @@ class _Run:
             if not self._out:
                 self._submit(self._suspects.popleft())
             return
-        width = self._workers.width()  # of a cluster, its scheduler is asked
+        width = max(1, self._workers.width())  # of a cluster, its scheduler is asked
         size = self._group or self._size(done, width)
         while len(self._out) < _AHEAD * width and self._waiting:
             self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
@@ -212,7 +225,9 @@ class _Run:
     def _words(self, done: int, count: int, problems: int) -> str:
         rate = done / max(monotonic() - self._start, 1e-6)
         words = f"{self._step.name}: {done:,} of {count:,}"
-        if done:
+        if self._lost_since is not None:
+            words += ", waiting for a worker"
+        elif done:
             words += f", {rate:.3g} a second, {_duration((count - done) / rate)} left"
         return words + (f", {problems:,} with a problem" if problems else "")
 

@@ -54,11 +54,16 @@ _IN_A_SCRIPT = 'A script starts its batch below `if __name__ == "__main__":`, si
 
 @dataclass(frozen=True)
 class BatchWorkers:
-    """An executor, how many items it works on at once, which may change, and whether it can still be reached."""
+    """An executor, how many items it works on at once (0: none now), and whether it can still be reached.
+
+    ``replace_lost`` is called again and again: it starts workers in the place of those that are gone for good, where
+    that is possible.
+    """
 
     executor: Executor
     width: Callable[[], int]
     reached: Callable[[], bool] = lambda: True
+    replace_lost: Callable[[], None] = lambda: None
 
 
 @contextmanager
@@ -99,7 +104,9 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
             reason = " ".join(str(error).splitlines())
             raise SuiteError(f"The workers do not start: {reason} {_IN_A_SCRIPT}") from error
         with cluster, distributed.Client(cluster) as client:
-            yield _workers_of(client)
+            # Dask starts a process in the place of one that died, but gives a worker up whose process takes long for
+            # that, as on a busy machine. To scale to the same number brings it back, and does nothing otherwise.
+            yield _workers_of(client, lambda: cluster.scale(count))
 
 
 @contextmanager
@@ -210,10 +217,12 @@ def _wait_for_workers(client: Any, where: str) -> None:
         raise SuiteError(f"{where}: no worker is there after {_WORKERS_S:g} s.") from error
 
 
-def _workers_of(client: Any) -> BatchWorkers:
+def _workers_of(client: Any, replace_lost: Callable[[], None] = lambda: None) -> BatchWorkers:
     def width() -> int:
         # Workers of a cluster come and go; what the client knows of them is renewed every few seconds.
         found = client.scheduler_info(n_workers=-1)["workers"].values()
-        return max(1, sum(int(one["nthreads"]) for one in found))
+        return sum(int(one["nthreads"]) for one in found)
 
-    return BatchWorkers(client.get_executor(pure=False), width, lambda: client.status == "running")
+    return BatchWorkers(
+        client.get_executor(pure=False), width, lambda: client.status == "running", replace_lost
+    )

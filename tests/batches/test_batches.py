@@ -9,7 +9,7 @@ import re
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -24,7 +24,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import brdf_suite as bs
-from brdf_suite.batches import worker
+from brdf_suite.batches import running, worker
 from brdf_suite.batches.items import JOURNAL, BatchItem, list_lights, list_paints, sources_in
 from brdf_suite.batches.journal import Finished, Journal
 from brdf_suite.batches.running import run_batch
@@ -322,6 +322,54 @@ def test_lost_workers_are_reported_and_nothing_is_lost(tmp_path: Path, hire: Hir
     with pytest.raises(SuiteError, match="goes on where it was"):
         run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, lambda: nullcontext(lost))
     assert run_batch(Measure(), list_paints(["blue", "red"]), tmp_path, hire).done_before == 1
+
+
+class Queued(Executor):
+    """As a cluster whose worker waits for its turn."""
+
+    def __init__(self, pool: Executor) -> None:
+        self.turn = threading.Event()
+        self._pool = pool
+
+    def submit(self, function: Callable[..., object], *arguments: object) -> Future[object]:  # type: ignore[override]
+        def wait_and_do() -> object:
+            self.turn.wait()
+            return function(*arguments)
+
+        return self._pool.submit(wait_and_do)
+
+
+@pytest.fixture
+def queued() -> Iterator[Queued]:
+    with ThreadPoolExecutor(1) as pool:
+        made = Queued(pool)
+        yield made
+        made.turn.set()
+
+
+def test_a_batch_waits_for_workers_and_says_so(tmp_path: Path, queued: Queued) -> None:
+    looked: list[bool] = []
+    waiting = BatchWorkers(
+        queued, lambda: int(queued.turn.is_set()), replace_lost=lambda: looked.append(queued.turn.is_set())
+    )
+
+    def begin(_share: float, words: str) -> None:
+        if words == "measure: 0 of 1, waiting for a worker":
+            queued.turn.set()
+
+    paints = list_paints(["blue"])
+    done = run_batch(Measure(), paints, tmp_path, lambda: nullcontext(waiting), progress=begin)
+    assert done.done == 1
+    assert looked[0] is False
+
+
+def test_a_batch_ends_where_no_worker_comes(
+    tmp_path: Path, queued: Queued, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(running, "NO_WORKER_S", 0.0)
+    none = BatchWorkers(queued, lambda: 0)
+    with pytest.raises(SuiteError, match=r"workers are lost.*goes on where it was"):
+        run_batch(Measure(), list_paints(["blue"]), tmp_path, lambda: nullcontext(none))
 
 
 @dataclass(frozen=True)

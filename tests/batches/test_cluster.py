@@ -224,11 +224,19 @@ class Deadly:
         return nullcontext(work)
 
 
-def test_an_item_that_kills_its_worker_is_reported_and_the_rest_done(tmp_path: Path) -> None:
+@pytest.mark.parametrize("given_up_after", ["15s", "1ms"])
+def test_an_item_that_kills_its_worker_is_reported_and_the_rest_done(
+    given_up_after: str, tmp_path: Path
+) -> None:
+    """Also where Dask gives a worker up before its new process has begun, as it does on a busy machine."""
+    import dask
+    import distributed  # noqa: F401 - its settings are set from then on
+
     cloudpickle.register_pickle_by_value(sys.modules[__name__])
     try:
         names = ["blue", "copper", "red", "fine_silver"]
-        done = run_batch(Deadly(), list_paints(names), tmp_path, lambda: local_workers(1), group=4)
+        with dask.config.set({"distributed.deploy.lost-worker-timeout": given_up_after}):
+            done = run_batch(Deadly(), list_paints(names), tmp_path, lambda: local_workers(1), group=4)
     finally:
         cloudpickle.unregister_pickle_by_value(sys.modules[__name__])
     ((source, problem),) = done.problems

@@ -249,5 +249,5 @@ def test_a_file_is_replaced_only_where_that_was_asked_for(tmp_path: Path) -> Non
     file.write_text("")
     check_target(tmp_path / "new", overwrite=False)
     check_target(file)
-    with pytest.raises(FileError, match="exists already.*--overwrite"):
+    with pytest.raises(FileError, match=r"exists already.*--overwrite"):
         check_target(file, overwrite=False)
