@@ -197,7 +197,7 @@ def test_nothing_is_overwritten_unasked(folder: Path, whole: tuple[Acquired, Pat
     assert isinstance(read_brdftable(output), IsotropicTable)
     with pytest.raises(FileError, match=r"\.brdftable, \.binary"):
         acquire(Acquisition.open(folder, OPTIONS), tmp_path / "table.txt")
-    with pytest.raises(FileError, match="no such folder"):
+    with pytest.raises(FileError, match="folder does not exist"):
         acquire(Acquisition.open(folder, OPTIONS), tmp_path / "nowhere" / "a.binary")
 
 
