@@ -1,8 +1,9 @@
 """A plug-in of pytest under which work in the background begins and ends late, as on a busy machine.
 
-``python packaging/test.py -p tools.late_threads -n 6 tests/designer tests/viewer`` finds tests that take what a thread
-has not done yet for a fault, and windows that do not wait for it: work waits for up to a second before it begins, and
-before its answer is handed on, two times of three. More workers than processors delay the main threads too.
+``python packaging/test.py -p tools.late_threads -n 6 tests/designer`` finds tests that take what a thread has not done
+yet for a fault, and windows that do not wait for it: work waits for up to a second before it begins, and before its
+answer is handed on, two times of three. More workers than processors delay the main threads too. Folders of tests that
+need a screen (``SCREEN`` in ``packaging/test.py``) are a run of their own.
 """
 
 from __future__ import annotations

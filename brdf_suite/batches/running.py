@@ -6,6 +6,7 @@ done again.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
@@ -31,8 +32,6 @@ MOST_IN_A_GROUP = 1024
 _LOOK_S = 1.0
 _LOST_S = 30.0
 """Time without an answer from the workers after which a batch ends."""
-NO_WORKER_S = 600.0
-"""Time without any worker after which a batch ends: on a cluster they may wait for their turn."""
 
 
 @dataclass(frozen=True)
@@ -138,7 +137,10 @@ class _Run:
         """Groups whose workers died."""
         self._out: dict[Future[list[Finished]], list[BatchItem]] = {}
         self._start = monotonic()
-        self._lost_since: float | None = None
+        self._unreached_since = self._idle_since = math.inf
+        """When the workers last began not to answer, and none to be there; infinity while they are."""
+        self._looked = -math.inf
+        self._width = 1
 
     def do(self, items: Sequence[BatchItem]) -> None:
         """Do all items; see :func:`run_batch`."""
@@ -147,6 +149,7 @@ class _Run:
         self._start, count = monotonic(), len(items)
         try:
             while self._waiting or self._suspects or self._out:
+                self._check_workers()
                 self._hand_out(done)
                 ended, _ = wait(self._out, timeout=_LOOK_S, return_when=FIRST_COMPLETED)
                 alone = len(self._out) == 1
@@ -155,7 +158,6 @@ class _Run:
                     self._journal.append(back)
                     done += len(back)
                     problems += sum(bool(one.problem) for one in back)
-                self._check_workers()
                 report(self._progress, done / count, self._words(done, count, problems))
         finally:
             for future in self._out:
@@ -163,15 +165,21 @@ class _Run:
 
     def _check_workers(self) -> None:
         """Have lost workers replaced; raise :class:`SuiteError` where none answers or is there for long."""
-        reached = self._workers.reached()
-        if reached:
+        now = monotonic()
+        if now - self._looked < _LOOK_S:
+            return
+        self._looked = now
+        if self._workers.reached():
+            self._unreached_since = math.inf
             self._workers.replace_lost()
-            if self._workers.width() > 0:
-                self._lost_since = None
-                return
-        self._lost_since = self._lost_since or monotonic()
-        if monotonic() - self._lost_since > (NO_WORKER_S if reached else _LOST_S):
+            self._width = self._workers.width()
+            self._idle_since = math.inf if self._width else min(self._idle_since, now)
+        else:
+            self._unreached_since = min(self._unreached_since, now)
+        if now - self._unreached_since > _LOST_S:
             raise self._lost()
+        if now - self._idle_since > self._workers.patience_s:
+            raise self._lost(f"No worker was there for {self._workers.patience_s:g} s")
 
     def _hand_out(self, done: int) -> None:
         if self._suspects:
@@ -179,7 +187,7 @@ class _Run:
             if not self._out:
                 self._submit(self._suspects.popleft())
             return
-        width = max(1, self._workers.width())  # of a cluster, its scheduler is asked
+        width = max(1, self._width)
         size = self._group or self._size(done, width)
         while len(self._out) < _AHEAD * width and self._waiting:
             self._submit([self._waiting.popleft() for _ in range(min(size, len(self._waiting)))])
@@ -217,15 +225,13 @@ class _Run:
             item, reason = group[0], f"the process that worked on it ended ({type(error).__name__})"
             return [Finished.failed(item, reason)]
 
-    def _lost(self) -> SuiteError:
-        return SuiteError(
-            "The workers are lost; what they finished is kept, and the same batch goes on where it was."
-        )
+    def _lost(self, why: str = "The workers are lost") -> SuiteError:
+        return SuiteError(f"{why}; what they finished is kept, and the same batch goes on where it was.")
 
     def _words(self, done: int, count: int, problems: int) -> str:
         rate = done / max(monotonic() - self._start, 1e-6)
         words = f"{self._step.name}: {done:,} of {count:,}"
-        if self._lost_since is not None:
+        if self._idle_since < math.inf:
             words += ", waiting for a worker"
         elif done:
             words += f", {rate:.3g} a second, {_duration((count - done) / rate)} left"

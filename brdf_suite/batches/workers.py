@@ -6,12 +6,13 @@ Dask brings them (extra ``batches``); anything with the interface of ``concurren
 from __future__ import annotations
 
 import logging
+import math
 import os
 import re
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from typing import Any
 
@@ -38,6 +39,8 @@ _WORKER_VARIABLES = {
 _PURPOSE = "a batch"
 _ANSWER_S = 20.0
 _WORKERS_S = 600.0
+_START_S = 120.0
+"""Time in which a process has to begin."""
 _JOB_CLUSTERS = {
     "htcondor": "HTCondor",
     "local": "Local",
@@ -56,14 +59,15 @@ _IN_A_SCRIPT = 'A script starts its batch below `if __name__ == "__main__":`, si
 class BatchWorkers:
     """An executor, how many items it works on at once (0: none now), and whether it can still be reached.
 
-    ``replace_lost`` is called again and again: it starts workers in the place of those that are gone for good, where
-    that is possible.
+    ``replace_lost`` is called again and again: it asks for workers in the place of those that are gone for good, where
+    that is possible. A batch ends after ``patience_s`` without any.
     """
 
     executor: Executor
     width: Callable[[], int]
     reached: Callable[[], bool] = lambda: True
     replace_lost: Callable[[], None] = lambda: None
+    patience_s: float = math.inf
 
 
 @contextmanager
@@ -98,15 +102,16 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
                     memory_limit=limit,
                     dashboard_address="127.0.0.1:0",  # any free port: several batches run at once
                     security=True,  # other users of this machine can reach its ports
+                    death_timeout=_START_S,
                     silence_logs=logging.CRITICAL,
                 )
-        except RuntimeError as error:
+        except (RuntimeError, TimeoutError) as error:
             reason = " ".join(str(error).splitlines())
             raise SuiteError(f"The workers do not start: {reason} {_IN_A_SCRIPT}") from error
         with cluster, distributed.Client(cluster) as client:
-            # Dask starts a process in the place of one that died, but gives a worker up whose process takes long for
-            # that, as on a busy machine. To scale to the same number brings it back, and does nothing otherwise.
-            yield _workers_of(client, lambda: cluster.scale(count))
+            yield replace(
+                _workers_of(client), replace_lost=lambda: replace_lost(cluster, count), patience_s=_WORKERS_S
+            )
 
 
 @contextmanager
@@ -145,7 +150,8 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
             raise SuiteError(f"{system}: {reason}; see dask-jobqueue's configuration file.") from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:
             _wait_for_workers(client, system)
-            yield _workers_of(client)
+            # Jobs that have ended, at the limit of their time or by force, are asked for again.
+            yield replace(_workers_of(client), replace_lost=lambda: replace_lost(cluster, count))
 
 
 def job_cluster_class(system: str) -> Any:
@@ -217,12 +223,32 @@ def _wait_for_workers(client: Any, where: str) -> None:
         raise SuiteError(f"{where}: no worker is there after {_WORKERS_S:g} s.") from error
 
 
-def _workers_of(client: Any, replace_lost: Callable[[], None] = lambda: None) -> BatchWorkers:
-    def width() -> int:
-        # Workers of a cluster come and go; what the client knows of them is renewed every few seconds.
-        found = client.scheduler_info(n_workers=-1)["workers"].values()
-        return sum(int(one["nthreads"]) for one in found)
+def replace_lost(cluster: Any, count: int) -> None:
+    """Have a cluster of Dask start workers again where it has fewer than ``count``; return at once.
 
-    return BatchWorkers(
-        client.get_executor(pure=False), width, lambda: client.status == "running", replace_lost
-    )
+    It starts a process in the place of one that died, but gives a worker up whose process takes long for that, as on a
+    busy machine. To scale to the same number brings it back, and does nothing where all are there or begin.
+    """
+
+    def forget_ended() -> None:
+        # Those that did not begin would count as there for ever.
+        for name, worker in tuple(cluster.workers.items()):
+            if worker.status.name in ("failed", "closed"):
+                del cluster.workers[name]
+
+    cluster.loop.add_callback(forget_ended)
+    cluster.scale(count)
+
+
+def _workers_of(client: Any) -> BatchWorkers:
+    def reached() -> bool:
+        return bool(client.status == "running")
+
+    def width() -> int:
+        # The scheduler is asked each time: workers of a cluster come and go.
+        try:
+            return sum(client.nthreads().values()) if reached() else 0
+        except OSError:  # the connection was lost just now
+            return 0
+
+    return BatchWorkers(client.get_executor(pure=False), width, reached)

@@ -38,7 +38,9 @@ _FORGOTTEN_S = 3600.0
 
 
 def check_target(path: PathLike, *, overwrite: bool = True) -> None:
-    """Refuse a name under which no file could be written, before any work is done for it.
+    """Refuse a name under which no file can be, before any work is done for it; a symbolic link is followed.
+
+    Whether the folder may be written and the disk has room is found only when the file is written.
 
     Raises
     ------
@@ -51,6 +53,8 @@ def check_target(path: PathLike, *, overwrite: bool = True) -> None:
         mode = _mode_of(Path(path))
     except (OSError, ValueError) as error:  # ValueError: NUL in the name
         raise FileError(path, f"cannot be written: {getattr(error, 'strerror', None) or error}") from error
+    if mode is None and Path(path).is_symlink():
+        check_folder_of(os.path.realpath(path))
     if mode is not None and not overwrite:
         raise FileError(path, "exists already; choose another name, or --overwrite")
 

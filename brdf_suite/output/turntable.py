@@ -156,13 +156,13 @@ def _frames(loaded: LoadedScene, view: View, turn: Turn, progress: Progress | No
 
 
 def check_folder(path: Path) -> None:
-    """Raise :class:`FileError` where ``path`` is no name of a folder that can be made, or there and no empty one."""
+    """Raise :class:`FileError` where ``path`` is no name of a folder, its own does not exist, or it is no empty one."""
     if path.suffix:
         raise FileError(
             path, "a turntable is an .mp4, a .webm, or a folder of PNG pictures: a name without ending"
         )
     check_folder_of(path)
-    if exists(path) and (not is_folder(path) or any(path.iterdir())):
+    if (exists(path) or path.is_symlink()) and (not is_folder(path) or any(path.iterdir())):
         raise FileError(path, "is there already and not an empty folder; name a new one")
 
 

@@ -363,13 +363,43 @@ def test_a_batch_waits_for_workers_and_says_so(tmp_path: Path, queued: Queued) -
     assert looked[0] is False
 
 
-def test_a_batch_ends_where_no_worker_comes(
-    tmp_path: Path, queued: Queued, monkeypatch: pytest.MonkeyPatch
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
+    """Have a batch read its time, s, from here."""
+    now = [0.0]
+    monkeypatch.setattr(running, "monotonic", lambda: now[0])
+    return now
+
+
+@pytest.mark.parametrize(
+    ("steps", "problem"),
+    [
+        # Seconds, whether the workers are reached, and how many are there; at the last step the batch ends.
+        ([(50.0, False, 1), (81.0, False, 1)], "The workers are lost"),
+        (
+            [(50.0, True, 0), (60.0, False, 0), (149.0, True, 0), (151.0, True, 0)],
+            "No worker was there for 100 s",
+        ),
+        (
+            [(90.0, True, 0), (95.0, True, 1), (100.0, True, 0), (201.0, True, 0)],
+            "No worker was there for 100 s",
+        ),
+    ],
+)
+def test_a_batch_ends_where_workers_stay_away(
+    steps: list[tuple[float, bool, int]], problem: str, tmp_path: Path, queued: Queued, clock: list[float]
 ) -> None:
-    monkeypatch.setattr(running, "NO_WORKER_S", 0.0)
-    none = BatchWorkers(queued, lambda: 0)
-    with pytest.raises(SuiteError, match=r"workers are lost.*goes on where it was"):
-        run_batch(Measure(), list_paints(["blue"]), tmp_path, lambda: nullcontext(none))
+    left = [(0.0, True, 1), *steps]
+
+    def go_on(_share: float, words: str) -> None:
+        if words.startswith("measure"):
+            del left[0]
+            clock[0] = left[0][0]
+
+    workers = BatchWorkers(queued, lambda: left[0][2], lambda: left[0][1], patience_s=100.0)
+    with pytest.raises(SuiteError, match=f"{problem}; .* goes on where it was"):
+        run_batch(Measure(), list_paints(["blue"]), tmp_path, lambda: nullcontext(workers), progress=go_on)
+    assert left == steps[-1:]
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
@@ -21,8 +22,10 @@ from brdf_suite.batches.running import run_batch
 from brdf_suite.batches.steps import Outcome, Work
 from brdf_suite.batches.workers import (
     JOB_SYSTEMS,
+    BatchWorkers,
     job_cluster_class,
     job_interpreter,
+    job_workers,
     local_workers,
     scheduler_workers,
 )
@@ -244,6 +247,49 @@ def test_an_item_that_kills_its_worker_is_reported_and_the_rest_done(
     assert "the process that worked on it ended" in problem
 
 
+def pid_of_worker(workers: BatchWorkers, ask: Callable[[], int] = os.getpid) -> int:
+    """Return the process number of the only worker, or of what started it."""
+    found: int = workers.executor.submit(ask).result()
+    return found
+
+
+def wait_for_another(clusters: ModuleType, workers: BatchWorkers) -> None:
+    """Look, as a batch does, until the only worker is there again."""
+
+    def look() -> bool:
+        workers.replace_lost()
+        return workers.width() == 1
+
+    clusters.wait_until(look)
+
+
+def test_a_worker_whose_new_processes_fail_is_started_again(clusters: ModuleType, tmp_path: Path) -> None:
+    import dask
+    import distributed  # noqa: F401 - its settings are set from then on
+
+    broken, failures = tmp_path / "broken", tmp_path / "failures"
+    script = tmp_path / "begin.py"
+    script.write_text(
+        f"import os\nif os.path.exists({str(broken)!r}):\n"
+        f"    print('failed', file=open({str(failures)!r}, 'a'))\n    os._exit(1)\n"
+    )
+    settings = {"distributed.worker.preload": [str(script)], "distributed.deploy.lost-worker-timeout": "1ms"}
+    with dask.config.set(settings), local_workers(1) as workers:
+        first = pid_of_worker(workers)
+        broken.touch()
+        os.kill(first, signal.SIGKILL)
+
+        def fails_again() -> bool:
+            workers.replace_lost()
+            return failures.exists() and len(failures.read_text().splitlines()) >= 3
+
+        clusters.wait_until(fails_again)
+        assert workers.width() == 0
+        broken.unlink()
+        wait_for_another(clusters, workers)
+        assert pid_of_worker(workers) != first
+
+
 @pytest.fixture
 def planted(tmp_path: Path) -> Path:
     """Return a folder of Python files that Python, Dask or the suite import by these names; each leaves ``ran``."""
@@ -291,17 +337,43 @@ echo "Submitted batch job $!"
 """
 
 
-def test_planted_modules_are_not_imported_by_jobs(planted: Path) -> None:
-    commands = planted.parent / "commands"
-    commands.mkdir()
+@pytest.fixture
+def commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a folder with the commands of a job system that starts each job at once."""
+    folder = tmp_path / "commands"
+    folder.mkdir()
     for name, text in (
-        ("sbatch", SUBMIT.format(folder=commands)),
+        ("sbatch", SUBMIT.format(folder=folder)),
         ("scancel", '#!/bin/bash\nkill "$1"\nexit 0\n'),
     ):
-        (commands / name).write_text(text, encoding="utf-8")
-        (commands / name).chmod(0o755)
+        (folder / name).write_text(text, encoding="utf-8")
+        (folder / name).chmod(0o755)
+    monkeypatch.setenv("PATH", f"{folder}{os.pathsep}{os.environ['PATH']}")
+    return folder
+
+
+def test_a_job_that_has_ended_is_asked_for_again(clusters: ModuleType, commands: Path) -> None:
+    import dask
+    import distributed  # noqa: F401 - its settings are set from then on
+
+    settings = {
+        "jobqueue.slurm.cores": 1,
+        "jobqueue.slurm.memory": "4GB",
+        "jobqueue.slurm.interface": "lo",
+        "distributed.deploy.lost-worker-timeout": "1ms",
+    }
+    import_module("dask_jobqueue")  # as above
+    with dask.config.set(settings), job_workers("slurm", 1) as workers:
+        first = pid_of_worker(workers, os.getppid)
+        os.kill(first, signal.SIGKILL)
+        clusters.wait_until(lambda: workers.width() == 0)
+        wait_for_another(clusters, workers)
+        assert pid_of_worker(workers, os.getppid) != first
+    assert (commands / "job.sh").is_file()
+
+
+def test_planted_modules_are_not_imported_by_jobs(planted: Path, commands: Path) -> None:
     variables = {
-        "PATH": f"{commands}{os.pathsep}{os.environ['PATH']}",
         "DASK_JOBQUEUE__SLURM__CORES": "1",
         "DASK_JOBQUEUE__SLURM__MEMORY": "4GB",
         "DASK_JOBQUEUE__SLURM__INTERFACE": "lo",

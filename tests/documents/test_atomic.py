@@ -235,11 +235,13 @@ def test_a_folder_is_made_with_those_that_it_lies_in(tmp_path: Path) -> None:
         ("x" * 300, "cannot be written"),
         ("a\0b", "cannot be written"),
         ("folder", "cannot be written: it is not a plain file"),
+        ("link", "none/new: its folder does not exist"),
     ],
 )
 def test_a_name_under_which_nothing_can_be_written_is_refused(name: str, reason: str, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     (tmp_path / "folder").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "none" / "new")
     with pytest.raises(FileError, match=reason):
         check_target(tmp_path / name)
 

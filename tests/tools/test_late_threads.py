@@ -14,6 +14,7 @@ from brdf_qt.link import parsing
 from brdf_qt.work.tasks import TaskRunner
 from brdf_suite.fitting.lobes.background import BackgroundSolver
 from brdf_suite.pipeline.seen_queue import SeenWeights
+from tools import late_threads
 
 @pytest.fixture
 def waits(monkeypatch):
@@ -31,6 +32,31 @@ def test_tasks(qtbot, waits):
     assert all(0.0 <= seconds <= 1.0 for _, seconds in waits)
     assert threading.main_thread() not in {thread for thread, _ in waits}
 
+def test_a_piece_of_work_waits_before_and_after(waits, monkeypatch):
+    monkeypatch.setattr(late_threads.random, "random", lambda: 0.0)
+    order = []
+    monkeypatch.setattr(time, "sleep", lambda seconds: order.append("wait"))
+    run(late_threads.late(lambda: order.append("work")))
+    assert order == ["wait", "work", "wait"]
+    seldom = late_threads.late(lambda: order.append("work"), 60.0)
+    order.clear()
+    run(lambda: (seldom(), seldom()))
+    assert order == ["wait", "work", "work"]
+
+def test_threads_of_the_suite_begin_late(waits, monkeypatch):
+    monkeypatch.setattr(late_threads.random, "random", lambda: 0.0)
+    run(lambda: None)
+    assert not waits
+    def of_the_suite(): pass
+    of_the_suite.__module__ = "brdf_suite.any"
+    run(of_the_suite)
+    assert len(waits) == 1
+
+def run(target):
+    thread = threading.Thread(target=target)
+    thread.start()
+    thread.join()
+
 @pytest.mark.parametrize("call", [parsing.decode, BackgroundSolver.advance, SeenWeights.find])
 def test_calls(call, waits):
     def fail():
@@ -39,9 +65,7 @@ def test_calls(call, waits):
     fail()
     assert not waits
     for _ in range(60):  # each waits with a probability of two thirds
-        thread = threading.Thread(target=fail)
-        thread.start()
-        thread.join()
+        run(fail)
     assert waits
 """
 
@@ -51,4 +75,4 @@ def test_work_in_the_background_waits(tmp_path: Path) -> None:
     file.write_text(TESTS)
     command = [sys.executable, "-m", "pytest", "-p", "tools.late_threads", "-q", f"--rootdir={tmp_path}"]
     done = subprocess.run([*command, str(file)], cwd=CHECKOUT, capture_output=True, text=True, check=False)
-    assert "4 passed" in done.stdout, done.stdout + done.stderr
+    assert "6 passed" in done.stdout, done.stdout + done.stderr
