@@ -188,7 +188,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if error.filename is not None or error.errno is None:
             raise  # about a file: the code that opened it should have reported it
         _drop_output()
-        print(f"brdf-suite: the output cannot be written: {error.strerror}.", file=sys.stderr)
+        print(f"brdf-suite: the output cannot be written: {error.strerror or error}.", file=sys.stderr)
         return FAILED
     except (Cancelled, KeyboardInterrupt):
         print("brdf-suite: cancelled", file=sys.stderr)

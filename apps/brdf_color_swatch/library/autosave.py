@@ -240,7 +240,7 @@ class PaletteRecovery(Recovery[Palette]):
             self.written_again.emit()
 
     def _report_unwritten(self, error: OSError, file: Path) -> None:
-        reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
+        reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror or error)
         self._fails = True
         self._failed(FileError(file, reason))
 

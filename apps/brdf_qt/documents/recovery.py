@@ -136,7 +136,7 @@ class Recovery(QObject, Generic[T]):
                 self._write()
                 remove_autosave(self._saved_file)
         except OSError as error:
-            reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
+            reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror or error)
             self._fails = True
             self._failed(FileError(self.file, reason))
             return False
@@ -334,7 +334,7 @@ class Recovery(QObject, Generic[T]):
             remove_autosave(item.file)
         except OSError as error:
             text = tr("it cannot be removed, and will be offered again ({reason})")
-            self._failed(FileError(item.file, text.format(reason=error.strerror)))
+            self._failed(FileError(item.file, text.format(reason=error.strerror or error)))
 
     def close(self, *, keep: bool) -> None:
         """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed.

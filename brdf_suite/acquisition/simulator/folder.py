@@ -101,7 +101,7 @@ def write_photograph(path: PathLike, codes: Codes, exposure_s: float) -> None:
         else:
             target.write_bytes(_png(codes, exposure_s))
     except OSError as error:
-        raise FileError(path, f"cannot be written ({error.strerror})") from error
+        raise FileError(path, f"cannot be written ({error.strerror or error})") from error
 
 
 def _png(codes: Codes, exposure_s: float) -> bytes:

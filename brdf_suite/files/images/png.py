@@ -74,7 +74,7 @@ def write_png_strips(
             with temporary.open("wb") as file:
                 _write(file, size, strips, metadata or {}, space)
         except OSError as error:
-            raise FileError(path, f"cannot be written ({error.strerror})") from error
+            raise FileError(path, f"cannot be written ({error.strerror or error})") from error
 
 
 def _write(

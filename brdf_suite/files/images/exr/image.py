@@ -240,7 +240,7 @@ def write_exr_strips(
             with temporary.open("wb") as file:
                 _write(file, size, strips, chromaticities, metadata or {}, "<f2" if half else "<f4")
         except OSError as error:
-            raise FileError(path, f"cannot be written ({error.strerror})") from error
+            raise FileError(path, f"cannot be written ({error.strerror or error})") from error
 
 
 def _write(
