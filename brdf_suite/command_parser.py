@@ -7,6 +7,7 @@ import logging
 import sys
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
+from pathlib import Path
 from typing import Any, NoReturn, cast
 
 from brdf_suite.errors import did_you_mean
@@ -211,6 +212,12 @@ class CommandParser(argparse.ArgumentParser):
         if name.startswith("-") and not any(one.startswith(name) for one in known):
             near = did_you_mean(name, [one for one in known if one.startswith("--")])
             self.error(f"there is no option {name}" + near)
+
+    def _get_value(self, action: argparse.Action, arg_string: str) -> Any:
+        # An unset variable of a shell; as a path it would be the working folder.
+        if action.type is Path and not arg_string:
+            raise argparse.ArgumentError(action, "a file or a folder has no empty name")
+        return super()._get_value(action, arg_string)
 
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         if action.choices is None or value in action.choices:

@@ -13,6 +13,7 @@ import runpy
 import shlex
 import signal
 import sys
+import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
@@ -140,7 +141,10 @@ def safe_path_inherited() -> AbstractContextManager[None]:
 
 @contextmanager
 def interrupts_held_back() -> Iterator[None]:
-    """Start threads and processes inside the block that Ctrl-C does not reach: this process alone ends them."""
+    """Start threads and processes inside the block that Ctrl-C does not reach: this process alone ends them.
+
+    An interrupt that comes meanwhile takes effect at the end of the block.
+    """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -148,10 +152,20 @@ def interrupts_held_back() -> Iterator[None]:
 
     resource_tracker.ensure_running()  # begun later, it would let interrupts through again
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    # The system gives the signal to another thread then, as those of linear algebra, and Python to the main one.
+    handler = signal.getsignal(signal.SIGINT)
+    is_held = handler is not None and threading.current_thread() is threading.main_thread()
+    held: list[int] = []
+    if is_held:
+        signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
     try:
         yield
     finally:
+        if is_held:
+            signal.signal(signal.SIGINT, handler)
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        if held:
+            signal.raise_signal(signal.SIGINT)
 
 
 def _interpreter_options() -> list[str]:

@@ -99,8 +99,7 @@ def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
     Raises
     ------
     FileError
-        A palette of the sources cannot be read, or a folder holds nothing. What else cannot be loaded is an item that
-        says so when it is worked on.
+        A folder holds nothing. What cannot be loaded is an item that says so when it is worked on.
     """
     return _without_repeats(item for source in sources for item in _paints_of(os.fspath(source), besides))
 
@@ -151,7 +150,10 @@ def _without_repeats(items: Iterable[BatchItem]) -> list[BatchItem]:
 
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
     if not is_folder(source):
-        yield from _paints_in(source)
+        try:
+            yield from _paints_in(source)
+        except SuiteError as error:
+            yield _bad_item(Path(source), str(error))
         return
     for path in _files_of(Path(source), paint_endings(), besides):
         try:

@@ -222,8 +222,9 @@ class _Run:
                 middle = (len(group) + 1) // 2
                 self._suspects.extend(half for half in (group[:middle], group[middle:]) if half)
                 return []
-            item, reason = group[0], f"the process that worked on it ended ({type(error).__name__})"
-            return [Finished.failed(item, reason)]
+            name = type(error).__name__
+            reason = f"the process that worked on it ended, or took more memory than it may ({name})"
+            return [Finished.failed(group[0], reason)]
 
     def _lost(self, why: str = "The workers are lost") -> SuiteError:
         return SuiteError(f"{why}; what they finished is kept, and the same batch goes on where it was.")

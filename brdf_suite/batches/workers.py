@@ -11,9 +11,10 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 from brdf_suite.errors import SuiteError
@@ -39,6 +40,9 @@ _WORKER_VARIABLES = {
 _PURPOSE = "a batch"
 _ANSWER_S = 20.0
 _WORKERS_S = 600.0
+_LEAST_MEMORY = 256 << 20
+"""Bytes; a worker has taken half of that before its first paint."""
+_PROTOCOLS = ("tcp", "tls", "ws", "wss", "ucx")
 _START_S = 120.0
 """Time in which a process has to begin."""
 _JOB_CLUSTERS = {
@@ -87,43 +91,50 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
         os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(os.cpu_count() or 1)
     )
     try:
-        limit = dask.utils.parse_bytes(memory) if memory is not None else "auto"
+        limit = None if memory is None else dask.utils.parse_bytes(memory)
     except ValueError as error:
         raise SuiteError(f"{memory!r} is no amount of memory; write it as 2GB.") from error
+    if limit is not None and limit < _LEAST_MEMORY:
+        raise SuiteError(
+            f"{memory!r} is too little memory for a worker; it takes at least {_LEAST_MEMORY >> 20}MiB."
+        )
     # Dask sets them in this process too, prefers what it finds there, and leaves them.
     inherited = variables_inherited(_WORKER_VARIABLES | {"__DASK_PARENT_PID": str(os.getpid())})
-    with inherited, _quiet(distributed), dask.config.set(_settings()):
+    with inherited, _quiet(distributed), dask.config.set(_settings()), ExitStack() as ends:
         try:
             with interrupts_held_back():
                 cluster = distributed.LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
                     processes=True,
-                    memory_limit=limit,
+                    memory_limit="auto" if limit is None else limit,
                     dashboard_address="127.0.0.1:0",  # any free port: several batches run at once
                     security=True,  # other users of this machine can reach its ports
                     death_timeout=_START_S,
                     silence_logs=logging.CRITICAL,
                 )
+                ends.enter_context(
+                    cluster
+                )  # here: an interrupt that was held back comes at the end of the block
         except (RuntimeError, TimeoutError) as error:
             reason = " ".join(str(error).splitlines())
             raise SuiteError(f"The workers do not start: {reason} {_IN_A_SCRIPT}") from error
-        with cluster, distributed.Client(cluster) as client:
-            yield replace(
-                _workers_of(client), replace_lost=lambda: replace_lost(cluster, count), patience_s=_WORKERS_S
-            )
+        client = ends.enter_context(distributed.Client(cluster))
+        yield replace(
+            _workers_of(client), replace_lost=lambda: replace_lost(cluster, count), patience_s=_WORKERS_S
+        )
 
 
 @contextmanager
 def scheduler_workers(address: str) -> Iterator[BatchWorkers]:
     """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
     distributed, dask = _dask()
-    if not re.fullmatch(r"\w+://.+", address):
+    if not re.fullmatch(rf"({'|'.join(_PROTOCOLS)})://.+", address):
         raise SuiteError(f"{address!r} is no address of a scheduler; expected tcp://HOST:PORT.")
     with dask.config.set(_settings()), _quiet(distributed):
         try:
             client = distributed.Client(address, timeout=_ANSWER_S, set_as_default=False)
-        except (OSError, ValueError, TimeoutError) as error:
+        except (OSError, ValueError, TypeError) as error:  # TypeError: tls without a certificate
             raise SuiteError(f"No scheduler answers at {address}: {error}") from error
         with client:
             _wait_for_workers(client, address)
@@ -146,8 +157,15 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
         try:
             cluster = kind(n_workers=count, python=job_interpreter(system))
         except (ValueError, OSError, RuntimeError) as error:
+            given = dask.config.get(f"jobqueue.{system}", {})
+            missing = [name for name in ("cores", "memory") if not given.get(name)]
             reason = " ".join(str(error).splitlines())
-            raise SuiteError(f"{system}: {reason}; see dask-jobqueue's configuration file.") from error
+            if missing:
+                reason = f"{' and '.join(missing)} of a job are not set"
+            raise SuiteError(
+                f"{system}: {reason}; they are read from the section jobqueue: {system}: of "
+                f"{Path(dask.config.PATH) / 'jobqueue.yaml'}."
+            ) from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:
             _wait_for_workers(client, system)
             # Jobs that have ended, at the limit of their time or by force, are asked for again.

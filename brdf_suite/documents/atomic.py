@@ -40,7 +40,7 @@ _FORGOTTEN_S = 3600.0
 def check_target(path: PathLike, *, overwrite: bool = True) -> None:
     """Refuse a name under which no file can be, before any work is done for it; a symbolic link is followed.
 
-    Whether the folder may be written and the disk has room is found only when the file is written.
+    Whether the disk has room is found only when the file is written.
 
     Raises
     ------
@@ -60,13 +60,16 @@ def check_target(path: PathLike, *, overwrite: bool = True) -> None:
 
 
 def check_folder_of(path: PathLike) -> None:
-    """Raise :class:`FileError` where the folder that is to hold ``path`` does not exist or cannot be looked for."""
+    """Raise :class:`FileError` where the folder that is to hold ``path`` does not exist or cannot be written."""
+    folder = Path(path).absolute().parent
     try:
-        folder_exists = Path(path).absolute().parent.is_dir()
+        folder_exists = folder.is_dir()
     except OSError as error:  # a name that the file system does not take, a folder that may not be entered
         raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
     if not folder_exists:
         raise FileError(path, "its folder does not exist")
+    if not os.access(folder, os.W_OK):
+        raise FileError(path, "its folder cannot be written")
 
 
 @contextmanager

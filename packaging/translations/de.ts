@@ -17800,6 +17800,10 @@ h {hue}°</translation>
         <translation>gibt es schon; wählen Sie einen anderen Namen oder --overwrite</translation>
     </message>
     <message>
+        <source>its folder cannot be written</source>
+        <translation>in den Ordner lässt sich nicht schreiben</translation>
+    </message>
+    <message>
         <source>a turntable as a folder of PNG pictures needs nothing more</source>
         <translation>eine Drehung als Ordner mit PNG-Bildern braucht nichts weiter</translation>
     </message>

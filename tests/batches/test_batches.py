@@ -273,6 +273,16 @@ def test_what_is_done_needs_no_workers(tmp_path: Path, hire: Hire) -> None:
     assert run_batch(Measure(), list_paints(["blue"]), tmp_path, never).done_before == 1
 
 
+def test_a_source_that_is_no_paint_is_one_items_problem(tmp_path: Path, hire: Hire) -> None:
+    other = tmp_path / "other.txt"
+    other.write_text("no paint")
+    done = run_batch(Measure(), list_paints([str(other), "blue"]), tmp_path / "out", hire)
+    ((source, problem),) = done.problems
+    assert source == str(other)
+    assert problem.startswith(f"{other}, at byte 0: is neither a paint nor a palette")
+    assert [row["name"] for row in rows_of(tmp_path / "out") if row["name"]] == ["Blue"]
+
+
 def test_other_options_are_another_batch(tmp_path: Path, hire: Hire) -> None:
     run_batch(Measure("six"), list_paints(["blue"]), tmp_path, hire)
     done = run_batch(Measure("e2194"), list_paints(["blue"]), tmp_path, hire)

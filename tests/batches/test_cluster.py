@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
@@ -121,28 +122,32 @@ def test_a_step_that_a_worker_cannot_begin_ends_the_batch_with_its_reason(
 
 def test_no_scheduler_is_one_line() -> None:
     with (
-        pytest.raises(SuiteError, match="No scheduler answers at nonsense"),
-        scheduler_workers("nonsense://x"),
+        pytest.raises(SuiteError, match="No scheduler answers at tls://x:1: "),
+        scheduler_workers("tls://x:1"),  # without a certificate, which is found before any answer
     ):
         pass
 
 
-def test_an_address_without_a_protocol_is_refused_at_once() -> None:
+@pytest.mark.parametrize("address", ["foo", "", "http://localhost:8786", "tcp://"])
+def test_what_is_no_address_is_refused_at_once(address: str) -> None:
     with (
-        pytest.raises(SuiteError, match=r"'foo' is no address of a scheduler; expected tcp"),
-        scheduler_workers("foo"),
+        pytest.raises(SuiteError, match=f"'{address}' is no address of a scheduler; expected tcp"),
+        scheduler_workers(address),
     ):
         pass
 
 
-@pytest.mark.parametrize("system", sorted(set(JOB_SYSTEMS) - {"local"}))
+@pytest.mark.parametrize("system", JOB_SYSTEMS)
 def test_a_job_system_that_is_not_configured_says_so(system: str, tmp_path: Path) -> None:
     words = ("batch", "measure", "blue", "-o", str(tmp_path), "--jobs", system)
     done = subprocess.run(child_command("brdf_suite", *words), capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert "Traceback" not in done.stderr
-    assert done.stderr.splitlines()[-1].startswith(f"brdf-suite: {system}: You must specify how much cores")
-    assert done.stderr.endswith("see dask-jobqueue's configuration file.\n")
+    assert done.stderr.splitlines()[-1].startswith(
+        f"brdf-suite: {system}: cores and memory of a job are not set; they are read from the section "
+        f"jobqueue: {system}:"
+    )
+    assert done.stderr.endswith("jobqueue.yaml.\n")
 
 
 def test_a_script_without_its_guard_says_what_is_missing(tmp_path: Path) -> None:
@@ -207,6 +212,41 @@ def test_a_worker_has_one_thread_and_keeps_the_memory_of_arrays(monkeypatch: pyt
 def test_memory_is_written_with_its_unit() -> None:
     with pytest.raises(SuiteError, match="no amount of memory"), local_workers(1, "much"):
         pass
+
+
+@pytest.mark.parametrize("memory", ["100MB", "0", "-2GB"])
+def test_memory_in_which_no_worker_can_begin_is_refused(memory: str) -> None:
+    with (
+        pytest.raises(SuiteError, match=f"'{memory}' is too little memory for a worker; it takes"),
+        local_workers(1, memory),
+    ):
+        pass
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="signals reach no thread of choice")
+def test_an_interrupt_while_workers_start_ends_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The system may give it to any thread that was there before; Python then interrupts the main one."""
+    import distributed
+
+    begin, started = distributed.LocalCluster, []
+    done = threading.Event()
+    other = threading.Thread(target=done.wait)
+    other.start()
+
+    def interrupted(**settings: Any) -> Any:
+        assert other.ident is not None
+        signal.pthread_kill(other.ident, signal.SIGINT)
+        started.append(begin(**settings))
+        return started[0]
+
+    monkeypatch.setattr(distributed, "LocalCluster", interrupted)
+    try:
+        with pytest.raises(KeyboardInterrupt), local_workers(1):
+            pytest.fail("the interrupt was lost")
+    finally:
+        done.set()
+        other.join()
+    assert started[0].status.name == "closed"
 
 
 @dataclass(frozen=True)

@@ -322,6 +322,10 @@ def test_empty_names_are_refused_in_words(inside) -> None:
     refused(inside("render", "blue", "-o", "out.png", "--mesh", ""), "surface is empty", "speed_form")
     refused(inside("prefilter", ""), "environment is empty")
     refused(inside("open", ""), "paint is empty")
+    for words in (("batch", "measure", "blue"), ("render", "blue")):
+        done = inside(*words, "-o", "")
+        assert done.returncode == 2
+        assert "argument -o/--output: a file or a folder has no empty name" in done.stderr
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")

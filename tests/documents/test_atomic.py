@@ -253,3 +253,18 @@ def test_a_file_is_replaced_only_where_that_was_asked_for(tmp_path: Path) -> Non
     check_target(file)
     with pytest.raises(FileError, match=r"exists already.*--overwrite"):
         check_target(file, overwrite=False)
+
+
+def test_a_folder_that_may_not_be_written_is_found_before_the_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def access(folder: Path, mode: int) -> bool:
+        asked.append((folder, mode))
+        return False  # root, who runs these tests here and there, may write anywhere
+
+    monkeypatch.setattr(os, "access", access)
+    with pytest.raises(FileError, match="its folder cannot be written"):
+        check_target(tmp_path / "new")
+    assert asked == [(tmp_path, os.W_OK)]

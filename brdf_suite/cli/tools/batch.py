@@ -174,7 +174,9 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
             }
         )
         return
-    shown = [f"{source}: {problem}" for source, problem in done.problems]
+    shown = [
+        problem if problem.startswith(source) else f"{source}: {problem}" for source, problem in done.problems
+    ]
     beyond = len(shown) - _MOST_PROBLEMS
     print_problems(shown[:_MOST_PROBLEMS] + ([f"{beyond:,} more, all in results.csv"] if beyond > 0 else []))
     print_notes(done.notices[:_MOST_PROBLEMS])
@@ -184,4 +186,5 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
         )
     more = f"; {len(shown):,} with a problem, all in results.csv" if shown else ""
     before = f", {done.done_before:,} done before" if done.done_before else ""
-    print_done(f"{done.folder}: {done.items:,} items{before}, {done.seconds:.1f} s{more}")
+    items = f"{done.items:,} {'item' if done.items == 1 else 'items'}"
+    print_done(f"{done.folder}: {items}{before}, {done.seconds:.1f} s{more}")

@@ -117,7 +117,9 @@ class ShaderProcess:
                 creationflags=_NO_WINDOW if sys.platform == "win32" else 0,
             )
         except OSError as error:
-            raise GraphicsError(f"No process could be started for the model ({error.strerror or error}).") from error
+            raise GraphicsError(
+                f"No process could be started for the model ({error.strerror or error})."
+            ) from error
         self.process = process
         ready, _, _ = _ask(process, {}, b"", START_SECONDS)
         if ready is None or "error" in ready:

@@ -163,7 +163,9 @@ def _run(
         except subprocess.TimeoutExpired as error:
             raise FileError(path, f"reading it takes more than {SECONDS:g} s; make it smaller") from error
         except OSError as error:
-            raise FileError(path, f"no process could be started to read it ({error.strerror or error})") from error
+            raise FileError(
+                path, f"no process could be started to read it ({error.strerror or error})"
+            ) from error
         if done.returncode != 0 or not answer.is_file():
             why = f"the library that reads it broke down: it is damaged, or {needs_more_memory()}"
             raise FileError(path, why)
