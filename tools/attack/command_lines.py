@@ -208,10 +208,13 @@ def wrong(count: int, seed: int, report: Callable[[str], None]) -> Lines:
     return found
 
 
+_NEW = "new"
+"""Stands for the name of a folder that is not there."""
 _STARTS = (
     ("brdf_suite", "list", "paints"),
     ("brdf_suite", "measure", "blue"),
     ("brdf_suite", "fit", "copper"),
+    ("brdf_suite", "batch", "measure", "blue", "--workers", "1", "-o", _NEW),
     ("brdf_designer", "--quit-after", "0"),
     ("brdf_viewer", "--quit-after", "0"),
     ("brdf_lobe_visualizer", "--quit-after", "0"),
@@ -227,7 +230,8 @@ def signals(count: int, seed: int, report: Callable[[str], None]) -> Lines:
     with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as folder:
         environment = home(Path(folder))
         for number in range(count):
-            line = _STARTS[number % len(_STARTS)]
+            start = _STARTS[number % len(_STARTS)]
+            line = tuple(f"{folder}/{number}" if word is _NEW else word for word in start)
             before = len(found.faults)
             if number % 3 == 2:
                 kind = number // 3 % len(_PIPES)
@@ -235,7 +239,7 @@ def signals(count: int, seed: int, report: Callable[[str], None]) -> Lines:
                 found.judge(f"{' '.join(line)} with {_PIPES[kind]}", status, said)
             else:
                 sent = rng.choice(_SIGNALS)
-                after, to_group = rng.uniform(0.0, 2.0), rng.random() < 0.5
+                after, to_group = rng.uniform(0.0, 3.0), rng.random() < 0.5
                 status, said = _with_signal(child_command(*line), environment, sent, after, to_group=to_group)
                 found.judge(
                     f"{' '.join(line)}, {sent.name} after {after:.3f} s" + " to its group" * to_group,
