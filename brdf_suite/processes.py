@@ -143,7 +143,7 @@ def safe_path_inherited() -> AbstractContextManager[None]:
 def interrupts_held_back() -> Iterator[None]:
     """Start threads and processes inside the block that Ctrl-C does not reach: this process alone ends them.
 
-    An interrupt that comes meanwhile takes effect at the end of the block.
+    An interrupt that comes meanwhile takes effect at the end of the block. On Windows nothing is held back.
     """
     if not hasattr(signal, "pthread_sigmask"):
         yield
@@ -151,19 +151,22 @@ def interrupts_held_back() -> Iterator[None]:
     from multiprocessing import resource_tracker
 
     resource_tracker.ensure_running()  # begun later, it would let interrupts through again
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    # The system gives the signal to another thread then, as those of linear algebra, and Python to the main one.
+    # The system gives a signal that this thread does not take to another one, as those of linear algebra, and Python
+    # interrupts the main thread all the same.
     handler = signal.getsignal(signal.SIGINT)
     is_held = handler is not None and threading.current_thread() is threading.main_thread()
     held: list[int] = []
     if is_held:
         signal.signal(signal.SIGINT, lambda number, _frame: held.append(number))
     try:
-        yield
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            yield
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
     finally:
         if is_held:
             signal.signal(signal.SIGINT, handler)
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
         if held:
             signal.raise_signal(signal.SIGINT)
 

@@ -106,11 +106,7 @@ def list_paints(sources: Iterable[str | os.PathLike[str]], besides: Path | None 
 
 def list_lights(sources: Iterable[str | os.PathLike[str]], besides: Path | None = None) -> list[BatchItem]:
     """Return the environments of sources: shipped names, files and folders; otherwise as :func:`list_paints`."""
-    return _without_repeats(
-        _file_item(path) if is_file(path) else _named_item(str(path))
-        for source in sources
-        for path in _files_of(Path(source), LIGHTS, besides)
-    )
+    return _without_repeats(item for source in sources for item in _lights_of(os.fspath(source), besides))
 
 
 def sources_in(lines: Iterable[str], folder: Path) -> list[str]:
@@ -148,8 +144,16 @@ def _without_repeats(items: Iterable[BatchItem]) -> list[BatchItem]:
     return list(kept.values())
 
 
+def _lights_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
+    if not source:
+        yield _named_item(source)
+        return
+    for path in _files_of(Path(source), LIGHTS, besides):
+        yield _file_item(path) if is_file(path) else _named_item(str(path))
+
+
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
-    if not is_folder(source):
+    if not source or not is_folder(source):  # the path without a name is the working folder
         try:
             yield from _paints_in(source)
         except SuiteError as error:

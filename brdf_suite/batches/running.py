@@ -91,7 +91,9 @@ def run_batch(
     with journal_of(folder, key) as journal:
         before = sum(item.key in journal.finished for item in items)
         left = [item for item in items if item.key not in journal.finished]
-        journal.append(())  # the workers look for it
+        # The workers look for the journal; of what cannot be loaded it says so at once.
+        journal.append([Finished.failed(item, item.fault) for item in left if item.fault])
+        left = [item for item in left if not item.fault]
         if left:
             step.prepare(subrange(progress, 0.0, 0.05))
             report(progress, 0.05, "starting the workers")
@@ -109,7 +111,9 @@ def run_batch(
         ]
         notices = tuple(dict.fromkeys([*repeated, *(text for _, one in done for text in one.notices)]))
         others = len(journal.others)
-    return BatchResult(folder, step.name, len(items), len(left), before, problems, seconds, notices, others)
+    return BatchResult(
+        folder, step.name, len(items), len(items) - before, before, problems, seconds, notices, others
+    )
 
 
 class _Run:

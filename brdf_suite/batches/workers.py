@@ -5,6 +5,7 @@ Dask brings them (extra ``batches``); anything with the interface of ``concurren
 
 from __future__ import annotations
 
+import gc
 import logging
 import math
 import os
@@ -42,7 +43,6 @@ _ANSWER_S = 20.0
 _WORKERS_S = 600.0
 _LEAST_MEMORY = 256 << 20
 """Bytes; a worker has taken half of that before its first paint."""
-_PROTOCOLS = ("tcp", "tls", "ws", "wss", "ucx")
 _START_S = 120.0
 """Time in which a process has to begin."""
 _JOB_CLUSTERS = {
@@ -129,13 +129,17 @@ def local_workers(count: int | None = None, memory: str | None = None) -> Iterat
 def scheduler_workers(address: str) -> Iterator[BatchWorkers]:
     """Use the workers of a running scheduler, ``tcp://HOST:PORT``; :class:`SuiteError` where none answers or works."""
     distributed, dask = _dask()
-    if not re.fullmatch(rf"({'|'.join(_PROTOCOLS)})://.+", address):
+    if not re.fullmatch(rf"({'|'.join(distributed.comm.registry.backends)})://.+", address):
         raise SuiteError(f"{address!r} is no address of a scheduler; expected tcp://HOST:PORT.")
     with dask.config.set(_settings()), _quiet(distributed):
         try:
             client = distributed.Client(address, timeout=_ANSWER_S, set_as_default=False)
         except (OSError, ValueError, TypeError) as error:  # TypeError: tls without a certificate
-            raise SuiteError(f"No scheduler answers at {address}: {error}") from error
+            client, reason = None, str(error)
+        if client is None:
+            # The client that could not be made ends itself; at the end of the interpreter it would wait for an answer.
+            gc.collect()
+            raise SuiteError(f"No scheduler answers at {address}: {reason}")
         with client:
             _wait_for_workers(client, address)
             yield _workers_of(client)
@@ -163,7 +167,7 @@ def job_workers(system: str, count: int) -> Iterator[BatchWorkers]:
             if missing:
                 reason = f"{' and '.join(missing)} of a job are not set"
             raise SuiteError(
-                f"{system}: {reason}; they are read from the section jobqueue: {system}: of "
+                f"{system}: {reason}; see the section jobqueue: {system}: of Dask's settings, as in "
                 f"{Path(dask.config.PATH) / 'jobqueue.yaml'}."
             ) from error
         with cluster, distributed.Client(cluster, set_as_default=False) as client:

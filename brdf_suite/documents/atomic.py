@@ -45,31 +45,42 @@ def check_target(path: PathLike, *, overwrite: bool = True) -> None:
     Raises
     ------
     FileError
-        There is such a file and it may not be replaced, what is there is no plain file, its folder does not exist,
-        or the file system takes no such name.
+        There is such a file and it may not be replaced, what is there is no plain file, its folder does not exist or
+        may not be written, or the file system takes no such name.
     """
-    check_folder_of(path)
+    _existing_folder_of(path)
     try:
         mode = _mode_of(Path(path))
     except (OSError, ValueError) as error:  # ValueError: NUL in the name
         raise FileError(path, f"cannot be written: {getattr(error, 'strerror', None) or error}") from error
-    if mode is None and Path(path).is_symlink():
-        check_folder_of(os.path.realpath(path))
     if mode is not None and not overwrite:
         raise FileError(path, "exists already; choose another name, or --overwrite")
+    check_folder_of(path)
 
 
 def check_folder_of(path: PathLike) -> None:
-    """Raise :class:`FileError` where the folder that is to hold ``path`` does not exist or cannot be written."""
-    folder = Path(path).absolute().parent
+    """Raise :class:`FileError` where the folder that is to hold ``path`` does not exist or may not be written.
+
+    Windows says of every folder that it may be.
+    """
+    if not os.access(_existing_folder_of(path), os.W_OK):
+        raise FileError(path, "its folder cannot be written")
+
+
+def _existing_folder_of(path: PathLike) -> Path:
+    """Return the folder in which ``path`` is written, of a link that of its file; FileError where it does not exist."""
+    given = Path(path).absolute()
+    folders = [given.parent]
+    with contextlib.suppress(OSError, ValueError):
+        if given.is_symlink():
+            folders.append(Path(os.path.realpath(given)).parent)
     try:
-        folder_exists = folder.is_dir()
+        exist = all(folder.is_dir() for folder in folders)
     except OSError as error:  # a name that the file system does not take, a folder that may not be entered
         raise FileError(path, f"its folder cannot be used: {error.strerror or error}") from error
-    if not folder_exists:
+    if not exist:
         raise FileError(path, "its folder does not exist")
-    if not os.access(folder, os.W_OK):
-        raise FileError(path, "its folder cannot be written")
+    return folders[-1]
 
 
 @contextmanager

@@ -73,8 +73,8 @@ def batch(
     Raises
     ------
     SuiteError
-        A palette of the sources cannot be read, the extra ``batches`` is not installed, the folder cannot be written,
-        or the workers are lost.
+        A folder of the sources holds nothing, the extra ``batches`` is not installed, the folder cannot be written, or
+        the workers are lost. What cannot be read is among ``problems`` of the result.
 
     >>> import brdf_suite as bs, concurrent.futures, tempfile
     >>> with concurrent.futures.ThreadPoolExecutor(1) as one:

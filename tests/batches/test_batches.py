@@ -273,6 +273,32 @@ def test_what_is_done_needs_no_workers(tmp_path: Path, hire: Hire) -> None:
     assert run_batch(Measure(), list_paints(["blue"]), tmp_path, never).done_before == 1
 
 
+@pytest.mark.parametrize(("list_items", "step"), [(list_paints, Measure()), (list_lights, Prefilter())])
+def test_a_source_without_a_name_is_not_the_working_folder(
+    list_items: Callable[..., list[BatchItem]],
+    step: Any,
+    paints: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    hire: Hire,
+) -> None:
+    monkeypatch.chdir(paints)
+    items = list_items([""])
+    assert len(items) == 1
+    ((source, problem),) = run_batch(step, items, paints.parent / "out", hire).problems
+    assert source == ""
+    assert "is empty" in problem
+
+
+def test_what_cannot_be_loaded_needs_no_worker(tmp_path: Path) -> None:
+    (tmp_path / "bad.brdfpalette").write_text("{}")
+
+    def never() -> AbstractContextManager[BatchWorkers]:
+        raise AssertionError("workers were started")
+
+    done = run_batch(Measure(), list_paints([tmp_path / "bad.brdfpalette"]), tmp_path / "out", never)
+    assert (done.items, done.done, len(done.problems)) == (1, 1, 1)
+
+
 def test_a_source_that_is_no_paint_is_one_items_problem(tmp_path: Path, hire: Hire) -> None:
     other = tmp_path / "other.txt"
     other.write_text("no paint")

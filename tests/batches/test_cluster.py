@@ -120,12 +120,13 @@ def test_a_step_that_a_worker_cannot_begin_ends_the_batch_with_its_reason(
     assert clusters.lines_of(tmp_path) == []
 
 
-def test_no_scheduler_is_one_line() -> None:
-    with (
-        pytest.raises(SuiteError, match="No scheduler answers at tls://x:1: "),
-        scheduler_workers("tls://x:1"),  # without a certificate, which is found before any answer
-    ):
-        pass
+@pytest.mark.parametrize("address", ["tls://x:1", "tcp://localhost:abc"])
+def test_no_scheduler_is_one_line(address: str, tmp_path: Path) -> None:
+    words = ("batch", "measure", "blue", "-o", str(tmp_path), "--scheduler", address)
+    done = subprocess.run(child_command("brdf_suite", *words), capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].startswith(f"brdf-suite: No scheduler answers at {address}: ")
+    assert "Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize("address", ["foo", "", "http://localhost:8786", "tcp://"])
@@ -144,8 +145,7 @@ def test_a_job_system_that_is_not_configured_says_so(system: str, tmp_path: Path
     assert done.returncode == 1
     assert "Traceback" not in done.stderr
     assert done.stderr.splitlines()[-1].startswith(
-        f"brdf-suite: {system}: cores and memory of a job are not set; they are read from the section "
-        f"jobqueue: {system}:"
+        f"brdf-suite: {system}: cores and memory of a job are not set; see the section jobqueue: {system}:"
     )
     assert done.stderr.endswith("jobqueue.yaml.\n")
 

@@ -235,7 +235,7 @@ def test_a_folder_is_made_with_those_that_it_lies_in(tmp_path: Path) -> None:
         ("x" * 300, "cannot be written"),
         ("a\0b", "cannot be written"),
         ("folder", "cannot be written: it is not a plain file"),
-        ("link", "none/new: its folder does not exist"),
+        ("link", "link: its folder does not exist"),
     ],
 )
 def test_a_name_under_which_nothing_can_be_written_is_refused(name: str, reason: str, tmp_path: Path) -> None:
@@ -264,7 +264,10 @@ def test_a_folder_that_may_not_be_written_is_found_before_the_work(
         asked.append((folder, mode))
         return False  # root, who runs these tests here and there, may write anywhere
 
+    (tmp_path / "other").mkdir()
+    (tmp_path / "link").symlink_to(tmp_path / "other" / "new")
     monkeypatch.setattr(os, "access", access)
-    with pytest.raises(FileError, match="its folder cannot be written"):
-        check_target(tmp_path / "new")
-    assert asked == [(tmp_path, os.W_OK)]
+    for name in ("new", "link"):
+        with pytest.raises(FileError, match=f"{name}: its folder cannot be written"):
+            check_target(tmp_path / name)
+    assert asked == [(tmp_path, os.W_OK), (tmp_path / "other", os.W_OK)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +25,7 @@ from brdf_suite.cli.picture.scene_options import (
     parse_view,
 )
 from brdf_suite.command_parser import CommandParser
+from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.settings import FitSettings
 from brdf_suite.regular_files import read_text
 from brdf_suite.reports.handover import formats
@@ -152,7 +154,15 @@ def run(options: argparse.Namespace) -> int:
     return 1 if done.problems else 0
 
 
+def _named(source: str, problem: str) -> str:
+    """Return a problem with its source, which most begin with as it was given."""
+    head = re.split("[:,]", problem, maxsplit=1)[0]
+    return problem if head and source.endswith(head) else f"{source}: {problem}"
+
+
 def _listed(file: str) -> list[str]:
+    if not file:
+        raise SuiteError("The name of the list is empty.")
     if file == "-":
         return sources_in(sys.stdin, Path())
     return sources_in(read_text(file).splitlines(), Path(file).parent)
@@ -174,9 +184,7 @@ def _print(done: BatchResult, *, as_json: bool) -> None:
             }
         )
         return
-    shown = [
-        problem if problem.startswith(source) else f"{source}: {problem}" for source, problem in done.problems
-    ]
+    shown = [_named(source, problem) for source, problem in done.problems]
     beyond = len(shown) - _MOST_PROBLEMS
     print_problems(shown[:_MOST_PROBLEMS] + ([f"{beyond:,} more, all in results.csv"] if beyond > 0 else []))
     print_notes(done.notices[:_MOST_PROBLEMS])
