@@ -41,7 +41,8 @@ def read_picture_within(named):  # a path and the bytes allowed
 import OpenEXR, scipy.spatial, tifffile
 def peak():  # of this process alone: getrusage begins with the peak of the process that started it
     with open("/proc/self/status") as status:
-        return next(int(line.split()[1]) >> 10 for line in status if line.startswith("VmHWM"))
+        kb = {line.split()[0]: int(line.split()[1]) for line in status if line.endswith("kB\\n")}
+    return kb["VmHWM:"] - kb["RssFile:"] >> 10  # the system may drop code of libraries and load it again
 for line in sys.stdin:
     if os.fork():  # this process only imports, which takes longer than most of the reading
         os.wait()
