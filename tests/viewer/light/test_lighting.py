@@ -219,7 +219,7 @@ def test_a_picture_is_finished_only_with_its_weights_by_view(start, shared_data,
     find = seen_weights.seen_weights
 
     def held(*arguments: object) -> object:
-        go_on.wait(60.0)
+        go_on.wait()
         return find(*arguments)
 
     monkeypatch.setattr(seen_weights, "seen_weights", held)
@@ -227,7 +227,7 @@ def test_a_picture_is_finished_only_with_its_weights_by_view(start, shared_data,
     finished: list[bool] = []
     viewer.controller.picture_finished.connect(lambda: finished.append(True))
     qtbot.waitUntil(lambda: bool(viewer.window.status.cell("frame").text()))
-    assert viewer.controller.drawer.awaits_weights
+    qtbot.waitUntil(lambda: viewer.controller.drawer.awaits_weights)
     qtbot.wait(50)
     assert not finished
     go_on.set()
