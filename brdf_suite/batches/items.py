@@ -153,17 +153,14 @@ def _lights_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
 
 
 def _paints_of(source: str, besides: Path | None) -> Iterator[BatchItem]:
-    if not source or not is_folder(source):  # the path without a name is the working folder
+    # The path without a name is the working folder.
+    is_folder_of_files = bool(source) and is_folder(source)
+    files = _files_of(Path(source), paint_endings(), besides) if is_folder_of_files else [source]
+    for file in map(str, files):
         try:
-            yield from _paints_in(source)
+            yield from _paints_in(file)
         except SuiteError as error:
-            yield _bad_item(Path(source), str(error))
-        return
-    for path in _files_of(Path(source), paint_endings(), besides):
-        try:
-            yield from _paints_in(str(path))
-        except SuiteError as error:
-            yield _bad_item(path, str(error))
+            yield _bad_item(Path(file), str(error))
 
 
 def _paints_in(source: str) -> Iterator[BatchItem]:
